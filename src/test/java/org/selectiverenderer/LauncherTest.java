@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -97,6 +98,35 @@ class LauncherTest {
     assertThat(run.err()).startsWith("selective-renderer: building").hasLineCount(1);
     launch("--version");
     assertThat(builds()).isEqualTo(1);
+  }
+
+  @Test
+  void theArchiveOfClassesIsMadeAgainAtADisplayOnceDrawingHasFailed() throws Exception {
+    // Draws at display :5 alone.
+    tool(
+        "jdk/bin/java",
+        """
+        case "$*" in
+          *.drawing*) [ "${DISPLAY:-}" = :5 ]; exit ;;
+          *-Xshare:dump*) echo dump >>"$NOTES" ;;
+          *) exit 0 ;;
+        esac
+        for word in "$@"; do
+          case $word in -XX:SharedArchiveFile=*) echo classes >"${word#*=}" ;; esac
+        done
+        """);
+    environment.put("WAYLAND_DISPLAY", "");
+    for (String display : List.of("", "", ":4", ":4", "", ":5", ":5", ":4")) {
+      environment.put("DISPLAY", display);
+      assertThat(launch("--version").status()).isZero();
+    }
+    // Without a display, at the one that cannot draw, and at the one that can; then it is whole.
+    assertThat(notes()).filteredOn("dump"::equals).hasSize(3);
+    try (Stream<Path> files = Files.list(home.resolve("target"))) {
+      assertThat(files.map(file -> file.getFileName().toString()))
+          .containsExactlyInAnyOrder(
+              "selective-renderer.jar", "x3d-sai.jar", "selective-renderer-17.0.1.jsa");
+    }
   }
 
   @Test

@@ -28,8 +28,15 @@ public final class FreeNames {
     return name;
   }
 
+  /** Whether a name can be that of a node. */
+  public static boolean allowed(String name) {
+    return !name.isEmpty()
+        && identifier(name).equals(name)
+        && "0123456789-".indexOf(name.charAt(0)) < 0;
+  }
+
   /** A name without what cannot stand in one (X3D 4.0, 4.4.2.2): spaces, quotes and the like. */
-  private static String identifier(String wanted) {
+  public static String identifier(String wanted) {
     StringBuilder name = new StringBuilder(wanted.length());
     wanted
         .codePoints()

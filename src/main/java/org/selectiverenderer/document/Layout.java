@@ -4,6 +4,7 @@ import java.util.List;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.StartTag;
 import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.WrittenAttribute;
 import org.selectiverenderer.x3d.write.XmlAttribute;
 
 /** Lays out what is added to a document as its author does: indentation, ends of lines, quotes. */
@@ -198,9 +199,21 @@ public final class Layout {
     return TextChange.remove(cut, after);
   }
 
-  /** Gives an attribute another value, or the element the attribute. */
+  /**
+   * Gives an attribute another value, or the element the attribute.
+   *
+   * @throws EditRefused if the value comes out of an entity, or the element does
+   */
   public TextChange attribute(DocumentElement element, String name, String value) {
     StartTag tag = element.tag();
+    boolean entity = tag.attribute(name).filter(WrittenAttribute::fromEntity).isPresent();
+    if (entity || element.isReference()) {
+      throw new EditRefused(
+          (entity ? "The value of " + name + " of " : "")
+              + element
+              + " comes out of an entity of the DOCTYPE, which may stand in several places; "
+              + "change it in the source");
+    }
     return tag.attribute(name)
         .map(
             old ->

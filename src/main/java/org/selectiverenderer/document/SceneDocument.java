@@ -13,6 +13,7 @@ import org.selectiverenderer.x3d.source.DocumentFault;
 import org.selectiverenderer.x3d.source.ElementSource;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.EncodedText;
+import org.selectiverenderer.x3d.source.Entities;
 import org.selectiverenderer.x3d.source.Gzip;
 import org.selectiverenderer.x3d.source.StartTag;
 import org.selectiverenderer.x3d.source.TextChange;
@@ -38,6 +39,7 @@ public final class SceneDocument {
   private final List<DocumentListener> listeners = new CopyOnWriteArrayList<>();
   private @Nullable ElementTree tree;
   private @Nullable DocumentFault fault;
+  private Entities entities = Entities.NONE;
   private long revision;
 
   /** The latest snapshot, which all who ask for one share as long as one of them has it. */
@@ -50,6 +52,7 @@ public final class SceneDocument {
     // Bytes that are made again from the characters need not be kept.
     this.original = compressed || !encoding.exact() ? bytes : null;
     this.buffer = new TextBuffer(encoding.characters());
+    entities = Entities.of(buffer.characters());
     try {
       tree = encoding.elements(source);
     } catch (XmlFault e) {
@@ -120,6 +123,11 @@ public final class SceneDocument {
                 + "editor first");
   }
 
+  /** The entities that the document's own DOCTYPE declares. */
+  public Entities entities() {
+    return entities;
+  }
+
   /** The attributes of an element. */
   public StartTag tag(DocumentElement element) {
     return element.tag();
@@ -161,6 +169,23 @@ public final class SceneDocument {
   public void perform(Edit edit) {
     unlocked();
     history.perform(edit);
+  }
+
+  /**
+   * Writes files and makes the edit that goes with them, as one step: undoing it concerns the files
+   * too.
+   *
+   * @throws EditRefused if the document is locked; nothing is written then
+   * @throws IOException if a file cannot be written, with one line that names it; nothing has
+   *     changed then
+   */
+  public void perform(Edit edit, List<StepFiles.Written> files) throws IOException {
+    unlocked();
+    if (files.isEmpty()) {
+      history.perform(edit);
+    } else {
+      history.perform(edit, StepFiles.write(files));
+    }
   }
 
   /**
@@ -258,6 +283,11 @@ public final class SceneDocument {
     public FieldParser parser() {
       return parser;
     }
+
+    @Override
+    public Entities entities() {
+      return entities;
+    }
   }
 
   private List<TextChange> apply(List<TextChange> changes) {
@@ -276,6 +306,7 @@ public final class SceneDocument {
     if (tree != null) {
       tree.detach();
     }
+    entities = Entities.of(buffer.characters());
     try {
       tree = ElementTree.of(source, revision);
       fault = null;

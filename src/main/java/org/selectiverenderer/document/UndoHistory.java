@@ -1,5 +1,7 @@
 package org.selectiverenderer.document;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -11,7 +13,10 @@ public final class UndoHistory {
   /**
    * A step; each part is a set of changes, those of later parts in the offsets after earlier ones.
    */
-  private record Step(String name, List<List<TextChange>> undo) {}
+  private record Step(String name, List<List<TextChange>> undo, Optional<StepFiles> files) {}
+
+  /** The most memory for contents of files; older steps then leave their files as they are. */
+  private static final long MOST_KEPT = 256L << 20;
 
   private final Function<List<TextChange>, List<TextChange>> text;
   private final List<Step> done = new ArrayList<>();
@@ -29,31 +34,59 @@ public final class UndoHistory {
   /** Makes an edit; one that changes nothing is no step. */
   void perform(Edit edit) {
     if (!edit.isEmpty()) {
-      push(edit.name(), List.of(text.apply(edit.changes())));
+      push(edit.name(), List.of(text.apply(edit.changes())), Optional.empty());
       typing = false;
+    }
+  }
+
+  /** Makes an edit whose files have been written; they belong to its step. */
+  void perform(Edit edit, StepFiles files) {
+    push(edit.name(), List.of(text.apply(edit.changes())), Optional.of(files));
+    typing = false;
+    forgetFiles();
+  }
+
+  private void forgetFiles() {
+    long kept = 0;
+    for (int i = done.size() - 1; i >= 0; i--) {
+      Step step = done.get(i);
+      kept += step.files().map(StepFiles::size).orElse(0L);
+      if (step.files().isPresent() && kept > MOST_KEPT) {
+        done.set(i, new Step(step.name() + " (its files stay)", step.undo(), Optional.empty()));
+      }
     }
   }
 
   /** Makes a change by hand, which joins the one before when that was made by hand, too. */
   void type(String name, TextChange change) {
     List<TextChange> inverse = text.apply(List.of(change));
-    if (typing && saved != done.size() && undone.isEmpty()) {
+    if (typing()) {
       Step step = done.remove(done.size() - 1);
       List<List<TextChange>> undo = new ArrayList<>(List.of(inverse));
       undo.addAll(step.undo());
-      done.add(new Step(step.name(), undo));
+      done.add(new Step(step.name(), undo, step.files()));
     } else {
-      push(name, List.of(inverse));
+      push(name, List.of(inverse), Optional.empty());
     }
     typing = true;
   }
 
-  private void push(String name, List<List<TextChange>> undo) {
+  /** Whether what is typed next joins the last step. */
+  public boolean typing() {
+    return typing && saved != done.size() && undone.isEmpty();
+  }
+
+  /** What is typed next is a step of its own: the author has paused, or gone elsewhere. */
+  public void endTyping() {
+    typing = false;
+  }
+
+  private void push(String name, List<List<TextChange>> undo, Optional<StepFiles> files) {
     if (saved > done.size()) {
       saved = -1; // what was saved can be reached no more
     }
     undone.clear();
-    done.add(new Step(name, undo));
+    done.add(new Step(name, undo, files));
   }
 
   /** The name of the step that undo takes back. */
@@ -71,27 +104,85 @@ public final class UndoHistory {
     return done.stream().map(Step::name).toList();
   }
 
-  /** Takes the last step back; false if there is none. */
+  /**
+   * Takes the last step back, its files included; false if there is none.
+   *
+   * @throws EditRefused if a file cannot be restored, or somebody else has changed it; nothing is
+   *     taken back then
+   */
   public boolean undo() {
-    return move(done, undone);
+    return undo(false);
   }
 
-  /** Makes the last step that was taken back again; false if there is none. */
+  /**
+   * The same.
+   *
+   * @param over whether files that somebody else has changed are replaced all the same
+   */
+  public boolean undo(boolean over) {
+    return move(done, undone, true, over);
+  }
+
+  /**
+   * Makes the last step that was taken back again; false if there is none.
+   *
+   * @throws EditRefused as {@link #undo()} does
+   */
   public boolean redo() {
-    return move(undone, done);
+    return redo(false);
   }
 
-  private boolean move(List<Step> from, List<Step> to) {
+  /**
+   * The same.
+   *
+   * @param over whether files that somebody else has changed are replaced all the same
+   */
+  public boolean redo(boolean over) {
+    return move(undone, done, false, over);
+  }
+
+  /** Whether undoing, or redoing, writes or removes files besides the document's own. */
+  public boolean concernsFiles(boolean back) {
+    List<Step> steps = back ? done : undone;
+    return !steps.isEmpty() && steps.get(steps.size() - 1).files().isPresent();
+  }
+
+  /**
+   * The files that undoing, or redoing, would replace though somebody else has changed them since.
+   *
+   * @throws EditRefused if one cannot be read
+   */
+  public List<Path> changedMeanwhile(boolean back) {
+    List<Step> steps = back ? done : undone;
+    if (!concernsFiles(back)) {
+      return List.of();
+    }
+    try {
+      return steps.get(steps.size() - 1).files().get().changedMeanwhile(back);
+    } catch (IOException e) {
+      throw new EditRefused(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private boolean move(List<Step> from, List<Step> to, boolean back, boolean over) {
     typing = false;
     if (from.isEmpty()) {
       return false;
     }
-    Step step = from.remove(from.size() - 1);
+    Step step = from.get(from.size() - 1);
+    if (step.files().isPresent()) {
+      try {
+        step.files().get().move(back, over);
+      } catch (IOException e) {
+        throw new EditRefused(String.valueOf(e.getMessage()));
+      }
+    }
+    from.remove(from.size() - 1);
     List<List<TextChange>> inverse = new ArrayList<>();
     for (List<TextChange> part : step.undo()) {
       inverse.add(0, text.apply(part));
     }
-    to.add(new Step(step.name(), inverse));
+    to.add(new Step(step.name(), inverse, step.files()));
     return true;
   }
 

@@ -21,16 +21,21 @@
  * positions in the text, which source view and messages need, has no undo, and writes all of the
  * file to show one change.
  *
+ * <p>A step may write files beside the document's own, such as versions of an object ({@link
+ * org.selectiverenderer.document.StepFiles}): they belong to the step, undone and redone with it.
+ *
  * <p>A document belongs to one thread at a time. Snapshots of it are values.
  *
- * <p>Within: {@code enrichment} (the vocabulary of the thesis in a document), {@code ratings}
+ * <p>Within: {@code nodes} (edits that fit every node: names, copies, taking out), {@code
+ * enrichment} (the vocabulary of the thesis in a document), {@code area} (where its areas are, in
+ * the scene's frame), {@code switches} (Switches made of nodes, and their choices), {@code ratings}
  * (expectancy ratings to metadata), {@code versions} (the polygon count process as an edit), {@code
  * file} (saving, recovery, differences), {@code headless} (the edits of the enricher, told by
  * tables).
  *
- * <p>In: bytes of a file, edits. Out: text, elements, bytes. Uses {@code x3d} and {@code
- * base.problem}; the packages within also {@code schema}, {@code polygon} and the rest of {@code
- * base}. No AWT, no GL, no running scene.
+ * <p>In: bytes of a file, edits. Out: text, elements, bytes. Uses {@code x3d}, {@code base.problem}
+ * and {@code base.files}; the packages within also {@code schema}, {@code geometry}, {@code polygon}
+ * and the rest of {@code base}. No AWT, no GL, no running scene.
  */
 @NullMarked
 package org.selectiverenderer.document;

@@ -13,7 +13,11 @@ public enum HeadsetButton {
   /** Answers yes. */
   YES("Yes"),
   /** Answers no. */
-  NO("No");
+  NO("No"),
+  /** Chooses what the left hand points at. */
+  CHOOSE_LEFT("Choose, left hand"),
+  /** Chooses what the right hand points at. */
+  CHOOSE_RIGHT("Choose, right hand");
 
   private final String shown;
 

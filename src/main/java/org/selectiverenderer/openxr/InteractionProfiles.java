@@ -1,6 +1,8 @@
 package org.selectiverenderer.openxr;
 
 import static org.selectiverenderer.openxr.HeadsetButton.BACKWARD;
+import static org.selectiverenderer.openxr.HeadsetButton.CHOOSE_LEFT;
+import static org.selectiverenderer.openxr.HeadsetButton.CHOOSE_RIGHT;
 import static org.selectiverenderer.openxr.HeadsetButton.FORWARD;
 import static org.selectiverenderer.openxr.HeadsetButton.NO;
 import static org.selectiverenderer.openxr.HeadsetButton.RECENTRE;
@@ -15,7 +17,8 @@ import java.util.Optional;
  * Where the program's actions are on the controllers that it knows (OpenXR 1.0, 6.4, and {@code
  * XR_EXT_hand_interaction}): walk by the left stick or by buttons, turn by the right stick. Where a
  * controller has few buttons, one means two things, of which one is asked for at a time: walking,
- * or an answer.
+ * or an answer. Where its button for an answer is the one that chooses, too, what is pointed at
+ * decides. Hands point by {@code aim/pose} on all of them.
  *
  * @param path of the profile
  * @param name for people
@@ -32,6 +35,10 @@ record InteractionProfiles(
     Optional<String> turn,
     Map<HeadsetButton, List<String>> buttons) {
   static final String HANDS = "XR_EXT_hand_interaction";
+
+  /** The input of a hand, after its own path, that says where it points. */
+  static final String AIM = "/input/aim/pose";
+
   private static final String LEFT = "/user/hand/left/input/";
   private static final String RIGHT = "/user/hand/right/input/";
   private static final String START = "/interaction_profiles/";
@@ -49,7 +56,9 @@ record InteractionProfiles(
                   FORWARD, both("select/click"),
                   BACKWARD, both("menu/click"),
                   YES, List.of(RIGHT + "select/click"),
-                  NO, List.of(LEFT + "select/click"))),
+                  NO, List.of(LEFT + "select/click"),
+                  CHOOSE_LEFT, List.of(LEFT + "select/click"),
+                  CHOOSE_RIGHT, List.of(RIGHT + "select/click"))),
           sticks(
               START + "valve/index_controller",
               "Index controllers",
@@ -59,7 +68,9 @@ record InteractionProfiles(
                   TELEPORT, List.of(RIGHT + "thumbstick/click"),
                   RECENTRE, List.of(LEFT + "thumbstick/click"),
                   YES, both("a/click"),
-                  NO, both("b/click"))),
+                  NO, both("b/click"),
+                  CHOOSE_LEFT, List.of(LEFT + "trigger/click"),
+                  CHOOSE_RIGHT, List.of(RIGHT + "trigger/click"))),
           sticks(
               START + "oculus/touch_controller",
               "Touch controllers",
@@ -69,7 +80,9 @@ record InteractionProfiles(
                   TELEPORT, List.of(RIGHT + "thumbstick/click"),
                   RECENTRE, List.of(LEFT + "thumbstick/click"),
                   YES, List.of(RIGHT + "a/click", LEFT + "x/click"),
-                  NO, List.of(RIGHT + "b/click", LEFT + "y/click"))),
+                  NO, List.of(RIGHT + "b/click", LEFT + "y/click"),
+                  CHOOSE_LEFT, List.of(LEFT + "trigger/value"),
+                  CHOOSE_RIGHT, List.of(RIGHT + "trigger/value"))),
           new InteractionProfiles(
               START + "htc/vive_controller",
               "Vive controllers",
@@ -82,7 +95,9 @@ record InteractionProfiles(
                   TELEPORT, List.of(RIGHT + "trackpad/click"),
                   RECENTRE, List.of(LEFT + "trackpad/click"),
                   YES, List.of(RIGHT + "menu/click"),
-                  NO, List.of(LEFT + "menu/click"))),
+                  NO, List.of(LEFT + "menu/click"),
+                  CHOOSE_LEFT, List.of(LEFT + "trigger/click"),
+                  CHOOSE_RIGHT, List.of(RIGHT + "trigger/click"))),
           sticks(
               START + "microsoft/motion_controller",
               "Windows Mixed Reality controllers",
@@ -92,7 +107,9 @@ record InteractionProfiles(
                   TELEPORT, List.of(RIGHT + "thumbstick/click"),
                   RECENTRE, List.of(LEFT + "thumbstick/click"),
                   YES, List.of(RIGHT + "squeeze/click"),
-                  NO, List.of(LEFT + "squeeze/click"))),
+                  NO, List.of(LEFT + "squeeze/click"),
+                  CHOOSE_LEFT, List.of(LEFT + "trigger/value"),
+                  CHOOSE_RIGHT, List.of(RIGHT + "trigger/value"))),
           new InteractionProfiles(
               START + "ext/hand_interaction_ext",
               "hands",
@@ -103,7 +120,9 @@ record InteractionProfiles(
                   FORWARD, List.of(RIGHT + "pinch_ext/value"),
                   BACKWARD, List.of(LEFT + "pinch_ext/value"),
                   YES, List.of(RIGHT + "grasp_ext/value"),
-                  NO, List.of(LEFT + "grasp_ext/value"))));
+                  NO, List.of(LEFT + "grasp_ext/value"),
+                  CHOOSE_LEFT, List.of(LEFT + "pinch_ext/value"),
+                  CHOOSE_RIGHT, List.of(RIGHT + "pinch_ext/value"))));
 
   private static InteractionProfiles sticks(
       String path, String name, Map<HeadsetButton, List<String>> buttons) {

@@ -48,6 +48,10 @@ import org.lwjgl.system.MemoryUtil;
 final class LwjglSession implements XrSession {
   private static final int STEREO = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
   private static final long ORIENTATION = XR10.XR_SPACE_LOCATION_ORIENTATION_VALID_BIT;
+  private static final long VOUCHED =
+      ORIENTATION
+          | XR10.XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT
+          | XR10.XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
   /** A picture that nobody gives back in this time belongs to a runtime that hangs; nanoseconds. */
   private static final long PATIENCE = 2_000_000_000;
@@ -106,10 +110,19 @@ final class LwjglSession implements XrSession {
 
   @Override
   public Optional<SpacePose> locate(long space, long in, long time) {
+    return locate(space, in, time, ORIENTATION);
+  }
+
+  @Override
+  public Optional<SpacePose> tracked(long space, long in, long time) {
+    return locate(space, in, time, VOUCHED);
+  }
+
+  private Optional<SpacePose> locate(long space, long in, long time, long flags) {
     try (MemoryStack stack = MemoryStack.stackPush()) {
       XrSpaceLocation found = XrSpaceLocation.calloc(stack).type$Default();
       check("LocateSpace", XR10.xrLocateSpace(spaces.get(space), spaces.get(in), time, found));
-      return (found.locationFlags() & ORIENTATION) == 0
+      return (found.locationFlags() & flags) != flags
           ? Optional.empty()
           : Optional.of(pose(found.pose()));
     }

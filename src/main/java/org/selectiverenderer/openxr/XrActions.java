@@ -26,7 +26,9 @@ final class XrActions {
   private final long turn;
   private final Map<HeadsetButton, Long> buttons = new EnumMap<>(HeadsetButton.class);
   private final Optional<Long> gaze;
+  private final List<Long> aims;
   private Optional<Long> gazeSpace = Optional.empty();
+  private List<Long> aimSpaces = List.of();
 
   /**
    * @param enabled extensions of the connection
@@ -44,6 +46,10 @@ final class XrActions {
         eyeGaze
             ? Optional.of(inputs.action("gaze", "Where the eyes look", XrInputs.Kind.POSE))
             : Optional.empty();
+    aims =
+        List.of(
+            inputs.action("aim_left", "Where the left hand points", XrInputs.Kind.POSE),
+            inputs.action("aim_right", "Where the right hand points", XrInputs.Kind.POSE));
     InteractionProfiles.ALL.stream()
         .filter(profile -> profile.extension().map(enabled::contains).orElse(true))
         .forEach(this::suggest);
@@ -59,6 +65,9 @@ final class XrActions {
         .forEach(
             (button, all) ->
                 all.forEach(input -> bindings.add(Map.entry(buttons.get(button), input))));
+    for (int hand = 0; hand < aims.size(); hand++) {
+      bindings.add(Map.entry(aims.get(hand), HANDS.get(hand) + InteractionProfiles.AIM));
+    }
     suggest(profile.path(), bindings);
   }
 
@@ -76,6 +85,7 @@ final class XrActions {
   void attach(XrSession session) {
     inputs.attach(session);
     gazeSpace = gaze.map(inputs::space);
+    aimSpaces = aims.stream().map(inputs::space).toList();
   }
 
   /** What is done at a time, as the head in its own space tells directions. */
@@ -94,9 +104,23 @@ final class XrActions {
         });
     Optional<Vector3d> looked =
         gaze.filter(inputs::active)
-            .flatMap(action -> session.locate(gazeSpace.orElseThrow(), head, time))
+            .flatMap(action -> session.tracked(gazeSpace.orElseThrow(), head, time))
             .map(pose -> pose.orientation().transform(new Vector3d(0, 0, -1)));
-    return new XrInput(walked.y, walked.x, turned.x, turned.y, held, looked);
+    return new XrInput(
+        walked.y,
+        walked.x,
+        turned.x,
+        turned.y,
+        held,
+        looked,
+        aim(0, session, head, time),
+        aim(1, session, head, time));
+  }
+
+  private Optional<SpacePose> aim(int hand, XrSession session, long head, long time) {
+    return inputs.active(aims.get(hand))
+        ? session.locate(aimSpaces.get(hand), head, time)
+        : Optional.empty();
   }
 
   private static Vector2d rested(Vector2d stick) {

@@ -121,7 +121,12 @@ final class XrConnection implements AutoCloseable {
   }
 
   XrActions actions() {
-    return new XrActions(instance.inputs(), enabled, facts.eyeGaze() && has(XrActions.GAZE));
+    return new XrActions(instance.inputs(), enabled, tracksEyes());
+  }
+
+  /** Whether the headset has an eye tracker, and the runtime tells where the eyes look. */
+  boolean tracksEyes() {
+    return facts.eyeGaze() && has(XrActions.GAZE);
   }
 
   @Override

@@ -42,6 +42,11 @@ public final class XrSearch implements AutoCloseable {
     return connection.runtime();
   }
 
+  /** Whether the headset has an eye tracker, and the runtime tells where the eyes look. */
+  public boolean tracksEyes() {
+    return connection.tracksEyes();
+  }
+
   /** What it recommends for an eye's picture. */
   public PictureSize size() {
     return connection.instance().pictures(connection.system()).get(0);

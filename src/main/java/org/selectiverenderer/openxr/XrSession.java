@@ -34,6 +34,12 @@ interface XrSession extends AutoCloseable {
   /** Where a space is in another at a time; empty while nobody knows its orientation. */
   Optional<SpacePose> locate(long space, long in, long time);
 
+  /**
+   * The same, but empty unless the runtime vouches for it: guesses do not count. An eye tracker
+   * that does not see the eyes well may still tell something ({@code XR_EXT_eye_gaze_interaction}).
+   */
+  Optional<SpacePose> tracked(long space, long in, long time);
+
   /** The eyes in a space at a time, the left one first; empty while nobody knows. */
   Optional<List<EyeSight>> eyes(long in, long time);
 

@@ -31,6 +31,11 @@ public interface HeadTracker extends AutoCloseable {
   /** How well the records arrive. Allocates; meant to be called once per frame or less. */
   TrackerHealth health();
 
+  /** Whether it is a device that tells the place of the head, too ({@link PoseSample#placed}). */
+  default boolean placed() {
+    return false;
+  }
+
   /** More about how it does, for people; empty where {@link #health} says it all. */
   default Optional<String> described() {
     return Optional.empty();

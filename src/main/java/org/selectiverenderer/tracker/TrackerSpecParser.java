@@ -28,6 +28,12 @@ final class TrackerSpecParser {
       case "vrpn" -> vrpn();
       case "tcp" -> tcp();
       case "replay" -> replay();
+      case "openxr" ->
+          throw new IllegalArgumentException(
+              "'"
+                  + text
+                  + "' is not a tracker: a headset is its own; run SCENE --display openxr --head-log"
+                  + " F.csv shows how it does and writes its poses to F_tracker.csv");
       default -> throw refusal("there is no tracker of the kind '" + kind + "'", kinds());
     };
   }

@@ -38,8 +38,13 @@ final class FakeRuntime implements XrLoader {
   boolean known = true;
   boolean focused = true;
   boolean eyeGaze;
+  boolean gazeVouched = true;
   HiddenArea mask = new HiddenArea(new float[] {-1, -1.1f, 0, -1.1f, -1, 0});
   Optional<SpacePose> gaze = Optional.empty();
+
+  /** Where hands point: 51 is the left one, 52 the right one. */
+  final Map<Long, SpacePose> aims = new HashMap<>();
+
   long display = 1_000_000_000;
   long period = PERIOD;
   List<XrSession.EyePicture> shown = List.of();
@@ -178,12 +183,12 @@ final class FakeRuntime implements XrLoader {
 
       @Override
       public long space(long action) {
-        return 50;
+        return List.of("gaze", "aim_left", "aim_right").indexOf(actions.get(action)) + 50;
       }
 
       @Override
       public boolean active(long action) {
-        return gaze.isPresent();
+        return space(action) == 50 ? gaze.isPresent() : aims.containsKey(space(action));
       }
 
       @Override
@@ -223,7 +228,15 @@ final class FakeRuntime implements XrLoader {
     @Override
     public Optional<SpacePose> locate(long space, long in, long time) {
       call("LocateSpace");
-      return space == 50 ? gaze : known ? Optional.of(head) : Optional.empty();
+      if (space >= 50) {
+        return space == 50 ? gaze : Optional.ofNullable(aims.get(space));
+      }
+      return known ? Optional.of(head) : Optional.empty();
+    }
+
+    @Override
+    public Optional<SpacePose> tracked(long space, long in, long time) {
+      return gazeVouched ? locate(space, in, time) : Optional.empty();
     }
 
     @Override

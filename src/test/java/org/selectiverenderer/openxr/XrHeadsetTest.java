@@ -282,7 +282,7 @@ class XrHeadsetTest {
     runtime.buttons.put("yes", true);
     XrInput input = frame(headset).orElseThrow().input();
     assertEquals(1, input.forward(), 1e-9);
-    assertEquals(0, input.right(), 1e-9); // A stick that rests is never quite in its middle.
+    assertEquals(0, input.side(), 1e-9); // A stick that rests is never quite in its middle.
     assertEquals(-1, input.turn(), 1e-9);
     assertEquals(Set.of(HeadsetButton.YES), input.held());
     runtime.focused = false;
@@ -301,8 +301,33 @@ class XrHeadsetTest {
     XrHeadset headset = worn();
     Vector3d looked = frame(headset).orElseThrow().input().gaze().orElseThrow();
     assertEquals(1, looked.y, 1e-9);
+    runtime.gazeVouched = false;
+    assertTrue(frame(headset).orElseThrow().input().gaze().isEmpty());
+    runtime.gazeVouched = true;
+    assertTrue(frame(headset).orElseThrow().input().gaze().isPresent());
     runtime.gaze = Optional.empty();
     assertTrue(frame(headset).orElseThrow().input().gaze().isEmpty());
+  }
+
+  @Test
+  void readsWhereEachHandPoints() throws Exception {
+    SpacePose right =
+        new SpacePose(new Vector3d(0.2, -0.3, -0.4), new Quaterniond().rotationX(0.3));
+    runtime.aims.put(52L, right);
+    runtime.buttons.put("choose_right", true);
+    XrInput input = frame(worn()).orElseThrow().input();
+    assertTrue(input.left().isEmpty());
+    assertEquals(right, input.right().orElseThrow());
+    assertEquals(Set.of(HeadsetButton.CHOOSE_RIGHT), input.held());
+  }
+
+  @Test
+  void tellsWhetherTheHeadsetTracksTheEyes() throws Exception {
+    assertFalse(XrSearch.begin(runtime).tracksEyes());
+    runtime.eyeGaze = true;
+    assertFalse(XrSearch.begin(runtime).tracksEyes()); // The runtime would not tell.
+    runtime.extensions.add(XrActions.GAZE);
+    assertTrue(XrSearch.begin(runtime).tracksEyes());
   }
 
   @Test

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.locks.LockSupport;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,11 +19,16 @@ class VoicesTest {
       "data:audio/wav;base64,UklGRjQAAABXQVZFZm10IBAAAAABA"
           + "AEACAAAAAgAAAABAAgAZGF0YRAAAACAgICAgICAgICAgICAgICA";
 
+  /** One second of the same. */
+  private static final String SHORT =
+      "data:audio/wav;base64,UklGRiwAAABXQVZFZm10IBAAAAABAAE"
+          + "ACAAAAAgAAAABAAgAZGF0YQgAAACAgICAgICAgA==";
+
   private static WorldFixture sound(String clip) {
     return new WorldFixture(
         """
         <Switch DEF='SWITCH' whichChoice='0'>
-          <Transform translation='10 0 0'>
+          <Transform DEF='PLACE' translation='10 0 0'>
             <Sound DEF='SOUND' intensity='0.5' priority='0.25'>
               <AudioClip DEF='CLIP' %s url='"%s"'/>
             </Sound>
@@ -71,6 +78,56 @@ class VoicesTest {
       fixture.send("SOUND", "enabled", true);
       fixture.send("CLIP", "pauseTime", 6.5);
       assertThat(at(fixture, 7, 10)).isEmpty();
+    }
+  }
+
+  /** Steps until the clip lasts so long, as far as it ever does. */
+  private static double lasting(WorldFixture fixture, double seconds) {
+    int duration = fixture.node("CLIP").type().indexOf("duration_changed");
+    double time = fixture.world.time();
+    for (int i = 0;
+        i < 200 && !Objects.equals(fixture.node("CLIP").value(duration), seconds);
+        i++) {
+      at(fixture, time += 0.01, 10);
+      LockSupport.parkNanos(5_000_000);
+    }
+    return (Double) fixture.node("CLIP").value(duration);
+  }
+
+  @Test
+  void aClipThatComesBackWithAnotherUrlIsReadAnew() {
+    try (WorldFixture fixture = sound("loop='true'")) {
+      at(fixture, 1, 10);
+      assertThat(lasting(fixture, 2)).isEqualTo(2);
+      fixture.send("PLACE", "children", List.of());
+      at(fixture, 2, 10);
+      fixture.send("CLIP", "url", new String[] {SHORT});
+      at(fixture, 3, 10);
+      fixture.send("PLACE", "children", List.of(fixture.node("SOUND")));
+      at(fixture, 4, 10);
+      assertThat(lasting(fixture, 1)).isEqualTo(1);
+    }
+  }
+
+  @Test
+  void whatArrivesForAClipThatHasLeftIsNotWhatItPlaysLater() {
+    try (WorldFixture fixture = sound("loop='true'")) {
+      at(fixture, 1, 10);
+      String[] first = fixture.node("CLIP").strings("url");
+      fixture.send("CLIP", "url", new String[] {SHORT});
+      at(fixture, 2, 10);
+      fixture.send("PLACE", "children", List.of());
+      at(fixture, 3, 10);
+      fixture.send("CLIP", "url", first.clone());
+      at(fixture, 3.5, 10);
+      fixture.send("PLACE", "children", List.of(fixture.node("SOUND")));
+      at(fixture, 4, 10);
+      assertThat(lasting(fixture, 2)).isEqualTo(2);
+      for (double time = 10; time < 10.5; time += 0.01) {
+        at(fixture, time, 10);
+        LockSupport.parkNanos(1_000_000);
+      }
+      assertThat(lasting(fixture, 2)).isEqualTo(2);
     }
   }
 

@@ -13,11 +13,16 @@ public final class Watching implements TrackerListener {
 
   public final List<Problem> problems = new CopyOnWriteArrayList<>();
   public final List<Orientation> orientations = new CopyOnWriteArrayList<>();
+
+  /** The places as metres right, up and back, or {@code none}. */
+  public final List<String> places = new CopyOnWriteArrayList<>();
+
   private final AtomicLong samples = new AtomicLong();
 
   @Override
   public void sample(PoseSample sample) {
     if (samples.incrementAndGet() <= 2_000) {
+      places.add(sample.placed() ? sample.x() + " " + sample.y() + " " + sample.z() : "none");
       orientations.add(sample.orientation());
     }
   }

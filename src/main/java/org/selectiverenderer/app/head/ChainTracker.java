@@ -129,6 +129,11 @@ public final class ChainTracker implements AutoCloseable {
     }
 
     @Override
+    public boolean placed() {
+      return open.placed();
+    }
+
+    @Override
     public Optional<String> described() {
       return open.described();
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.OffsetDateTime;
 import java.time.temporal.ChronoUnit;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
@@ -14,6 +15,7 @@ import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.experiment.headlog.EyeSample;
 import org.selectiverenderer.experiment.headlog.Gaze;
 import org.selectiverenderer.experiment.headlog.HeadLogDescription;
 import org.selectiverenderer.experiment.headlog.HeadLogFiles;
@@ -36,6 +38,7 @@ final class HeadRecorder implements AutoCloseable {
   private final @Nullable HeadLogWriter writer;
   private final @Nullable SampleListener listener;
   private final Gaze gaze;
+  private final boolean eyes;
   private final PoseSample angles = new PoseSample();
   private final Vector3d lastPosition = new Vector3d(Double.NaN);
   private final Quaterniond lastOrientation = new Quaterniond();
@@ -45,8 +48,10 @@ final class HeadRecorder implements AutoCloseable {
       Walkthrough walk,
       @Nullable HeadLogWriter writer,
       @Nullable SampleListener listener,
-      double coneDegrees) {
+      double coneDegrees,
+      boolean eyes) {
     this.walk = walk;
+    this.eyes = eyes;
     this.writer = writer;
     this.listener = listener;
     gaze = new Gaze(walk.world(), coneDegrees);
@@ -58,26 +63,28 @@ final class HeadRecorder implements AutoCloseable {
    * @param files of the log, closed with it; null for none
    * @param listener hears of the samples, too
    * @param coneDegrees width of the cone in which objects are named
+   * @param eyes whether something tracks the eyes
    * @throws IOException if it cannot be written
    */
   static HeadRecorder open(
       @Nullable HeadLogFiles files,
       @Nullable SampleListener listener,
       double coneDegrees,
+      boolean eyes,
       RunSettings settings,
       Walkthrough walk,
       Consumer<Problem> problem)
       throws IOException {
-    HeadLogDescription description = description(settings, coneDegrees, walk);
+    HeadLogDescription description = description(settings, coneDegrees, eyes, walk);
     if (listener != null) {
       listener.scene(description);
     }
     HeadLogWriter writer = files == null ? null : HeadLogWriter.open(files, description, problem);
-    return new HeadRecorder(walk, writer, listener, coneDegrees);
+    return new HeadRecorder(walk, writer, listener, coneDegrees, eyes);
   }
 
   private static HeadLogDescription description(
-      RunSettings settings, double coneDegrees, Walkthrough walk) {
+      RunSettings settings, double coneDegrees, boolean eyes, Walkthrough walk) {
     int width = settings.display().width();
     int height = settings.display().height();
     Presentation shown = settings.display().presentation();
@@ -94,6 +101,7 @@ final class HeadRecorder implements AutoCloseable {
         field.y(),
         walk.world().scene().unitLength(),
         coneDegrees,
+        eyes,
         SceneSurvey.of(walk.world().instances()));
   }
 
@@ -101,8 +109,9 @@ final class HeadRecorder implements AutoCloseable {
    * Logs a frame: what is in the middle of the view now was there when it was stepped.
    *
    * @param visible whether the participant saw it
+   * @param looked where the eyes looked, in the frame of the head; empty where that is not known
    */
-  void frame(FrameMoment frame, boolean visible) {
+  void frame(FrameMoment frame, boolean visible, Optional<Vector3d> looked) {
     Viewer viewer = walk.world().viewer();
     Vector3dc at = viewer.position();
     Quaterniondc turn = viewer.orientation();
@@ -127,7 +136,8 @@ final class HeadRecorder implements AutoCloseable {
             found.cone(),
             walk.activeSchemas(),
             last == null ? 0 : frame.millisecondsSince(last),
-            new HeadSample.Moment(visible, frame.wall(), frame.nanos() * 1e-9));
+            new HeadSample.Moment(visible, frame.wall(), frame.nanos() * 1e-9),
+            eyes ? looked.map(gaze::eyes).orElse(EyeSample.LOST) : null);
     if (writer != null) {
       writer.add(sample);
     }

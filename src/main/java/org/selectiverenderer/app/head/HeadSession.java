@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.settings.HeadLogSettings;
 import org.selectiverenderer.app.settings.RunSettings;
@@ -44,6 +46,8 @@ public final class HeadSession implements AutoCloseable {
   private @Nullable TrackedMotion motion;
   private @Nullable HeadRecorder recorder;
   private @Nullable FrameMoment unlogged;
+  private @Nullable Supplier<Optional<Vector3d>> eyes;
+  private Optional<Vector3d> looked = Optional.empty();
 
   private HeadSession(
       RunSettings settings,
@@ -94,6 +98,12 @@ public final class HeadSession implements AutoCloseable {
     ReplayLog log =
         ReplayLog.read(spec.file(), new Problems(problem))
             .orElseThrow(() -> new TrackerException("the log " + spec.file() + " has faults"));
+    if (tracking.placed() && !log.placed()) {
+      throw new TrackerException(
+          spec.file()
+              + ": has no columns right, up and back, which --tracker-position on needs; leave it"
+              + " out");
+    }
     HeadTracker stepped = new SteppedReplay(spec, log, tracking.options());
     return new HeadSession(settings, problem, stepped, log, files, new TrackerTap());
   }
@@ -120,6 +130,16 @@ public final class HeadSession implements AutoCloseable {
     listener = hears;
   }
 
+  /**
+   * Something tracks the eyes; before it begins.
+   *
+   * @param direction where they look in the frame that is due, in the frame of the head: a unit
+   *     vector; empty while that is not known
+   */
+  public void eyes(Supplier<Optional<Vector3d>> direction) {
+    eyes = direction;
+  }
+
   /** How many seconds a replay lasts; empty for a live tracker. */
   public OptionalDouble replayed() {
     return replay == null ? OptionalDouble.empty() : OptionalDouble.of(replay.duration());
@@ -137,10 +157,15 @@ public final class HeadSession implements AutoCloseable {
       throws IOException {
     if (files != null || listener != null) {
       double cone = settings.log().map(HeadLogSettings::coneDegrees).orElse(HeadLogSettings.CONE);
-      recorder = HeadRecorder.open(files, listener, cone, settings, walk, problem);
+      recorder = HeadRecorder.open(
+              files, listener, cone, eyes != null, settings, walk, problem);
     }
     if (files != null && settings.tracker().tracked() && replay == null) {
-      tap.open(settings.log().orElseThrow(), settings.tracker().spec().toString(), problem);
+      tap.open(
+          settings.log().orElseThrow(),
+          settings.tracker().spec().toString(),
+          tracker.placed(),
+          problem);
     }
     if (!settings.tracker().tracked()) {
       return walking;
@@ -177,6 +202,8 @@ public final class HeadSession implements AutoCloseable {
   /** A frame was stepped; it is logged by {@link #log}. */
   public void stepped(FrameMoment frame) {
     unlogged = frame;
+    Supplier<Optional<Vector3d>> told = eyes;
+    looked = told == null ? Optional.empty() : told.get();
     TrackedMotion tracked = motion;
     if (tracked != null) {
       silence.frame(frame.time(), tracked.fresh());
@@ -197,7 +224,7 @@ public final class HeadSession implements AutoCloseable {
   public void log(boolean visible) {
     FrameMoment frame = unlogged;
     if (recorder != null && frame != null) {
-      recorder.frame(frame, visible);
+      recorder.frame(frame, visible, looked);
     }
     unlogged = null;
   }

@@ -19,7 +19,7 @@ public final class Replays {
 
   /**
    * Whether a log has positions: the head log of a session, which is played again frame by frame. A
-   * tracker's log has orientations only.
+   * tracker's log has orientations, and places in the tracker's room under other names.
    *
    * @throws IOException if it cannot be read
    */

@@ -2,6 +2,7 @@ package org.selectiverenderer.app.head;
 
 import java.io.IOException;
 import java.time.Instant;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.settings.HeadLogSettings;
@@ -48,7 +49,10 @@ public final class TrackerTap implements Consumer<PoseSample>, AutoCloseable {
               Instant.now().minusNanos(since),
               sample.yaw(),
               sample.pitch(),
-              sample.roll()));
+              sample.roll(),
+              sample.placed()
+                  ? Optional.of(new TrackerRecord.Place(sample.x(), sample.y(), sample.z()))
+                  : Optional.empty()));
     }
   }
 
@@ -57,12 +61,14 @@ public final class TrackerTap implements Consumer<PoseSample>, AutoCloseable {
    *
    * @param headLog beside which it lies
    * @param tracker as the user named it
+   * @param placed whether it tells places of the head, too
    * @throws IOException if it cannot be written
    */
-  void open(HeadLogSettings headLog, String tracker, Consumer<Problem> problem) throws IOException {
+  void open(HeadLogSettings headLog, String tracker, boolean placed, Consumer<Problem> problem)
+      throws IOException {
     log =
         TrackerLog.open(
-            headLog.file(), headLog.replace(), tracker, System.nanoTime() * 1e-9, problem);
+            headLog.file(), headLog.replace(), tracker, placed, System.nanoTime() * 1e-9, problem);
   }
 
   @Override

@@ -9,5 +9,10 @@ public enum HeadsetAnswer {
   /** The stick was pushed away: more, or the one above. */
   MORE,
   /** The stick was pulled: less, or the one below. */
-  LESS
+  LESS,
+  /**
+   * The button of the hand that points went down. It comes before what else the same button
+   * answers; where something was pointed at, that does not count.
+   */
+  CHOOSE
 }

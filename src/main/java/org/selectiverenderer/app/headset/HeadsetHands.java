@@ -3,8 +3,10 @@ package org.selectiverenderer.app.headset;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.openxr.HeadsetButton;
+import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.openxr.XrInput;
 import org.selectiverenderer.runtime.walk.Controls;
 
@@ -19,6 +21,7 @@ public final class HeadsetHands {
   private final List<HeadsetAnswer> answers = new ArrayList<>();
   private final Set<HeadsetButton> pressed = EnumSet.noneOf(HeadsetButton.class);
   private XrInput now = XrInput.NONE;
+  private boolean rightPoints = true;
   private int turned;
   private int told;
   private double steps;
@@ -32,8 +35,9 @@ public final class HeadsetHands {
 
   /** The input of the frame that is due. */
   void frame(XrInput input) {
+    choose(input);
     for (HeadsetButton button : input.held()) {
-      if (!now.held().contains(button)) {
+      if (went(input, button)) {
         pressed.add(button);
         switch (button) {
           case YES -> answers.add(HeadsetAnswer.YES);
@@ -57,6 +61,25 @@ public final class HeadsetHands {
     now = input;
   }
 
+  /** The hand that chose last points; or the other one, where that is not there. */
+  private void choose(XrInput input) {
+    boolean left = went(input, HeadsetButton.CHOOSE_LEFT) && input.left().isPresent();
+    boolean right = went(input, HeadsetButton.CHOOSE_RIGHT) && input.right().isPresent();
+    if (left || right) {
+      rightPoints = right;
+      answers.add(HeadsetAnswer.CHOOSE);
+    }
+  }
+
+  private boolean went(XrInput input, HeadsetButton button) {
+    return input.held().contains(button) && !now.held().contains(button);
+  }
+
+  /** Where the hand that points is and points, along -Z, in the frame of the head. */
+  public Optional<SpacePose> aim() {
+    return rightPoints ? now.right().or(now::left) : now.left().or(now::right);
+  }
+
   private static int pushed(double value, int before) {
     if (Math.abs(value) >= PRESSED) {
       return value > 0 ? 1 : -1;
@@ -76,7 +99,7 @@ public final class HeadsetHands {
     double buttons =
         (now.held().contains(HeadsetButton.FORWARD) ? 1 : 0)
             - (now.held().contains(HeadsetButton.BACKWARD) ? 1 : 0);
-    controls.stick(now.forward() + buttons, now.right(), step > 0 ? 0 : -now.turn());
+    controls.stick(now.forward() + buttons, now.side(), step > 0 ? 0 : -now.turn());
     if (steps != 0) {
       controls.turnBy(steps);
       steps = 0;

@@ -63,14 +63,33 @@ public final class HeadsetLink implements HeadsetScreen {
    * @throws HeadsetUnavailableException with a sentence that says what is missing and what to do
    */
   public static HeadsetLink find(HeadsetShown shown) throws HeadsetUnavailableException {
-    return new HeadsetLink(XrSearch.begin(), shown);
+    return with(XrSearch.begin(), shown);
+  }
+
+  /**
+   * A headset that was found.
+   *
+   * @param search closed with it
+   */
+  public static HeadsetLink with(XrSearch search, HeadsetShown shown) {
+    return new HeadsetLink(search, shown);
   }
 
   /** What it shows, in a sentence. */
   public String describe() {
     PictureSize size = search.size();
-    return "headset %s by %s, pictures of %dx%d for each eye"
-        .formatted(search.headset(), search.runtime(), size.width(), size.height());
+    return "headset %s by %s, pictures of %dx%d for each eye%s"
+        .formatted(
+            search.headset(),
+            search.runtime(),
+            size.width(),
+            size.height(),
+            search.tracksEyes() ? ", tracks the eyes" : "");
+  }
+
+  /** Whether it has an eye tracker that the program may use. */
+  public boolean tracksEyes() {
+    return search.tracksEyes();
   }
 
   /**
@@ -109,7 +128,10 @@ public final class HeadsetLink implements HeadsetScreen {
     return hands;
   }
 
-  /** Where the eyes look in the frame that is due, in the frame of the head: a unit vector. */
+  /**
+   * Where the eyes look in the frame that is due, in the frame of the head: a unit vector; empty
+   * while the eye tracker does not see them.
+   */
   public Optional<Vector3d> gaze() {
     return gaze;
   }

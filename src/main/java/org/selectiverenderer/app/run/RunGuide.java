@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.app.headset.HeadsetAnswer;
 import org.selectiverenderer.app.walk.Walkthrough;
+import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
@@ -70,6 +71,14 @@ public interface RunGuide {
     return true;
   }
 
+  /**
+   * Where the hand of the user of a headset points; each frame, before what he answers.
+   *
+   * @param hand where it is and points, along -Z, in the frame of the head and in metres; empty
+   *     where there is none
+   */
+  default void pointed(Optional<SpacePose> hand) {}
+
   /** The user of a headset answered something by his controllers. */
   default void answered(HeadsetAnswer answer) {}
 
@@ -92,9 +101,9 @@ public interface RunGuide {
     return 0;
   }
 
-  /** What the user of a headset is to read; only asked where he sees it. */
-  default Optional<Panel> panel() {
-    return Optional.empty();
+  /** What the user of a headset is to read, later over earlier; only asked where he sees it. */
+  default List<Panel> panels() {
+    return List.of();
   }
 
   /**

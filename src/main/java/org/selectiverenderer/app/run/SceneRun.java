@@ -70,6 +70,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private @Nullable IOException failure;
   private boolean unseen;
   private boolean begun;
+  private boolean unreadable;
 
   /**
    * Begins to read the scene.
@@ -242,6 +243,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   /** Does what the controllers ask for. */
   private void hands(HeadsetLink worn, World world) {
     worn.hands().drive(controls);
+    guide.pointed(worn.hands().aim());
     worn.hands().takeAnswers().forEach(guide::answered);
     if (worn.hands().take(HeadsetButton.TELEPORT) && guide.walks() && !paused()) {
       RoomTeleport.go(world);
@@ -252,6 +254,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private void open() {
     try {
       Walkthrough walk = opening.await();
+      if (pace == Pace.WATCHED && walk.unreadable()) {
+        unreadable = true; // An empty window would stay open, and whoever started it would wait.
+        state = state.then(RunState.OVER);
+        return;
+      }
       World world = walk.world();
       if (settings.motion().viewpoint().isPresent()) {
         Viewpoints.start(world, settings.motion().viewpoint().get());
@@ -344,8 +351,8 @@ final class SceneRun implements WorldHost, AutoCloseable {
   }
 
   @Override
-  public Optional<Panel> panel() {
-    return guide.panel();
+  public List<Panel> panels() {
+    return guide.panels();
   }
 
   @Override
@@ -381,6 +388,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   private Walkthrough walk() {
     return scene.walk();
+  }
+
+  /** Whether it ended because nothing of the scene could be read, which has been said. */
+  boolean unreadable() {
+    return unreadable;
   }
 
   /**

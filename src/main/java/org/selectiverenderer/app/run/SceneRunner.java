@@ -51,6 +51,9 @@ public final class SceneRunner {
     try (headset) {
       HeadSession head = HeadSession.with(tracker, tap, settings, listener::problem);
       listener.samples().ifPresent(head::tell);
+      if (headset.tracksEyes()) {
+        head.eyes(headset::gaze);
+      }
       try (SceneRun run =
           new SceneRun(
               settings, listener, head, RunGuide.USER, Pace.WATCHED, stop, Optional.of(headset))) {

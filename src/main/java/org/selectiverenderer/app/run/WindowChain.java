@@ -103,6 +103,7 @@ public final class WindowChain implements WorldHost {
         HeadSession.with(
             tracker.lend(fitted.tracker(), listener::problem, tap), tap, fitted, listener::problem);
     listener.samples().ifPresent(head::tell);
+    headset.filter(HeadsetLink::tracksEyes).ifPresent(worn -> head.eyes(worn::gaze));
     current =
         new SceneRun(fitted, listener, head, run.guide(), Pace.WATCHED, new RunStop(), headset);
     if (headset.isPresent()) {
@@ -145,6 +146,10 @@ public final class WindowChain implements WorldHost {
     RunFigures figures;
     try (run) {
       figures = run.figures(window.info().orElse(new GlInfo("", "", "")));
+    }
+    if (run.unreadable()) {
+      throw new IOException(
+          guided.settings().scene().file() + ": nothing of the scene could be read");
     }
     runs.ended(guided, figures);
   }
@@ -211,8 +216,8 @@ public final class WindowChain implements WorldHost {
   }
 
   @Override
-  public Optional<Panel> panel() {
-    return current == null ? Optional.empty() : current.panel();
+  public List<Panel> panels() {
+    return current == null ? List.of() : current.panels();
   }
 
   @Override

@@ -1,11 +1,16 @@
 package org.selectiverenderer.app.session;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import org.joml.Matrix4dc;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.headset.HeadsetAnswer;
 import org.selectiverenderer.app.headset.PanelPlace;
+import org.selectiverenderer.app.headset.PanelPointer;
 import org.selectiverenderer.app.run.RunGuide;
 import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.experiment.questionnaire.ButtonCourse;
@@ -15,6 +20,9 @@ import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.hmd.HeadsetLayout;
+import org.selectiverenderer.openxr.SpacePose;
+import org.selectiverenderer.runtime.World;
+import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
@@ -40,7 +48,15 @@ final class QuestionGuide implements RunGuide {
   private final Random simulated;
   private @Nullable ButtonCourse buttons;
   private @Nullable PanelPlace place;
+  private @Nullable World world;
+  private Optional<SpacePose> aim = Optional.empty();
+  private @Nullable Shown shown;
+  private QuestionSheet.@Nullable Target lit;
+  private boolean taken;
   private int frames;
+
+  /** What was shown last, and where it stood. */
+  private record Shown(QuestionSheet.Sheet sheet, Matrix4dc place) {}
 
   /**
    * @param layout knows how large the participant is in the scene
@@ -74,6 +90,7 @@ final class QuestionGuide implements RunGuide {
 
   @Override
   public void opened(Walkthrough walk) {
+    world = walk.world();
     place = new PanelPlace(walk.world(), layout);
   }
 
@@ -97,9 +114,51 @@ final class QuestionGuide implements RunGuide {
   }
 
   @Override
+  public void pointed(Optional<SpacePose> hand) {
+    aim = hand;
+    taken = false;
+  }
+
+  /** Chooses what was lit; whatever else the button means does not count on the page. */
+  private void choose() {
+    Optional<Vector2d> at = point();
+    Shown seen = shown;
+    taken = seen != null && at.filter(to -> seen.sheet.has(to.x, to.y)).isPresent();
+    Optional<QuestionSheet.Target> target = at.flatMap(to -> target(to));
+    QuestionSheet.Target was = lit;
+    if (was != null && target.filter(now -> now == was).isPresent()) {
+      lit = null; // Once: what comes next was not pointed at yet.
+      was.choose().run();
+    }
+  }
+
+  private Optional<QuestionSheet.Target> target(Vector2d at) {
+    Shown seen = shown;
+    return seen == null ? Optional.empty() : seen.sheet.at(at.x, at.y);
+  }
+
+  private Optional<PanelPointer> pointer() {
+    World known = world;
+    return known == null ? Optional.empty() : aim.map(hand -> PanelPointer.of(known, layout, hand));
+  }
+
+  /** Where the hand points on the page that was shown last. */
+  private Optional<Vector2d> point() {
+    Shown seen = shown;
+    return seen == null ? Optional.empty() : pointer().flatMap(ray -> ray.on(seen.place));
+  }
+
+  @Override
   public void answered(HeadsetAnswer answer) {
     ButtonCourse asking = buttons;
     if (asking == null || asking.over() || controls.paused()) {
+      return;
+    }
+    if (answer == HeadsetAnswer.CHOOSE) {
+      choose();
+      return;
+    }
+    if (taken) {
       return;
     }
     switch (answer) {
@@ -107,24 +166,45 @@ final class QuestionGuide implements RunGuide {
       case NO -> asking.no();
       case MORE -> asking.more();
       case LESS -> asking.less();
+      case CHOOSE -> throw new AssertionError();
     }
   }
 
   @Override
-  public Optional<Panel> panel() {
+  public List<Panel> panels() {
     PanelPlace where = place;
     if (where == null || controls.paused()) {
-      return Optional.empty();
+      shown = null;
+      return List.of();
     }
     ButtonCourse asking = begun();
     if (session.options().unattended() && ++frames % PRESS == 0) {
-      boolean yes = asking.question().isEmpty() || simulated.nextBoolean();
+      boolean written = asking.line().isPresent();
+      boolean yes = asking.question().isEmpty() || written || simulated.nextBoolean();
+      if (written && asking.written().isEmpty()) {
+        asking.write(asking.line().orElseThrow().simulated(simulated));
+      }
       answered(yes ? HeadsetAnswer.YES : HeadsetAnswer.NO);
     }
-    QuestionSheet.Sheet drawn = sheet.of(asking);
-    return Optional.of(
-        new Panel(
-            drawn.marks(), where.of(QuestionSheet.WIDTH, drawn.height(), QuestionSheet.metres())));
+    QuestionSheet.Sheet drawn = sheet.of(asking, aim.isPresent());
+    Matrix4dc stands = where.of(QuestionSheet.WIDTH, drawn.height(), QuestionSheet.metres());
+    shown = new Shown(drawn, stands);
+    List<Mark> marks = new ArrayList<>(drawn.marks());
+    Optional<Vector2d> at = point().filter(to -> drawn.has(to.x, to.y));
+    QuestionSheet.Target target = at.flatMap(this::target).orElse(null);
+    lit = target;
+    if (target != null) {
+      marks.addAll(target.lit());
+    }
+    at.ifPresent(to -> marks.add(QuestionSheet.spot(to.x, to.y)));
+    List<Panel> panels = new ArrayList<>(List.of(new Panel(marks, stands)));
+    pointer()
+        .ifPresent(
+            ray ->
+                panels.add(
+                    ray.drawn(
+                        at.map(to -> stands.transformPosition(new Vector3d(to.x, to.y, 0))))));
+    return panels;
   }
 
   @Override

@@ -15,12 +15,23 @@ import org.selectiverenderer.tracker.live.HandedTracker;
  */
 public final class SessionHeadset {
   private final HeadsetShown shown;
+  private final Search search;
   private @Nullable HandedTracker tracker;
   private volatile @Nullable HeadsetLink link;
 
+  /** Finds the headset of this computer. */
+  interface Search {
+    HeadsetLink find(HeadsetShown shown) throws IOException;
+  }
+
   /** Shown so in all scenes. */
   public SessionHeadset(HeadsetShown shown) {
+    this(shown, HeadsetLink::find);
+  }
+
+  SessionHeadset(HeadsetShown shown, Search search) {
     this.shown = shown;
+    this.search = search;
   }
 
   /**
@@ -30,7 +41,7 @@ public final class SessionHeadset {
    * @throws IOException with a sentence that says what is missing and what to do
    */
   public String require() throws IOException {
-    try (HeadsetLink found = HeadsetLink.find(shown)) {
+    try (HeadsetLink found = search.find(shown)) {
       return found.describe();
     }
   }
@@ -54,7 +65,7 @@ public final class SessionHeadset {
    * @throws IOException with a sentence when it is not there any more
    */
   HeadsetLink connect() throws IOException {
-    HeadsetLink found = HeadsetLink.find(shown);
+    HeadsetLink found = search.find(shown);
     link = found;
     found.feed(() -> tracker);
     return found;

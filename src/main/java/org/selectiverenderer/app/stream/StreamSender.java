@@ -2,7 +2,9 @@ package org.selectiverenderer.app.stream;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -13,6 +15,7 @@ import java.util.function.Consumer;
 import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.head.SampleListener;
+import org.selectiverenderer.experiment.headlog.EyeSample;
 import org.selectiverenderer.experiment.headlog.HeadLogDescription;
 import org.selectiverenderer.experiment.headlog.HeadSample;
 import org.selectiverenderer.lsl.LslLibrary;
@@ -42,6 +45,9 @@ final class StreamSender implements SampleListener, AutoCloseable {
 
     record Look(long nanos, String object) implements Item {}
 
+    /** Where the eyes look; none when another scene begins. */
+    record Eyes(long nanos, Optional<EyeStreams.Eyes> eyes) implements Item {}
+
     record Event(long nanos, String text) implements Item {}
   }
 
@@ -49,6 +55,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
   private final LslOutlet poses;
   private final LslOutlet looks;
   private final LslOutlet events;
+  private final EyeStreams eyes;
   private final Set<String> sourceIds;
   private final Consumer<String> problem;
   private final Queue<Item> queue = new ConcurrentLinkedQueue<>();
@@ -61,8 +68,13 @@ final class StreamSender implements SampleListener, AutoCloseable {
   private volatile boolean closing;
 
   private StreamSender(
-      LslLibrary lsl, List<LslOutlet> outlets, Set<String> sourceIds, Consumer<String> problem) {
+      LslLibrary lsl,
+      List<LslOutlet> outlets,
+      EyeStreams eyes,
+      Set<String> sourceIds,
+      Consumer<String> problem) {
     this.lsl = lsl;
+    this.eyes = eyes;
     poses = outlets.get(0);
     looks = outlets.get(1);
     events = outlets.get(2);
@@ -71,7 +83,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
   }
 
   /**
-   * Offers the three streams.
+   * Offers the three streams that there always are.
    *
    * @param source what the streams are of, by which receivers know them again after a crash
    * @param problem hears what is not sent
@@ -104,17 +116,15 @@ final class StreamSender implements SampleListener, AutoCloseable {
       outlets.forEach(LslOutlet::close);
       throw e;
     }
-    StreamSender sender =
-        new StreamSender(
-            lsl,
-            outlets,
-            Set.copyOf(streams.stream().map(StreamDescription::sourceId).toList()),
-            problem);
+    EyeStreams eyes = new EyeStreams(lsl, source, problem);
+    Set<String> ids = new HashSet<>(eyes.sourceIds());
+    streams.forEach(stream -> ids.add(stream.sourceId()));
+    StreamSender sender = new StreamSender(lsl, outlets, eyes, Set.copyOf(ids), problem);
     sender.thread.start();
     return sender;
   }
 
-  private static String id(String stream, String source) {
+  static String id(String stream, String source) {
     return "selective-renderer/" + stream + "/" + source;
   }
 
@@ -140,6 +150,9 @@ final class StreamSender implements SampleListener, AutoCloseable {
   public void scene(HeadLogDescription description) {
     metresPerUnit = description.metresPerUnit();
     looked = null;
+    if (description.eyes()) {
+      add(new Item.Eyes(System.nanoTime(), Optional.empty()));
+    }
   }
 
   @Override
@@ -165,6 +178,10 @@ final class StreamSender implements SampleListener, AutoCloseable {
     if (!object.equals(looked)) {
       looked = object;
       add(new Item.Look(nanos, object));
+    }
+    EyeSample seen = sample.eyes();
+    if (seen != null) {
+      add(new Item.Eyes(nanos, Optional.of(new EyeStreams.Eyes(new Quaterniond(turn), seen))));
     }
   }
 
@@ -197,6 +214,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
       LockSupport.parkNanos(left);
     }
     List.of(poses, looks, events).forEach(LslOutlet::close);
+    eyes.close();
     if (lost.get() > 0) {
       problem.accept(
           "the Lab Streaming Layer was too slow: " + lost.get() + " samples were not sent");
@@ -213,6 +231,8 @@ final class StreamSender implements SampleListener, AutoCloseable {
         poses.push(time, pose.values());
       } else if (item instanceof Item.Look look) {
         looks.push(time, look.object());
+      } else if (item instanceof Item.Eyes seen) {
+        seen.eyes().ifPresentOrElse(now -> eyes.push(time, now), eyes::scene);
       } else if (item instanceof Item.Event event) {
         events.push(time, event.text());
       }

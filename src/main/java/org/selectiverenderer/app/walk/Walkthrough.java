@@ -109,6 +109,13 @@ public final class Walkthrough implements AutoCloseable {
     return problems;
   }
 
+  /** Whether nothing of the file could be read: no node is there, and why has been said. */
+  public boolean unreadable() {
+    return problems.any()
+        && world.scene().root().nodes("children").isEmpty()
+        && world.scene().loose().isEmpty();
+  }
+
   /** The areas that the viewer is in, in the order of entering. */
   public List<String> enteredAreas() {
     return controller.enteredAreas();

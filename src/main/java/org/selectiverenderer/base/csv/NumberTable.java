@@ -86,7 +86,13 @@ public final class NumberTable {
 
   private void row(CsvRow cells, List<String> columns, CsvFaults faults) {
     double[] row = new double[columns.size()];
+    boolean gap =
+        form.gaps() && form.together().stream().allMatch(name -> cells.cellIfAny(name).isEmpty());
     for (int i = 0; i < row.length; i++) {
+      if (gap && i >= form.needed().size()) {
+        row[i] = Double.NaN;
+        continue;
+      }
       OptionalDouble number = CsvNumbers.number(cells, columns.get(i), faults);
       if (number.isEmpty()) {
         return;

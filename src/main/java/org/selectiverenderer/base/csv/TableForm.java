@@ -11,6 +11,8 @@ import java.util.List;
  * @param together names of columns of which all or none must be there
  * @param strict whether every time must be later than the one before; else it may be the same
  * @param torn whether a last row that was not written whole is passed over, as a crash leaves it
+ * @param gaps whether the columns that go together may be empty in a row, all of them; each is then
+ *     not a number
  */
 public record TableForm(
     String subject,
@@ -18,7 +20,8 @@ public record TableForm(
     List<String> needed,
     List<String> together,
     boolean strict,
-    boolean torn) {
+    boolean torn,
+    boolean gaps) {
   public TableForm {
     needed = List.copyOf(needed);
     together = List.copyOf(together);

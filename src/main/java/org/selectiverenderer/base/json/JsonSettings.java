@@ -23,7 +23,7 @@ import org.selectiverenderer.base.problem.Problems;
  * @param outcome what becomes of a faulty one, such as {@code the study is not used}
  */
 public record JsonSettings(String subject, String outcome) {
-  private static final JsonFactory FACTORY =
+  static final JsonFactory FACTORY =
       JsonFactory.builder()
           .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
           .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
@@ -31,7 +31,7 @@ public record JsonSettings(String subject, String outcome) {
           .build();
 
   /** What editors write at the beginning of a text to say that it is UTF-8. */
-  private static final String MARK = "\uFEFF";
+  static final String MARK = "\uFEFF";
 
   /**
    * Reads a file.

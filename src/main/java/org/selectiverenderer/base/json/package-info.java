@@ -11,6 +11,9 @@
  * image_distance} is misspelt shows depths that nobody chose. All errors of a file are told at
  * once.
  *
+ * <p>{@link org.selectiverenderer.base.json.JsonListText} changes a list in such a file and leaves
+ * the rest as its author wrote it.
+ *
  * <p>What programs write for programs (journals, reports, descriptions, figures) is read by {@link
  * org.selectiverenderer.base.json.JsonTree}, which passes over what it does not know, as newer
  * versions may say more, and written by {@link org.selectiverenderer.base.json.JsonText}: lines end

@@ -51,8 +51,8 @@ final class HeadOptions {
   @Option(
       names = "--tracker-position",
       description =
-          "use of the head's place, where the tracker tells it (opentrack, vrpn, fastrak): on or "
-              + "off (default: off; a headset's is always used)")
+          "use of the head's place, where the tracker tells it (opentrack, vrpn, fastrak, replay):"
+              + " on or off (default: off; a headset's is always used)")
   private @Nullable Placed placed;
 
   @Option(
@@ -105,19 +105,25 @@ final class HeadOptions {
     HeadLogFiles.of(log).forEach(file -> files.writes("--head-log", file));
   }
 
+  /** Whether the head's place is asked for. */
+  boolean placed() {
+    return placed == Placed.on;
+  }
+
   private void checkPlaced(TrackerSpec spec) {
     if (spec instanceof TrackerSpec.Headset) {
       throw CommandFailure.usage(
           "--tracker-position is for other trackers: a headset's place is always used; leave it "
               + "out");
     }
-    if (placed == Placed.on
+    if (placed()
         && !(spec instanceof TrackerSpec.OpenTrack
             || spec instanceof TrackerSpec.Vrpn
-            || spec instanceof TrackerSpec.Fastrak)) {
+            || spec instanceof TrackerSpec.Fastrak
+            || spec instanceof TrackerSpec.Replay)) {
       throw CommandFailure.usage(
-          "--tracker-position on needs a tracker that tells the head's place: opentrack, vrpn or "
-              + "fastrak");
+          "--tracker-position on needs a tracker that tells the head's place: opentrack, vrpn, "
+              + "fastrak or a replay of one");
     }
   }
 
@@ -159,7 +165,7 @@ final class HeadOptions {
         spec,
         options,
         lost == null ? WhenLost.FREEZE : WhenLost.valueOf(lost.name().toUpperCase(Locale.ROOT)),
-        placed == Placed.on);
+        placed());
   }
 
   /** What is recorded of the head. */

@@ -206,6 +206,11 @@ public final class RunCommand extends CliCommand {
           "--path cannot be combined with a replayed head log, which has positions of "
               + "its own; leave --path out");
     }
+    if (session && head.placed()) {
+      throw CommandFailure.usage(
+          "--tracker-position cannot be combined with a replayed head log, whose positions are "
+              + "always used; leave it out");
+    }
     boolean turned = walked.at(walked.start()).orientation().isPresent();
     if (!session && turned && !(tracker instanceof TrackerSpec.None)) {
       throw CommandFailure.usage(

@@ -64,12 +64,33 @@ public final class EnrichmentEdits {
     NodeWriter writer = new NodeWriter(document);
     List<TextChange> changes = new ArrayList<>();
     for (SwitchWish wish : switches) {
+      for (int i = 0; i < wish.choices().size(); i++) {
+        List<String> there = wish.node().values().get(i).schemas();
+        SchemaNames.require(wish.choices().get(i).schemas(), there);
+      }
       changes.addAll(writer.changes(wish.node(), wish.choices()));
     }
     for (SensorWish wish : sensors) {
+      SchemaNames.require(wish.schemas().enter(), wish.node().schemas().enter());
+      SchemaNames.require(wish.schemas().exit(), wish.node().schemas().exit());
       changes.addAll(writer.changes(wish.node(), wish.schemas()));
     }
     return new Edit(name, changes);
+  }
+
+  /**
+   * What a further choice behind all others needs of metadata: a part that says nothing, where the
+   * others have one each.
+   */
+  public List<TextChange> choiceAdded(EnrichedSwitch node) {
+    wellFormed();
+    return new NodeWriter(document).partAdded(node);
+  }
+
+  /** What goes of the metadata when a choice goes. */
+  public List<TextChange> choiceRemoved(EnrichedSwitch node, int index) {
+    wellFormed();
+    return new NodeWriter(document).partRemoved(node, index);
   }
 
   /** Gives a schema another name wherever it is named; that of another schema joins the two. */
@@ -79,6 +100,7 @@ public final class EnrichmentEdits {
     if (name.isEmpty()) {
       throw new EditRefused("a schema needs a name of at least one letter");
     }
+    SchemaNames.require(List.of(name), List.of());
     List<TextChange> changes = new ArrayList<>();
     document
         .tree()

@@ -108,6 +108,60 @@ final class NodeWriter {
     return changes;
   }
 
+  /** A part for one more choice, if there is one for each of the choices now. */
+  List<TextChange> partAdded(EnrichedSwitch node) {
+    Optional<DocumentMetadata> found = DocumentMetadata.of(document, node.element());
+    if (found.isEmpty() || !node.enriched()) {
+      return List.of();
+    }
+    int size = node.choices().size();
+    List<DocumentMetadata> sets = sets(found.get());
+    if (sets.size() < size) {
+      return List.of();
+    }
+    if (sets.size() > size) {
+      throw new EditRefused(
+          "the metadata of %s describes more choices than there are; take what is too many out first"
+              .formatted(node.name()));
+    }
+    sharing.free(found.get().written());
+    return List.of(
+        layout.insertLast(
+            found.get().meant(), text(node.element()).part(node.object(), size, ChoiceValues.NONE)));
+  }
+
+  /** Takes the part of a choice out; all of it if it says nothing of the others. */
+  List<TextChange> partRemoved(EnrichedSwitch node, int index) {
+    Optional<DocumentMetadata> found = DocumentMetadata.of(document, node.element());
+    if (found.isEmpty() || !node.enriched()) {
+      return List.of();
+    }
+    DocumentMetadata metadata = found.get();
+    List<DocumentMetadata> sets = sets(metadata);
+    boolean silent = true;
+    for (int i = 0; i < node.choices().size(); i++) {
+      silent &= i == index || node.values().get(i).isEmpty();
+    }
+    if (silent && ours(metadata)) {
+      sharing.free(metadata.written());
+      return List.of(layout.remove(metadata.written()));
+    }
+    if (sets.isEmpty() && index > 0 || !sets.isEmpty() && index >= sets.size()) {
+      return List.of(); // says nothing of that choice
+    }
+    if (sets.isEmpty() || metadata.shared()) {
+      throw new EditRefused(
+          "the metadata of %s belongs to several nodes or to its first choice alone; clear the choice first"
+              .formatted(node.name()));
+    }
+    sharing.free(sets.get(index).written());
+    return List.of(layout.remove(sets.get(index).written()));
+  }
+
+  private static List<DocumentMetadata> sets(DocumentMetadata metadata) {
+    return metadata.children().stream().filter(DocumentMetadata::isSet).toList();
+  }
+
   private List<TextChange> set(
       DocumentMetadata set,
       MetadataText text,

@@ -12,7 +12,8 @@ import org.selectiverenderer.document.SceneDocument;
 
 /**
  * A document and the file that it comes from. Saving keeps the file as it was before in a backup
- * beside it, replaces it in one moment, and refuses to overwrite what somebody else has written
+ * beside it (one that was not well formed in a backup of its own, so that the last good copy
+ * stays), replaces it in one moment, and refuses to overwrite what somebody else has written
  * meanwhile. Whatever fails, document and file are as they were.
  */
 public final class DocumentFile {
@@ -21,12 +22,16 @@ public final class DocumentFile {
   private Path path;
   private @Nullable FileStamp stamp;
 
+  /** Whether the file's text, as it was opened or saved last, is well formed. */
+  private boolean sound;
+
   private DocumentFile(
       FileActions actions, SceneDocument document, Path path, @Nullable FileStamp stamp) {
     this.actions = actions;
     this.document = document;
     this.path = path;
     this.stamp = stamp;
+    this.sound = document.fault().isEmpty();
   }
 
   /** Opens a file. */
@@ -80,13 +85,18 @@ public final class DocumentFile {
     return path;
   }
 
-  /** Where the file as it was before the last saving is kept. */
+  /** Where the file as it was before the last saving is kept, the last that was well formed. */
   public Path backup() {
-    return backup(path);
+    return backup(path, true);
   }
 
-  static Path backup(Path file) {
-    return file.resolveSibling(file.getFileName() + ".bak");
+  /** Where a file that was not well formed is kept, so that it never takes the other's place. */
+  public Path faultyBackup() {
+    return backup(path, false);
+  }
+
+  static Path backup(Path file, boolean sound) {
+    return file.resolveSibling(file.getFileName() + (sound ? ".bak" : ".faulty.bak"));
   }
 
   private static DiskState state(Path file, @Nullable FileStamp stamp) throws IOException {
@@ -110,19 +120,24 @@ public final class DocumentFile {
 
   /** The document as it is now, to be written to its file by any thread. */
   public Writing writing() {
-    return new Writing(actions, path, document.snapshot(), guard());
+    return new Writing(actions, path, text(), new Writing.Before(guard(), sound));
   }
 
   /** The same, to another file, which is the document's from {@link #written} on. */
   public Writing writing(Path other) {
-    return new Writing(actions, other, document.snapshot(), null);
+    return new Writing(actions, other, text(), null);
+  }
+
+  private Writing.Text text() {
+    return new Writing.Text(document.snapshot(), document.fault().isEmpty());
   }
 
   /** The writing is done; on the document's thread. */
   public void written(Writing done) {
     path = done.target();
     stamp = done.stamp();
-    document.markSaved(done.snapshot());
+    sound = done.text().sound();
+    document.markSaved(done.text().snapshot());
   }
 
   /**

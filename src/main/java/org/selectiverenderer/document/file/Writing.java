@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.base.files.NotWritten;
 import org.selectiverenderer.base.files.WholeFile;
+import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
 
 /**
@@ -16,15 +17,32 @@ import org.selectiverenderer.document.Snapshot;
 public final class Writing {
   private final FileActions actions;
   private final Path target;
-  private final Snapshot snapshot;
-  private final DocumentFile.@Nullable Guard guard;
+  private final Text text;
+  private final @Nullable Before before;
   private @Nullable FileStamp stamp;
 
-  Writing(FileActions actions, Path target, Snapshot snapshot, DocumentFile.@Nullable Guard guard) {
+  /**
+   * What is written.
+   *
+   * @param sound whether it is well formed
+   */
+  record Text(Snapshot snapshot, boolean sound) {}
+
+  /**
+   * The file that is expected there.
+   *
+   * @param sound whether it is well formed
+   */
+  record Before(DocumentFile.Guard guard, boolean sound) {}
+
+  /**
+   * @param before null where it is replaced whatever it is
+   */
+  Writing(FileActions actions, Path target, Text text, @Nullable Before before) {
     this.actions = actions;
     this.target = target;
-    this.snapshot = snapshot;
-    this.guard = guard;
+    this.text = text;
+    this.before = before;
   }
 
   /** The file. */
@@ -32,8 +50,8 @@ public final class Writing {
     return target;
   }
 
-  Snapshot snapshot() {
-    return snapshot;
+  Text text() {
+    return text;
   }
 
   @Nullable FileStamp stamp() {
@@ -42,7 +60,7 @@ public final class Writing {
 
   /** The same, whatever somebody else has written into the file; that goes to the backup. */
   public Writing over() {
-    return new Writing(actions, target, snapshot, null);
+    return new Writing(actions, target, text, null);
   }
 
   /**
@@ -52,12 +70,12 @@ public final class Writing {
    * @throws IOException if it cannot be written, with one line that names it and says what to do
    */
   public void write() throws IOException {
-    if (guard != null && guard.state() == DiskState.CHANGED) {
+    if (before != null && before.guard().state() == DiskState.CHANGED) {
       throw new FileChanged(
           target
               + ": another program has changed the file since it was opened; it is not overwritten");
     }
-    byte[] bytes = snapshot.bytes();
+    byte[] bytes = text.snapshot().bytes();
     try {
       if (Files.isRegularFile(target)) {
         backUp();
@@ -73,13 +91,23 @@ public final class Writing {
   }
 
   private void backUp() throws IOException {
-    Path backup = DocumentFile.backup(target);
     byte[] old = Files.readAllBytes(target);
+    boolean sound = before != null ? before.sound() : sound(old);
+    Path backup = DocumentFile.backup(target, sound);
     try {
       WholeFile.replace(backup, old, actions);
     } catch (NotWritten e) {
       throw new IOException(
           "no backup can be kept as %s: %s".formatted(backup.getFileName(), e.reason()), e);
+    }
+  }
+
+  /** Whether bytes are a text that is well formed. */
+  private static boolean sound(byte[] bytes) {
+    try {
+      return SceneDocument.of("", bytes).fault().isEmpty();
+    } catch (IOException e) {
+      return false; // no text at all; it is kept all the same
     }
   }
 }

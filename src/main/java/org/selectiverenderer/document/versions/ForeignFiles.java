@@ -6,21 +6,23 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import org.selectiverenderer.x3d.source.Gzip;
 import org.selectiverenderer.x3d.write.XmlAttribute;
 
 /** Finds files in the way: those that are not known to hold a version of this very object. */
 final class ForeignFiles {
   private final VersionsEdit.Request request;
   private final ObjectElement site;
-  private final boolean original;
+  private final List<Path> own;
 
   /**
-   * @param elsewhere whether the changed scene goes to another folder
+   * @param own where the versions are that the object has, the original first
    */
-  ForeignFiles(VersionsEdit.Request request, ObjectElement site, boolean elsewhere) {
+  ForeignFiles(VersionsEdit.Request request, ObjectElement site, List<Path> own) {
     this.request = request;
     this.site = site;
-    this.original = site instanceof ObjectElement.Whole || elsewhere;
+    this.own = List.copyOf(own);
   }
 
   /** The beginning of what a reduced version says of itself, by which it is known. */
@@ -34,12 +36,11 @@ final class ForeignFiles {
    * @param planned the versions that are to be written, in order
    */
   Optional<PlannedFile> in(List<PlannedFile> planned) throws IOException {
-    int had = site instanceof ObjectElement.Versioned versioned ? versioned.inlines().size() : 0;
-    for (int i = 0; i < planned.size(); i++) {
-      PlannedFile file = planned.get(i);
-      int number = original ? i + 1 : i + 2;
+    for (PlannedFile file : planned) {
+      Matcher name = SiteFinder.VERSION_URL.matcher(file.file().toString());
+      int number = name.matches() ? Integer.parseInt(name.group(2)) : 1;
       boolean scenes = same(file, request.output()) || same(file, request.scene());
-      boolean known = number > 1 && (number <= had || reduced(file, number));
+      boolean known = number > 1 && (own(file, number) || reduced(site, file.file(), number));
       if (scenes || VersionFiles.taken(file) && !known) {
         return Optional.of(file);
       }
@@ -51,9 +52,18 @@ final class ForeignFiles {
     return file.file().equals(other.toAbsolutePath().normalize());
   }
 
-  private boolean reduced(PlannedFile file, int number) throws IOException {
-    return Files.isRegularFile(file.file())
-        && new String(Files.readAllBytes(file.file()), StandardCharsets.UTF_8)
+  private boolean own(PlannedFile file, int number) {
+    return number <= own.size() && own.get(number - 1).equals(file.file());
+  }
+
+  /** Whether a file says of itself that it has been made as that version. */
+  static boolean reduced(ObjectElement site, Path file, int number) throws IOException {
+    return Files.isRegularFile(file)
+        && new String(unpacked(Files.readAllBytes(file)), StandardCharsets.UTF_8)
             .contains("content='" + XmlAttribute.escaped(madeAs(site, number), '\''));
+  }
+
+  private static byte[] unpacked(byte[] content) throws IOException {
+    return Gzip.compressed(content) ? Gzip.unpacked(content) : content;
   }
 }

@@ -7,7 +7,8 @@ import java.nio.file.Path;
  *
  * @param number from 1, the original
  * @param file that holds it
- * @param error the largest deviation from the original, as a share of its largest extent
+ * @param error the largest deviation from the original, as a share of its largest extent; not a
+ *     number for a version that was kept as it is
  * @param met whether what was asked for has been reached
  */
 public record ObjectVersion(

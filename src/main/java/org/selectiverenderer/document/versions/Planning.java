@@ -59,7 +59,8 @@ final class Planning {
     this.problems = problems;
     this.sceneFolder = VersionFiles.folder(request.scene());
     this.outputFolder = VersionFiles.folder(request.output());
-    this.names = new VersionFiles(scene, site, outputFolder, request.inlineFolder());
+    this.names =
+        new VersionFiles(scene, site, outputFolder, request.inlineFolder(), request.name());
   }
 
   Optional<VersionsEdit> plan() throws IOException {
@@ -83,8 +84,17 @@ final class Planning {
     }
     ModelSize size = ModelSize.of(model.get().meshes());
     List<Goal> goals = goals(size);
-    for (Goal goal : goals) {
-      if (beyond(goal, size)) {
+    List<Integer> missing =
+        request.kept().stream().filter(number -> number > own().size()).sorted().toList();
+    if (!missing.isEmpty()) {
+      problems.error(
+          location,
+          "the object '%s' has no version %d that could be kept"
+              .formatted(request.object(), missing.get(0)));
+      return Optional.empty();
+    }
+    for (int i = 0; i < goals.size(); i++) {
+      if (!kept(i + 2) && beyond(goals.get(i), size)) {
         problems.error(
             location,
             "the object '%s' has %s and %s, fewer than asked for"
@@ -124,7 +134,8 @@ final class Planning {
   private List<Goal> goals(ModelSize size) {
     List<Goal> goals = request.goals();
     boolean all =
-        goals.size() > 1
+        request.kept().isEmpty()
+            && goals.size() > 1
             && (goals.get(0).equals(new Goal.VertexPercent(100))
                 || goals.get(0).equals(new Goal.Polygons(size.polygons())));
     return all ? goals.subList(1, goals.size()) : goals;
@@ -155,6 +166,7 @@ final class Planning {
     try {
       IntStream.range(0, reduced.length)
           .parallel()
+          .filter(i -> !kept(i + 2))
           .forEach(i -> reduced[i] = simplifier.simplify(model.meshes(), goals.get(i)));
     } catch (NoPolygons e) {
       problems.error(
@@ -163,9 +175,9 @@ final class Planning {
               .formatted(request.object(), e.getMessage()));
       return Optional.empty();
     }
-    ForeignFiles foreign = new ForeignFiles(request, site, elsewhere());
+    ForeignFiles foreign = new ForeignFiles(request, site, own());
     int attempt = 1;
-    List<Path> files = names.of(goals.size() + 1, attempt);
+    List<Path> files = names.of(goals.size() + 1, attempt, request.kept());
     List<PlannedFile> planned = planned(files, nodes, model, size, reduced);
     Optional<PlannedFile> inTheWay = foreign.in(planned);
     if (inTheWay.isPresent() && site instanceof ObjectElement.Versioned) {
@@ -178,7 +190,7 @@ final class Planning {
     }
     Optional<PlannedFile> first = inTheWay;
     while (inTheWay.isPresent()) {
-      files = names.of(goals.size() + 1, ++attempt);
+      files = names.of(goals.size() + 1, ++attempt, request.kept());
       planned = planned(files, nodes, model, size, reduced);
       inTheWay = foreign.in(planned);
     }
@@ -193,6 +205,10 @@ final class Planning {
     versions.add(new ObjectVersion(1, files.get(0), size.vertices(), size.polygons(), 0, true));
     for (int i = 0; i < reduced.length; i++) {
       Simplified result = reduced[i];
+      if (result == null) {
+        versions.add(there(i + 2, files.get(i + 1)));
+        continue;
+      }
       versions.add(
           new ObjectVersion(
               i + 2,
@@ -203,13 +219,46 @@ final class Planning {
               result.met()));
     }
     tellOfOtherFiles(files.size());
+    List<String> urls = urls(files);
+    List<Path> own = own();
+    List<String> renamed = new ArrayList<>();
+    for (int i = 0; i < Math.min(files.size(), own.size()); i++) {
+      if (!own.get(i).equals(files.get(i))) {
+        renamed.add(urls.get(i));
+      }
+    }
     Edit edit =
         new Edit(
             "Make versions of " + request.object(),
-            new SceneEdit(scene, site).changes(urls(files)));
-    PlannedFile changed = planned(request.output(), scene.snapshot().bytes(edit));
+            new SceneEdit(scene, site, renamed).changes(urls));
+    PlannedFile changed = planned(request.output(), scene.snapshot().bytes(edit), false);
     return Optional.of(
         new VersionsEdit(scene.snapshot(), request.object(), versions, planned, changed, edit));
+  }
+
+  private boolean kept(int number) {
+    return request.kept().contains(number);
+  }
+
+  /** Where the versions are that the object has; none of an object without versions. */
+  private List<Path> own() {
+    return site instanceof ObjectElement.Versioned versioned
+        ? names.of(versioned.inlines().size(), 1)
+        : List.of();
+  }
+
+  /** A version that stays as it is. How far it is from the original nobody has measured. */
+  private ObjectVersion there(int number, Path file) throws IOException {
+    Optional<Model> model =
+        Files.isReadable(file) ? models.read(file, new Problems()) : Optional.empty();
+    if (model.isEmpty()) {
+      problems.warning(
+          Location.of(file.toString()),
+          "version %d of the object '%s' cannot be read; it is kept as it is"
+              .formatted(number, request.object()));
+    }
+    ModelSize size = model.map(read -> ModelSize.of(read.meshes())).orElse(new ModelSize(0, 0));
+    return new ObjectVersion(number, file, size.vertices(), size.polygons(), Double.NaN, true);
   }
 
   private List<PlannedFile> planned(
@@ -217,13 +266,17 @@ final class Planning {
       throws IOException {
     List<PlannedFile> planned = new ArrayList<>();
     if (site instanceof ObjectElement.Whole) {
-      planned.add(planned(files.get(0), original(nodes, files.get(0), size)));
+      planned.add(planned(files.get(0), original(nodes, files.get(0), size), false));
     } else if (elsewhere()) {
-      planned.add(planned(files.get(0), Files.readAllBytes(source())));
+      planned.add(planned(files.get(0), Files.readAllBytes(source()), false));
     }
     for (int i = 0; i < reduced.length; i++) {
       Path file = files.get(i + 1);
-      planned.add(planned(file, text(model.with(reduced[i].parts()), file, i + 2, reduced[i])));
+      if (reduced[i] != null) {
+        byte[] text = text(model.with(reduced[i].parts()), file, i + 2, reduced[i]);
+        boolean byHand = Files.exists(file) && !ForeignFiles.reduced(site, file, i + 2);
+        planned.add(planned(file, text, byHand));
+      }
     }
     return planned;
   }
@@ -281,14 +334,14 @@ final class Planning {
         .getBytes(StandardCharsets.UTF_8);
   }
 
-  private static PlannedFile planned(Path file, byte[] text) throws IOException {
+  private static PlannedFile planned(Path file, byte[] text, boolean byHand) throws IOException {
     boolean packed = file.toString().toLowerCase(Locale.ROOT).endsWith(".x3dz");
     byte[] content = packed && !Gzip.compressed(text) ? Gzip.packed(text) : text;
     if (!Files.isRegularFile(file)) {
-      return new PlannedFile(file, content, PlannedFile.State.NEW);
+      return new PlannedFile(file, content, PlannedFile.State.NEW, byHand);
     }
     boolean same = Arrays.equals(Files.readAllBytes(file), content);
     return new PlannedFile(
-        file, content, same ? PlannedFile.State.UNCHANGED : PlannedFile.State.CHANGED);
+        file, content, same ? PlannedFile.State.UNCHANGED : PlannedFile.State.CHANGED, byHand);
   }
 }

@@ -1,11 +1,16 @@
 package org.selectiverenderer.document.versions;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import org.selectiverenderer.document.FreeNames;
 import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.write.ValueText;
 
 /** Puts versions into a scene's text: a Switch for a new object, else more or fewer Inlines. */
 final class SceneEdit {
@@ -13,8 +18,13 @@ final class SceneEdit {
   private final ObjectElement site;
   private final Layout layout;
   private final FreeNames names;
+  private final Set<String> renamed;
 
-  SceneEdit(SceneSource scene, ObjectElement site) {
+  /**
+   * @param renamed those urls of versions that go to files of other names than they had
+   */
+  SceneEdit(SceneSource scene, ObjectElement site, Collection<String> renamed) {
+    this.renamed = Set.copyOf(renamed);
     this.scene = scene;
     this.site = site;
     this.layout = scene.snapshot().layout();
@@ -61,11 +71,33 @@ final class SceneEdit {
       lines.add(further(last, inlines.size(), number, urls.get(number - 1)));
     }
     List<TextChange> changes = new ArrayList<>();
+    for (int i = 0; i < Math.min(inlines.size(), urls.size()); i++) {
+      named(inlines.get(i), urls.get(i)).ifPresent(changes::add);
+    }
     if (!lines.isEmpty()) {
       changes.add(layout.insertAfter(last, lines));
     }
     inlines.stream().skip(urls.size()).map(layout::remove).forEach(changes::add);
     return changes;
+  }
+
+  /** An Inline names another file first; further addresses of the version stay. */
+  private Optional<TextChange> named(DocumentElement inline, String url) {
+    if (!renamed.contains(url)) {
+      return Optional.empty();
+    }
+    if (inline.use().isPresent()) {
+      String name = names.unused("Inline_" + site.name());
+      return Optional.of(
+          layout.replace(inline, List.of(VersionSwitch.inline(name, url, layout.quote(inline)))));
+    }
+    List<String> all = new ArrayList<>(XmlValues.strings(inline.text("url").orElse("")));
+    if (all.isEmpty()) {
+      all.add(url);
+    } else {
+      all.set(0, url);
+    }
+    return Optional.of(layout.attribute(inline, "url", ValueText.strings(all)));
   }
 
   private String further(DocumentElement last, int had, int number, String url) {

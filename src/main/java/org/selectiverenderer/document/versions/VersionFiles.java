@@ -3,7 +3,9 @@ package org.selectiverenderer.document.versions;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.stream.IntStream;
 import org.selectiverenderer.x3d.catalogue.NodeView;
@@ -14,32 +16,68 @@ final class VersionFiles {
   private final ObjectElement site;
   private final Path outputFolder;
   private final String inlineFolder;
+  private final String name;
 
   /**
    * @param inlineFolder for new objects, relative to the output's folder
+   * @param name of the files that are made; empty for that of those that are there, or the object's
    */
-  VersionFiles(SceneSource scene, ObjectElement site, Path outputFolder, String inlineFolder) {
+  VersionFiles(
+      SceneSource scene, ObjectElement site, Path outputFolder, String inlineFolder, String name) {
     this.scene = scene;
     this.site = site;
     this.outputFolder = outputFolder;
     this.inlineFolder = inlineFolder;
+    this.name = name.strip();
   }
 
   /**
    * The files of versions 1 to {@code count}. Those of an object with versions are where its
-   * Inlines say.
+   * Inlines say, further ones beside the original.
    *
    * @param attempt from 1; a new object has another name for each
    */
   List<Path> of(int count, int attempt) {
     if (site instanceof ObjectElement.Versioned versioned) {
       String url = url(versioned, 0);
-      String base = url.substring(0, url.lastIndexOf("_v"));
-      Matcher parts = SiteFinder.VERSION_URL.matcher(url);
-      return files(outputFolder, base, parts.matches() ? parts.group(3) : ".x3d", count);
+      List<Path> files = files(outputFolder, base(url), ending(url), count);
+      List<Path> all = new ArrayList<>(files);
+      for (int i = 0; i < Math.min(count, versioned.inlines().size()); i++) {
+        all.set(i, outputFolder.resolve(url(versioned, i)).normalize());
+      }
+      return all;
     }
-    String base = safe(site.name()) + (attempt == 1 ? "" : attempt);
+    String base = safe(name.isEmpty() ? site.name() : name) + (attempt == 1 ? "" : attempt);
     return files(outputFolder.resolve(inlineFolder), base, ".x3d", count);
+  }
+
+  /**
+   * The same, those that are made under the name that the author gives them.
+   *
+   * @param kept numbers of versions that are not made
+   */
+  List<Path> of(int count, int attempt, Set<Integer> kept) {
+    List<Path> files = new ArrayList<>(of(count, attempt));
+    if (site instanceof ObjectElement.Versioned versioned && !name.isEmpty()) {
+      String url = url(versioned, 0);
+      String folder = url.substring(0, url.lastIndexOf('/') + 1);
+      List<Path> named = files(outputFolder, folder + safe(name), ending(url), count);
+      for (int number = 2; number <= count; number++) {
+        if (!kept.contains(number)) {
+          files.set(number - 1, named.get(number - 1));
+        }
+      }
+    }
+    return files;
+  }
+
+  private static String base(String url) {
+    return url.substring(0, url.lastIndexOf("_v"));
+  }
+
+  private static String ending(String url) {
+    Matcher parts = SiteFinder.VERSION_URL.matcher(url);
+    return parts.matches() ? parts.group(3) : ".x3d";
   }
 
   private static List<Path> files(Path start, String base, String ending, int count) {

@@ -5,12 +5,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.document.StepFiles;
 import org.selectiverenderer.polygon.model.ModelReader;
 import org.selectiverenderer.polygon.simplify.Goal;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -27,8 +29,9 @@ import org.selectiverenderer.x3d.read.X3dReader;
  * the scene. An object that has versions already gets new ones of its version 1.
  *
  * <p>Planned beside the author's work, looked at, then applied to the document or written with the
- * scene's file. Undoing takes the Switch out of the document again; the files of the versions stay,
- * as nothing refers to them then.
+ * scene's file. Applied it is one step: undoing takes the Switch out of the document again, and the
+ * files of the versions become what they were before. Versions that are there already may be kept
+ * as they are, or be made anew under another name.
  */
 public final class VersionsEdit {
   private final Snapshot snapshot;
@@ -63,6 +66,10 @@ public final class VersionsEdit {
    * @param output the changed scene's file; the scene's own to change it in place
    * @param access what the scene may name besides its own files
    * @param inlineFolder where the versions' files go, relative to the output's folder
+   * @param kept the numbers of versions, from 2, whose files stay as they are; their goals do not
+   *     count. Only an object that has these versions has such
+   * @param name what the files that are made are named after; empty for the name of those that are
+   *     there, else of the object
    */
   public record Request(
       Path scene,
@@ -70,9 +77,23 @@ public final class VersionsEdit {
       String object,
       List<Goal> goals,
       Path output,
-      String inlineFolder) {
+      String inlineFolder,
+      Set<Integer> kept,
+      String name) {
     public Request {
       goals = List.copyOf(goals);
+      kept = Set.copyOf(kept);
+    }
+
+    /** The same where no version is kept. */
+    public Request(
+        Path scene,
+        ContentAccess access,
+        String object,
+        List<Goal> goals,
+        Path output,
+        String inlineFolder) {
+      this(scene, access, object, goals, output, inlineFolder, Set.of(), "");
     }
 
     /** The same of a scene that may name no more than its own files. */
@@ -87,7 +108,17 @@ public final class VersionsEdit {
 
     /** The same of a scene that may name more than its own files. */
     public Request allowing(ContentAccess more) {
-      return new Request(scene, more, object, goals, output, inlineFolder);
+      return new Request(scene, more, object, goals, output, inlineFolder, kept, name);
+    }
+
+    /** The same where some versions stay as they are. */
+    public Request keeping(Set<Integer> numbers) {
+      return new Request(scene, access, object, goals, output, inlineFolder, numbers, name);
+    }
+
+    /** The same with files named after something else. */
+    public Request named(String other) {
+      return new Request(scene, access, object, goals, output, inlineFolder, kept, other);
     }
   }
 
@@ -112,6 +143,33 @@ public final class VersionsEdit {
     }
     ModelReader models = new ModelReader(catalogue, request.access());
     return new Planning(request, scene, site.get(), models, reader, problems).plan();
+  }
+
+  /**
+   * The files of the versions that an object has, the original first; empty for an object without
+   * versions, or one that cannot get any.
+   *
+   * @throws IOException if a file cannot be read, with one line that names it
+   */
+  public static List<Path> existing(Snapshot snapshot, Request request, NodeCatalogue catalogue)
+      throws IOException {
+    Path folder = VersionFiles.folder(request.scene());
+    Problems unheard = new Problems(); // planning reports what is wrong
+    SceneSource scene = SceneSource.of(snapshot, new X3dReader(catalogue), unheard);
+    Optional<ObjectElement> site = new SiteFinder(scene, unheard).find(request.object());
+    return site.filter(ObjectElement.Versioned.class::isInstance)
+        .map(ObjectElement.Versioned.class::cast)
+        .map(
+            there ->
+                new VersionFiles(scene, there, folder, request.inlineFolder(), "")
+                    .of(there.inlines().size(), 1))
+        .orElse(List.of());
+  }
+
+  /** Whether nothing would change: all versions stay as they are. */
+  public boolean isEmpty() {
+    return edit.isEmpty()
+        && files.stream().allMatch(file -> file.state() == PlannedFile.State.UNCHANGED);
   }
 
   /** The DEF name of the object. */
@@ -140,7 +198,8 @@ public final class VersionsEdit {
   }
 
   /**
-   * Writes the versions' files, all or none, and edits the document.
+   * Writes the versions' files, all or none, and edits the document, as one step. A file that is
+   * replaced and was not made by this program is kept beside it besides.
    *
    * @throws EditRefused if the document has changed since it was planned
    * @throws IOException if a file cannot be written; nothing has changed then
@@ -152,8 +211,12 @@ public final class VersionsEdit {
                   + "them again")
               .formatted(object));
     }
-    write(files);
-    document.perform(edit);
+    document.perform(
+        edit,
+        files.stream()
+            .filter(file -> file.state() != PlannedFile.State.UNCHANGED)
+            .map(file -> new StepFiles.Written(file.file(), file.content(), file.byHand()))
+            .toList());
   }
 
   /**

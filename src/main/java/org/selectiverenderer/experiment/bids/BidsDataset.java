@@ -25,7 +25,7 @@ import org.selectiverenderer.experiment.dataset.RecordedStudy;
  */
 public record BidsDataset(int sessions, int files) {
   /** The version of BIDS that the files follow. */
-  static final String VERSION = "1.10.0";
+  static final String VERSION = "1.11.0";
 
   /**
    * What a dataset says of its making.

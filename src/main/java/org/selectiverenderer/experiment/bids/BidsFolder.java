@@ -14,10 +14,14 @@ import org.selectiverenderer.experiment.dataset.TableColumn;
 
 /** The files of a dataset by their paths in it, until all of them are written. */
 final class BidsFolder {
-  private final Map<String, String> files = new LinkedHashMap<>();
+  private final Map<String, byte[]> files = new LinkedHashMap<>();
 
   void add(String path, String text) {
-    files.put(path, text);
+    add(path, text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  void add(String path, byte[] bytes) {
+    files.put(path, bytes);
   }
 
   /**
@@ -27,8 +31,8 @@ final class BidsFolder {
    * @param more what else the explaining file says, before the columns
    */
   void add(String stem, DataTable table, ObjectNode more) {
-    files.put(stem + ".tsv", table.tsv());
-    files.put(stem + ".json", sidecar(table, more));
+    add(stem + ".tsv", table.tsv());
+    add(stem + ".json", sidecar(table, more));
   }
 
   private static String sidecar(DataTable table, ObjectNode more) {
@@ -53,8 +57,7 @@ final class BidsFolder {
   /** Writes all files, or none. */
   void write(Path folder) throws IOException {
     FileTransaction writing = new FileTransaction();
-    files.forEach(
-        (name, text) -> writing.add(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
+    files.forEach((name, bytes) -> writing.add(folder.resolve(name), bytes));
     writing.commit();
   }
 

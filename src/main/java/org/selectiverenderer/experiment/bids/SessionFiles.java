@@ -93,6 +93,8 @@ final class SessionFiles {
     String motion = name + "_tracksys-head" + number;
     Bids.files(log.get(), motion, task, origin.program() + " " + origin.version())
         .forEach((file, text) -> files.add(folder + "motion/" + file, text));
+    Bids.eyes(log.get(), motion, task, origin.program() + " " + origin.version())
+        .forEach((file, bytes) -> files.add(folder + "motion/" + file, bytes));
     DataTable events = new DataTable("events", "", RunEvents.columns());
     RunEvents.rows(run, log, material.study().fade()).forEach(events::add);
     files.add(folder + "motion/" + name + number + "_events", events, stimulus(task));

@@ -10,6 +10,7 @@ import java.util.Optional;
 import org.joml.Quaterniond;
 import org.selectiverenderer.base.csv.NumberTable;
 import org.selectiverenderer.base.csv.TableForm;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
@@ -26,11 +27,18 @@ final class TrackerMotion {
           "the tracker's log",
           "the tracker's records are left out",
           List.of("t", "yaw", "pitch", "roll"),
-          List.of(),
+          List.of("right", "up", "back"),
           false,
+          true,
           true);
 
   private static final List<String> PARTS = List.of("quat_x", "quat_y", "quat_z", "quat_w");
+
+  /** Of a tracker that tells the place of the head: right, up and back. */
+  private static final List<String> PLACE = List.of("x", "y", "z");
+
+  /** The first column of the place among those of {@link #FORM}. */
+  private static final int RIGHT = 4;
 
   private TrackerMotion() {}
 
@@ -53,32 +61,31 @@ final class TrackerMotion {
     double[][] rows = read.get();
     double seconds = rows[rows.length - 1][0] - rows[0][0];
     double rate = seconds > 0 ? Rounded.to(3, (rows.length - 1) / seconds) : 0;
-    files.add(stem + "_channels.tsv", channels(rate));
+    boolean placed = rows[0].length > RIGHT;
+    files.add(stem + "_channels.tsv", channels(rate, placed));
     files.add(stem + "_channels.json", frames());
-    files.add(stem + "_motion.json", sidecar(task, model, rate, seconds));
-    files.add(stem + "_motion.tsv", data(rows));
+    files.add(stem + "_motion.json", sidecar(task, model, rate, seconds, placed));
+    files.add(stem + "_motion.tsv", data(rows, placed));
     return true;
   }
 
-  private static String data(double[][] rows) {
+  private static String data(double[][] rows, boolean placed) {
     StringBuilder text = new StringBuilder();
     Quaterniond turn = new Quaterniond();
     for (double[] row : rows) {
       turn.rotationYXZ(Math.toRadians(row[1]), Math.toRadians(row[2]), Math.toRadians(row[3]));
       text.append(
-          String.format(
-              Locale.ROOT,
-              "%.6f\t%.6f\t%.6f\t%.6f\t%.6f\n",
-              turn.x,
-              turn.y,
-              turn.z,
-              turn.w,
-              row[0] - rows[0][0]));
+          String.format(Locale.ROOT, "%.6f\t%.6f\t%.6f\t%.6f\t", turn.x, turn.y, turn.z, turn.w));
+      for (int i = 0; placed && i < PLACE.size(); i++) {
+        double way = row[RIGHT + i];
+        text.append(Double.isNaN(way) ? "n/a" : DecimalText.fixed(way, 5)).append('\t');
+      }
+      text.append(DecimalText.fixed(row[0] - rows[0][0], 6)).append('\n');
     }
     return text.toString();
   }
 
-  private static String channels(double rate) {
+  private static String channels(double rate, boolean placed) {
     StringBuilder text =
         new StringBuilder(
             "name\tcomponent\ttype\ttracked_point\tunits\tsampling_frequency\treference_frame\n");
@@ -87,14 +94,23 @@ final class TrackerMotion {
           .append(rate)
           .append("\ttracker\n");
     }
+    for (String part : placed ? PLACE : List.<String>of()) {
+      text.append("tracker_POS_%s\t%s\tPOS\thead\tm\t".formatted(part, part))
+          .append(rate)
+          .append("\ttracker\n");
+    }
     return text.append("latency\tn/a\tLATENCY\tn/a\ts\t").append(rate).append("\tn/a\n").toString();
   }
 
-  private static String sidecar(String task, String model, double rate, double seconds) {
+  private static String sidecar(
+      String task, String model, double rate, double seconds, boolean placed) {
+    int places = placed ? PLACE.size() : 0;
     ObjectNode root = JsonTree.object();
     root.put("TaskName", task);
     root.put(
-        "TaskDescription", "orientations as the tracker told them, before the heading's reset");
+        "TaskDescription",
+        (placed ? "orientations and places" : "orientations")
+            + " as the tracker told them, before the heading's reset");
     root.put("SamplingFrequency", rate);
     root.put("SamplingFrequencyEffective", rate);
     root.put("TrackingSystemName", "tracker");
@@ -102,11 +118,11 @@ final class TrackerMotion {
     root.put("Manufacturer", "n/a");
     root.put("ManufacturersModelName", model.isEmpty() ? "n/a" : model);
     root.put("SoftwareVersions", "n/a");
-    root.put("MotionChannelCount", PARTS.size() + 1);
-    for (String type :
-        List.of("ACCEL", "ANGACCEL", "GYRO", "JNTANG", "MAGN", "MISC", "POS", "VEL")) {
+    root.put("MotionChannelCount", PARTS.size() + places + 1);
+    for (String type : List.of("ACCEL", "ANGACCEL", "GYRO", "JNTANG", "MAGN", "MISC", "VEL")) {
       root.put(type + "ChannelCount", 0);
     }
+    root.put("POSChannelCount", places);
     root.put("ORNTChannelCount", PARTS.size());
     root.put("LATENCYChannelCount", 1);
     root.put("TrackedPointsCount", 1);

@@ -1,5 +1,5 @@
 /**
- * A study as a BIDS dataset: the Brain Imaging Data Structure (1.10), with its parts Motion (Jeung
+ * A study as a BIDS dataset: the Brain Imaging Data Structure (1.11), with its parts Motion (Jeung
  * and others 2024, Motion-BIDS) and Behavioral experiments.
  *
  * <p>In: a {@link org.selectiverenderer.experiment.dataset.RecordedStudy}. Out: the files of a

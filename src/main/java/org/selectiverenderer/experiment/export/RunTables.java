@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.problem.Problems;
@@ -15,8 +16,10 @@ import org.selectiverenderer.experiment.dataset.RecordedRun;
 import org.selectiverenderer.experiment.dataset.RecordedSession;
 import org.selectiverenderer.experiment.dataset.RunEvents;
 import org.selectiverenderer.experiment.dataset.TableColumn;
+import org.selectiverenderer.experiment.headlog.EyeView;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogAnalysis;
+import org.selectiverenderer.experiment.headlog.Looks;
 import org.selectiverenderer.experiment.headlog.SceneMap;
 
 /** The tables of what was shown: exposures, what was looked at, events. */
@@ -29,6 +32,12 @@ final class RunTables {
           "gaze",
           "an object of the scene in an exposure; also one that was never in the middle of the view",
           gazeColumns());
+  private final DataTable eyes =
+      new DataTable(
+          "eyes",
+          "an object of the scene in an exposure whose head log knows where the eyes looked; also"
+              + " one that they never looked at",
+          eyesColumns());
   private final DataTable events =
       new DataTable("events", "something that happened while a scene was shown", eventColumns());
   private final double fade;
@@ -78,6 +87,11 @@ final class RunTables {
             TableColumn.whole("samples", "rows of the head log"),
             TableColumn.number(
                 "idle", "", "share of the time in which the head kept still, 0 to 1"),
+            TableColumn.number(
+                "eyes_tracked",
+                "",
+                "share of the time with a picture in which the eye tracker saw the eyes, 0 to 1;"
+                    + " empty without one"),
             TableColumn.number("fps", "1/s", "frames per second, the mean"),
             TableColumn.number("frame_p50", "ms", "median of the times between frames"),
             TableColumn.number("frame_p99", "ms", "99th percentile of the times between frames"),
@@ -95,12 +109,24 @@ final class RunTables {
             TableColumn.number("longest", "s", "the longest look")));
   }
 
+  private static List<TableColumn> eyesColumns() {
+    return keys(
+        List.of(
+            TableColumn.text("object", "the object's DEF, as the head log has it"),
+            TableColumn.number("dwell", "s", "time in which the eyes looked at it"),
+            TableColumn.whole("looks", "how often the eyes came to it"),
+            TableColumn.number("first", "s", "when first, in the head log's time"),
+            TableColumn.number("longest", "s", "the longest look"),
+            TableColumn.whole(
+                "fixations", "how often the eyes rested on it for at least a tenth of a second")));
+  }
+
   private static List<TableColumn> eventColumns() {
     return keys(RunEvents.columns());
   }
 
   List<DataTable> tables() {
-    return List.of(exposures, gaze, events);
+    return List.of(exposures, gaze, eyes, events);
   }
 
   void add(RecordedRun run) throws IOException {
@@ -136,6 +162,7 @@ final class RunTables {
     row.add(Rounded.to(3, run.paused()));
     row.add(log.map(read -> read.samples().size()).orElse(null));
     row.add(seen.map(HeadLogAnalysis::idle).orElse(null));
+    row.add(seen.flatMap(HeadLogAnalysis::eyes).map(EyeView::tracked).orElse(null));
     row.add(number(figures.path("fps")));
     row.add(number(figures.path("frame_ms").path("p50")));
     row.add(number(figures.path("frame_ms").path("p99")));
@@ -152,26 +179,44 @@ final class RunTables {
   }
 
   private void gaze(RecordedRun run, HeadLogAnalysis analysis) {
-    Set<String> seen = new HashSet<>();
-    for (HeadLogAnalysis.ObjectView view : analysis.objects()) {
-      seen.add(view.object());
-      look(run, view.object(), view.seconds(), view.looks(), view.first(), view.longest());
-    }
-    for (SceneMap.Box object : analysis.log().description().map().objects()) {
-      if (seen.add(object.name())) {
-        look(run, object.name(), 0, 0, Double.NaN, 0);
-      }
-    }
+    looks(run, analysis, analysis.head(), gaze, object -> List.of());
+    analysis
+        .eyes()
+        .ifPresent(
+            seen ->
+                looks(
+                    run,
+                    analysis,
+                    seen.looks(),
+                    eyes,
+                    object -> List.of(seen.fixations(object).size())));
   }
 
-  private void look(
-      RecordedRun run, String object, double dwell, int looks, double first, double longest) {
-    List<@Nullable Object> row = new ArrayList<>(keys(run));
-    row.add(object);
-    row.add(dwell);
-    row.add(looks);
-    row.add(first);
-    row.add(longest);
-    gaze.add(row);
+  /**
+   * Adds a row for each object that was looked at, then for each that was not.
+   *
+   * @param more cells of an object
+   */
+  private void looks(
+      RecordedRun run,
+      HeadLogAnalysis analysis,
+      Looks looks,
+      DataTable table,
+      Function<String, List<Object>> more) {
+    Set<String> seen = new HashSet<>();
+    List<Looks.ObjectView> all = new ArrayList<>(looks.objects());
+    all.forEach(view -> seen.add(view.object()));
+    for (SceneMap.Box object : analysis.log().description().map().objects()) {
+      if (seen.add(object.name())) {
+        all.add(new Looks.ObjectView(object.name(), 0, 0, Double.NaN, 0));
+      }
+    }
+    for (Looks.ObjectView view : all) {
+      List<@Nullable Object> row = new ArrayList<>(keys(run));
+      row.addAll(
+          List.of(view.object(), view.seconds(), view.looks(), view.first(), view.longest()));
+      row.addAll(more.apply(view.object()));
+      table.add(row);
+    }
   }
 }

@@ -1,10 +1,12 @@
 package org.selectiverenderer.experiment.headlog;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.decimal.Counted;
@@ -28,32 +30,11 @@ public final class AnalysisFormats {
         analysis.log().samples().size() - analysis.unshown().samples(),
         100 * analysis.idle());
     leftOut(text, analysis.unshown());
+    Looks head = analysis.head();
     line(text, "");
     line(text, "%-32s %8s %6s %8s %8s", "in the middle of the view", "s", "looks", "first", "long");
-    SceneMap map = analysis.log().description().map();
-    views(text, analysis.objects().stream().filter(view -> !map.surrounds(view.object())));
-    Set<String> notEntered =
-        analysis.rooms().stream()
-            .filter(room -> room.seconds() == 0)
-            .map(RoomView::room)
-            .collect(Collectors.toSet());
-    analysis
-        .unseen()
-        .forEach(
-            (room, names) -> {
-              if (!notEntered.contains(room)) {
-                line(
-                    text,
-                    "never%s: %s",
-                    room.isEmpty() ? "" : ", " + room,
-                    String.join(", ", names));
-              }
-            });
-    if (analysis.objects().stream().anyMatch(view -> map.surrounds(view.object()))) {
-      line(text, "");
-      line(text, "walls, floors, ceilings");
-      views(text, analysis.objects().stream().filter(view -> map.surrounds(view.object())));
-    }
+    views(text, head, analysis, view -> "");
+    analysis.eyes().ifPresent(eyes -> eyes(text, eyes, analysis));
     line(text, "");
     for (RoomView room : analysis.rooms()) {
       line(
@@ -69,17 +50,75 @@ public final class AnalysisFormats {
     return text.toString();
   }
 
-  private static void views(StringBuilder text, Stream<HeadLogAnalysis.ObjectView> views) {
+  private static void eyes(StringBuilder text, EyeView eyes, HeadLogAnalysis analysis) {
+    line(text, "");
+    line(
+        text,
+        "eyes: tracked %.0f %% of the time in view, %s, %.2f s long on average",
+        100 * eyes.tracked(),
+        Counted.of(eyes.fixations().size(), "fixation"),
+        eyes.meanFixation());
+    line(
+        text,
+        "%-32s %8s %6s %8s %8s %9s",
+        "looked at by the eyes",
+        "s",
+        "looks",
+        "first",
+        "long",
+        "fixations");
+    views(
+        text,
+        eyes.looks(),
+        analysis,
+        view -> String.format(Locale.ROOT, " %9d", eyes.fixations(view.object()).size()));
+  }
+
+  /** Objects, those never looked at in rooms that were entered, and what surrounds them. */
+  private static void views(
+      StringBuilder text,
+      Looks looks,
+      HeadLogAnalysis analysis,
+      Function<Looks.ObjectView, String> more) {
+    SceneMap map = analysis.log().description().map();
+    rows(text, looks.objects().stream().filter(view -> !map.surrounds(view.object())), more);
+    Set<String> notEntered =
+        analysis.rooms().stream()
+            .filter(room -> room.seconds() == 0)
+            .map(RoomView::room)
+            .collect(Collectors.toSet());
+    looks
+        .unseen()
+        .forEach(
+            (room, names) -> {
+              if (!notEntered.contains(room)) {
+                line(
+                    text,
+                    "never%s: %s",
+                    room.isEmpty() ? "" : ", " + room,
+                    String.join(", ", names));
+              }
+            });
+    if (looks.objects().stream().anyMatch(view -> map.surrounds(view.object()))) {
+      line(text, "");
+      line(text, "walls, floors, ceilings");
+      rows(text, looks.objects().stream().filter(view -> map.surrounds(view.object())), more);
+    }
+  }
+
+  private static void rows(
+      StringBuilder text, Stream<Looks.ObjectView> views, Function<Looks.ObjectView, String> more) {
     views.forEach(
         view ->
             line(
                 text,
-                "%-32s %8.2f %6d %8.2f %8.2f",
+                "%-32s %8.2f %6d %8.2f %8.2f%s",
                 view.object(),
                 view.seconds(),
                 view.looks(),
                 view.first(),
-                view.longest()));
+                view.longest(),
+                more.apply(view)));
   }
 
   private static void leftOut(StringBuilder text, HeadLogAnalysis.Unshown unshown) {
@@ -116,19 +155,7 @@ public final class AnalysisFormats {
         .put("pauses", analysis.unshown().pauses())
         .put("paused_seconds", Rounded.to(3, analysis.unshown().paused()));
     root.put("idle", Rounded.to(3, analysis.idle()));
-    ArrayNode objects = root.putArray("objects");
-    for (HeadLogAnalysis.ObjectView view : analysis.objects()) {
-      objects
-          .addObject()
-          .put("object", view.object())
-          .put("seconds", Rounded.to(3, view.seconds()))
-          .put("looks", view.looks())
-          .put("first", Rounded.to(3, view.first()))
-          .put("longest", Rounded.to(3, view.longest()))
-          .put("surroundings", shown.map().surrounds(view.object()));
-    }
-    ArrayNode unseen = root.putArray("unseen");
-    analysis.unseen().values().stream().flatMap(List::stream).sorted().forEach(unseen::add);
+    objects(root, analysis.head(), shown.map());
     ArrayNode rooms = root.putArray("rooms");
     for (RoomView room : analysis.rooms()) {
       ArrayNode sides =
@@ -140,8 +167,47 @@ public final class AnalysisFormats {
               .putArray("unseen_sides");
       room.unseen().forEach(sides::add);
     }
+    looks(root, analysis.head());
+    analysis.eyes().ifPresent(eyes -> eyes(root.putObject("eyes"), eyes, shown.map()));
+    return JsonText.of(root);
+  }
+
+  private static void eyes(ObjectNode root, EyeView eyes, SceneMap map) {
+    root.put("tracked", Rounded.to(3, eyes.tracked()));
+    objects(root, eyes.looks(), map);
+    for (JsonNode object : root.path("objects")) {
+      ((ObjectNode) object).put("fixations", eyes.fixations(object.path("object").asText()).size());
+    }
+    looks(root, eyes.looks());
+    ArrayNode fixations = root.putArray("fixations");
+    for (Fixation fixation : eyes.fixations()) {
+      fixations
+          .addObject()
+          .put("object", fixation.object())
+          .put("start", Rounded.to(3, fixation.start()))
+          .put("end", Rounded.to(3, fixation.end()));
+    }
+  }
+
+  private static void objects(ObjectNode root, Looks looks, SceneMap map) {
+    ArrayNode objects = root.putArray("objects");
+    for (Looks.ObjectView view : looks.objects()) {
+      objects
+          .addObject()
+          .put("object", view.object())
+          .put("seconds", Rounded.to(3, view.seconds()))
+          .put("looks", view.looks())
+          .put("first", Rounded.to(3, view.first()))
+          .put("longest", Rounded.to(3, view.longest()))
+          .put("surroundings", map.surrounds(view.object()));
+    }
+    ArrayNode unseen = root.putArray("unseen");
+    looks.unseen().values().stream().flatMap(List::stream).sorted().forEach(unseen::add);
+  }
+
+  private static void looks(ObjectNode root, Looks seen) {
     ArrayNode looks = root.putArray("looks");
-    for (Dwell look : analysis.looks()) {
+    for (Dwell look : seen.all()) {
       ObjectNode node =
           looks
               .addObject()
@@ -152,6 +218,5 @@ public final class AnalysisFormats {
         node.put("version", look.version());
       }
     }
-    return JsonText.of(root);
   }
 }

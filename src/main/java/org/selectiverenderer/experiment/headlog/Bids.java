@@ -54,7 +54,7 @@ public final class Bids {
   private Bids() {}
 
   /**
-   * Writes the four files, or none.
+   * Writes the four files, and those of the eyes where the log has them; or none.
    *
    * @param folder made if it is not there
    * @param subject label of the participant: letters and digits
@@ -68,6 +68,8 @@ public final class Bids {
         .forEach(
             (name, text) ->
                 writing.add(folder.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
+    eyes(log, stem, "viewing", SOFTWARE)
+        .forEach((name, bytes) -> writing.add(folder.resolve(name), bytes));
     writing.commit();
     return folder.resolve(stem + DATA);
   }
@@ -89,6 +91,15 @@ public final class Bids {
     files.put(stem + "_motion.json", sidecar(log, task, software));
     files.put(stem + DATA, motion(log));
     return files;
+  }
+
+  /**
+   * The two files of what the eyes do, under the same name; none for a log that does not say.
+   *
+   * @param stem as of {@link #files}
+   */
+  public static Map<String, byte[]> eyes(HeadLog log, String stem, String task, String software) {
+    return BidsEyes.files(log, stem, task, software);
   }
 
   private static String motion(HeadLog log) {
@@ -115,17 +126,17 @@ public final class Bids {
   }
 
   /** Pauses count, where the log knows of them: the data are over time as it went by. */
-  private static double time(HeadSample sample) {
+  static double time(HeadSample sample) {
     double mono = sample.moment().mono();
     return Double.isNaN(mono) ? sample.t() : mono;
   }
 
-  private static double rate(HeadLog log) {
+  static double rate(HeadLog log) {
     double seconds = log.duration(); // Pauses, which have no samples, do not make it slower.
     return seconds > 0 ? Math.round(1000 * (log.samples().size() - 1) / seconds) / 1000.0 : 0;
   }
 
-  private static double recorded(HeadLog log) {
+  static double recorded(HeadLog log) {
     return time(log.samples().get(log.samples().size() - 1)) - time(log.samples().get(0));
   }
 

@@ -58,11 +58,37 @@ enum Column {
       "the computer's monotonic clock, which goes on while a session is paused and t stands still",
       "s",
       6,
-      s -> s.moment().mono());
+      s -> s.moment().mono()),
+  EYES(
+      "tracked, or lost while the eye tracker does not see the eyes, as in a blink",
+      eyes(e -> e.tracked() ? "tracked" : "lost")),
+  GAZE_YAW(
+      "where the eyes look, from straight ahead of the head, positive to the left; empty while lost",
+      "degrees",
+      6,
+      eyesNumber(EyeSample::yaw)),
+  GAZE_PITCH(
+      "where the eyes look, above straight ahead of the head; empty while lost",
+      "degrees",
+      6,
+      eyesNumber(EyeSample::pitch)),
+  GAZE_OBJECT("what the eyes look at, named as in object; empty for none", eyes(EyeSample::object)),
+  GAZE_DISTANCE(
+      "of the surface that the eyes look at; empty for none",
+      "scene unit",
+      3,
+      eyesNumber(EyeSample::distance)),
+  GAZE_VERSION(
+      "the choice that the Switch of what the eyes look at shows; empty where it has none",
+      eyes(e -> e.version() < 0 ? "" : Integer.toString(e.version())));
 
   /** Those that a log has had from the beginning; older logs lack the others. */
   static final List<Column> OLDEST =
       Arrays.stream(values()).filter(column -> column.ordinal() <= FRAME_MS.ordinal()).toList();
+
+  /** Those of the eyes, which only a log of a headset with an eye tracker has. */
+  private static final List<Column> OF_EYES =
+      List.of(EYES, GAZE_YAW, GAZE_PITCH, GAZE_OBJECT, GAZE_DISTANCE, GAZE_VERSION);
 
   private static final DateTimeFormatter WALL_CLOCK =
       DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSS'Z'", Locale.ROOT)
@@ -94,6 +120,20 @@ enum Column {
     decimals = -1;
   }
 
+  private static Function<HeadSample, String> eyes(Function<EyeSample, String> text) {
+    return sample -> {
+      EyeSample eyes = sample.eyes();
+      return eyes == null ? "" : text.apply(eyes);
+    };
+  }
+
+  private static ToDoubleFunction<HeadSample> eyesNumber(ToDoubleFunction<EyeSample> number) {
+    return sample -> {
+      EyeSample eyes = sample.eyes();
+      return eyes == null ? Double.NaN : number.applyAsDouble(eyes);
+    };
+  }
+
   /** A date and time as it stands in a log; empty for none. */
   static String wall(@Nullable Instant time) {
     return time == null ? "" : WALL_CLOCK.format(time);
@@ -108,13 +148,17 @@ enum Column {
     return header;
   }
 
-  /** The names of all, in their order. */
-  static List<String> headers() {
-    return Arrays.stream(values()).map(Column::header).toList();
+  /**
+   * The columns of a log, in their order.
+   *
+   * @param eyes whether something tracks the eyes
+   */
+  static List<Column> of(boolean eyes) {
+    return Arrays.stream(values()).filter(column -> eyes || !OF_EYES.contains(column)).toList();
   }
 
-  /** A sample's cells, in the order of the columns. */
-  static List<String> cells(HeadSample sample) {
-    return Arrays.stream(values()).map(column -> column.value.apply(sample)).toList();
+  /** A sample's cell. */
+  String cell(HeadSample sample) {
+    return value.apply(sample);
   }
 }

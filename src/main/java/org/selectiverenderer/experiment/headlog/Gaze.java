@@ -17,8 +17,8 @@ import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
  * Finds what is in the middle of the viewer's view: by a ray along the line of sight, and by
- * {@value #RAYS} rays in a cone about it. Where the eyes look within the view it does not know
- * (thesis 6.1.4). Belongs to the thread that steps the world.
+ * {@value #RAYS} rays in a cone about it; and what the eyes look at, where a headset tells their
+ * direction. Belongs to the thread that steps the world.
  */
 public final class Gaze {
   private static final int RINGS = 2;
@@ -62,13 +62,36 @@ public final class Gaze {
     }
   }
 
-  /** What the viewer sees in the middle now. */
-  public Found find() {
+  private void refresh() {
     if (tree != world.instances()) {
       tree = world.instances();
       caster = new RayCaster(tree, world.meshes());
       objects = new SceneObjects(tree);
     }
+  }
+
+  /**
+   * What the eyes see now.
+   *
+   * @param direction in which they look from the viewer's place, in the frame of the viewer: a unit
+   *     vector
+   */
+  public EyeSample eyes(Vector3dc direction) {
+    refresh();
+    Optional<RayCaster.Hit> hit = cast(world.viewer(), direction);
+    Optional<SceneObjects.Named> object = hit.flatMap(found -> objects.of(found.shape()));
+    return new EyeSample(
+        true,
+        Math.toDegrees(Math.atan2(-direction.x(), -direction.z())),
+        Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, direction.y())))),
+        object.map(SceneObjects.Named::name).orElse(""),
+        hit.map(RayCaster.Hit::distance).orElse(Double.NaN),
+        object.map(SceneObjects.Named::version).orElse(-1));
+  }
+
+  /** What the viewer sees in the middle now. */
+  public Found find() {
+    refresh();
     Viewer viewer = world.viewer();
     Optional<RayCaster.Hit> middle = cast(viewer, rays.get(0));
     Map<String, Integer> counts = new LinkedHashMap<>();

@@ -25,6 +25,7 @@ import org.selectiverenderer.experiment.headlog.SceneMap.Box;
  * @param tanY tangent of half the vertical angle that the head sees
  * @param metresPerUnit of the scene's unit of length
  * @param coneDegrees width of the cone about the middle of the view
+ * @param eyes whether the headset tracks the eyes, so that the log has their columns
  */
 public record HeadLogDescription(
     String started,
@@ -37,11 +38,12 @@ public record HeadLogDescription(
     double tanY,
     double metresPerUnit,
     double coneDegrees,
+    boolean eyes,
     SceneMap map) {
 
   /** Of a log whose description is lost: a view of 50 degrees, nothing known of the scene. */
   static final HeadLogDescription UNKNOWN =
-      new HeadLogDescription("", "", "", 0, "", "", 0.373, 0.28, 1, 0, SceneMap.EMPTY);
+      new HeadLogDescription("", "", "", 0, "", "", 0.373, 0.28, 1, 0, false, SceneMap.EMPTY);
 
   /** The description's file for a log's CSV. */
   public static Path beside(Path csv) {
@@ -66,8 +68,11 @@ public record HeadLogDescription(
         .put("vertical_degrees", degrees(tanY));
     root.put("metres_per_unit", metresPerUnit);
     root.put("cone_degrees", coneDegrees);
+    if (eyes) {
+      root.put("eyes", true);
+    }
     ObjectNode columns = root.putObject("columns");
-    for (Column column : Column.values()) {
+    for (Column column : Column.of(eyes)) {
       ObjectNode node = columns.putObject(column.header()).put("description", column.meaning);
       if (!column.units.isEmpty()) {
         node.put("units", column.units).put("decimals", column.decimals);
@@ -121,6 +126,7 @@ public record HeadLogDescription(
         positive(field.path("half_tangent_y"), UNKNOWN.tanY),
         positive(root.path("metres_per_unit"), 1),
         root.path("cone_degrees").asDouble(0),
+        root.path("eyes").asBoolean(false),
         new SceneMap(
             areas,
             boxes(drawn.path("rooms")),

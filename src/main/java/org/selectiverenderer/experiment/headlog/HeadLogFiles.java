@@ -107,12 +107,16 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
     csv.channel().truncate(0);
     json.channel().truncate(0);
     begun = true;
-    csv.write(CsvText.bare().row(Column.headers()).toString());
+    csv.write(CsvText.bare().row(headers(description)).toString());
     json.write(description.json());
     json.channel().force(true);
     csv.channel().force(true);
     Disk.forceFolder(csv.file().toAbsolutePath().getParent());
     return this;
+  }
+
+  private static List<String> headers(HeadLogDescription description) {
+    return Column.of(description.eyes()).stream().map(Column::header).toList();
   }
 
   @Override

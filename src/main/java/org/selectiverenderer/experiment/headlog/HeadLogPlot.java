@@ -5,33 +5,27 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
 import org.selectiverenderer.base.picture.SvgDrawing;
 import org.selectiverenderer.base.picture.SvgPrecision;
-import org.selectiverenderer.experiment.headlog.HeadLogAnalysis.ObjectView;
 
 /**
  * A session as a drawing: from above, where the viewer went and looked and how long at what; below
  * it, what was in the middle of the view when.
  */
 public final class HeadLogPlot {
-  private static final int WIDTH = 1100;
+  static final int WIDTH = 1100;
 
   /** Of the plan at most; a long narrow scene takes less. */
   private static final int PLAN = 620;
 
-  private static final int MARGIN = 40;
-  private static final int LABELS = 240;
-  private static final int ROW = 20;
+  static final int MARGIN = 40;
 
-  /** Objects of the timeline at most: the ones looked at longest. */
-  private static final int ROWS = 24;
+  /** Of what has no name. */
+  private static final String UNKNOWN = "#999999";
 
-  private static final String INK = "#222222";
-
-  /** Of times without a picture. */
-  private static final String DARK = "#cccccc";
-
-  private static final String FAINT = "#777777";
+  static final String INK = "#222222";
 
   /** Told apart by people of any colour vision (Okabe and Ito 2008). */
   private static final List<String> COLOURS =
@@ -47,9 +41,14 @@ public final class HeadLogPlot {
     extent = extent(analysis.log());
     double ratio = (extent[3] - extent[1]) / (extent[2] - extent[0]);
     plan = Math.rint(Math.min(PLAN, (WIDTH - 2.0 * MARGIN) * ratio + 10));
-    for (ObjectView view : analysis.objects()) {
-      colours.put(view.object(), COLOURS.get(colours.size() % COLOURS.size()));
-    }
+    Stream.concat(
+            analysis.head().objects().stream(),
+            analysis.eyes().stream().flatMap(eyes -> eyes.looks().objects().stream()))
+        .map(Looks.ObjectView::object)
+        .forEach(
+            object ->
+                colours.computeIfAbsent(
+                    object, name -> COLOURS.get(colours.size() % COLOURS.size())));
   }
 
   /** The drawing as SVG; the same bytes every time. */
@@ -58,8 +57,9 @@ public final class HeadLogPlot {
   }
 
   private String draw() {
-    List<ObjectView> rows = analysis.objects().stream().limit(ROWS).toList();
-    int height = (int) (MARGIN + plan + MARGIN + 40 + ROW * rows.size() + MARGIN + 20);
+    List<LookTimeline> timelines = timelines();
+    double below = timelines.stream().mapToDouble(LookTimeline::height).sum();
+    int height = (int) (MARGIN + plan + MARGIN + below + MARGIN / 2);
     HeadLogDescription shown = analysis.log().description();
     String title =
         "Head log: %s, %s, %s s"
@@ -72,8 +72,37 @@ public final class HeadLogPlot {
     svg.rectangle(0, 0, WIDTH, height, "#ffffff");
     text(svg, title, MARGIN, 28, 18, INK, "start");
     plan(svg);
-    timeline(svg, rows, MARGIN + plan + MARGIN);
+    double top = MARGIN + plan + MARGIN;
+    for (LookTimeline timeline : timelines) {
+      timeline.draw(svg, top);
+      top += timeline.height();
+    }
     return svg.finish();
+  }
+
+  /** Of the head, and of the eyes where they were tracked. */
+  private List<LookTimeline> timelines() {
+    String left = analysis.unshown().samples() > 0 ? "grey: no picture" : "";
+    List<LookTimeline> timelines = new ArrayList<>();
+    timelines.add(
+        new LookTimeline(
+            "In the middle of the view" + (left.isEmpty() ? "" : " (" + left + ")"),
+            analysis.log(),
+            analysis.head(),
+            colours));
+    analysis
+        .eyes()
+        .ifPresent(
+            eyes ->
+                timelines.add(
+                    new LookTimeline(
+                        "Looked at by the eyes (rings above"
+                            + (left.isEmpty() ? "" : "; " + left)
+                            + ")",
+                        analysis.log(),
+                        eyes.looks(),
+                        colours)));
+    return timelines;
   }
 
   /** From the world's x and z to the drawing. */
@@ -155,6 +184,17 @@ public final class HeadLogPlot {
     way(svg, scale);
   }
 
+  /** Where the eyes looked, as a ring. */
+  private void eyes(SvgDrawing svg, Scale scale, HeadSample sample) {
+    EyeSample eyes = sample.eyes();
+    if (eyes != null && eyes.tracked() && !Double.isNaN(eyes.distance())) {
+      Vector3d way = Fixations.direction(sample, eyes).mul(eyes.distance());
+      double[] seen = scale.at(sample.x() + way.x, sample.z() + way.z);
+      String colour = colours.getOrDefault(eyes.object(), UNKNOWN);
+      circle(svg, seen, 5, "fill", "none", "stroke", colour, "stroke-width", "1.5");
+    }
+  }
+
   private static List<double[]> outline(SceneMap.Box box, Scale scale) {
     double[] b = box.bounds();
     return List.of(
@@ -181,9 +221,10 @@ public final class HeadLogPlot {
         double yaw = Math.toRadians(sample.yaw());
         double[] seen =
             scale.at(sample.x() - level * Math.sin(yaw), sample.z() - level * Math.cos(yaw));
-        String colour = colours.getOrDefault(sample.object(), "#999999");
+        String colour = colours.getOrDefault(sample.object(), UNKNOWN);
         path(svg, List.of(at, seen), false, "stroke", colour, "stroke-opacity", "0.45");
         circle(svg, seen, 2.5, "fill", colour);
+        eyes(svg, scale, sample);
       }
     }
     if (way.isEmpty()) {
@@ -194,75 +235,6 @@ public final class HeadLogPlot {
     circle(svg, start, 5, "fill", "#ffffff", "stroke", INK, "stroke-width", 2);
     double[] end = way.get(way.size() - 1);
     circle(svg, end, 5, "fill", INK);
-  }
-
-  private void timeline(SvgDrawing svg, List<ObjectView> rows, double top) {
-    double begin = analysis.log().samples().get(0).t();
-    double whole = analysis.log().duration();
-    double right = WIDTH - MARGIN - 60;
-    double perSecond = (right - LABELS) / Math.max(whole, 1e-3);
-    String left = analysis.unshown().samples() > 0 ? " (grey: no picture)" : "";
-    text(svg, "In the middle of the view" + left, MARGIN, top + 14, 15, INK, "start");
-    double first = top + 34;
-    double bottom = first + (double) ROW * rows.size();
-    dark(svg, first - 6, bottom - first + 8, perSecond);
-    double step = step(whole);
-    for (double t = 0; t <= whole + 1e-9; t += step) {
-      double x = LABELS + t * perSecond;
-      svg.rectangle(x, first - 6, 1, bottom - first + 8, "#dddddd");
-      text(
-          svg,
-          String.format(Locale.ROOT, "%s s", (float) (t + begin - begin % 1e-3)),
-          x,
-          bottom + 18,
-          12,
-          FAINT,
-          "middle");
-    }
-    for (int i = 0; i < rows.size(); i++) {
-      ObjectView view = rows.get(i);
-      double y = first + (double) ROW * i;
-      text(svg, view.object(), LABELS - 10, y + 12, 12, INK, "end");
-      for (Dwell look : analysis.looks()) {
-        if (look.object().equals(view.object())) {
-          svg.rectangle(
-              LABELS + (look.start() - begin) * perSecond,
-              y + 1,
-              Math.max(1, look.duration() * perSecond),
-              ROW - 5,
-              colours.getOrDefault(view.object(), FAINT));
-        }
-      }
-      text(
-          svg,
-          String.format(Locale.ROOT, "%.1f s", view.seconds()),
-          right + 8,
-          y + 12,
-          12,
-          FAINT,
-          "start");
-    }
-  }
-
-  /** The times without a picture, behind the looks. */
-  private void dark(SvgDrawing svg, double top, double height, double perSecond) {
-    HeadLog log = analysis.log();
-    double begin = log.samples().get(0).t();
-    int at = 0;
-    while (at < log.samples().size()) {
-      int from = at;
-      while (at < log.samples().size() && !log.samples().get(at).visible()) {
-        at++;
-      }
-      if (at > from) {
-        double start = log.samples().get(from).t() - begin;
-        double end =
-            Math.min(log.duration(), log.samples().get(at - 1).t() - begin + log.shown(at - 1));
-        svg.rectangle(
-            LABELS + start * perSecond, top, Math.max(1, (end - start) * perSecond), height, DARK);
-      }
-      at++;
-    }
   }
 
   private static void path(SvgDrawing svg, List<double[]> points, boolean closed, Object... style) {
@@ -280,19 +252,8 @@ public final class HeadLogPlot {
    *
    * @param anchor which end of it is at x: start, middle or end
    */
-  private static void text(
+  static void text(
       SvgDrawing svg, String words, double x, double y, int size, String fill, String anchor) {
     svg.text(words, x, y, "font-size", size, "fill", fill, "text-anchor", anchor);
-  }
-
-  /** 1, 2 or 5 times a power of ten, for at most ten marks. */
-  private static double step(double seconds) {
-    double power = Math.pow(10, Math.floor(Math.log10(Math.max(seconds, 1e-3) / 10)));
-    for (double factor : new double[] {1, 2, 5}) {
-      if (seconds / (power * factor) <= 10) {
-        return power * factor;
-      }
-    }
-    return 10 * power;
   }
 }

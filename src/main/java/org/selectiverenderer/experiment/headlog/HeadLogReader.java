@@ -140,7 +140,8 @@ public final class HeadLogReader {
             cells.names(Column.CONE),
             cells.names(Column.SCHEMAS),
             cells.number(Column.FRAME_MS),
-            cells.moment());
+            cells.moment(),
+            cells.eyes());
     if (cells.whole) {
       samples.add(sample);
     }
@@ -192,6 +193,29 @@ public final class HeadLogReader {
             CsvNumbers.quoted(text(Column.VISIBLE)) + " is neither 0 nor 1");
       }
       return new HeadSample.Moment(visible != 0, wall(), number(Column.MONO, Double.NaN));
+    }
+
+    /** What the eyes do; null where the log says nothing of them. */
+    @Nullable EyeSample eyes() {
+      String state = text(Column.EYES);
+      if (state.isEmpty()) {
+        return null;
+      }
+      if (state.equals("lost")) {
+        return EyeSample.LOST;
+      }
+      if (!state.equals("tracked")) {
+        fault(
+            row.location(Column.EYES.header()),
+            CsvNumbers.quoted(state) + " is neither tracked nor lost");
+      }
+      return new EyeSample(
+          true,
+          number(Column.GAZE_YAW),
+          number(Column.GAZE_PITCH),
+          name(Column.GAZE_OBJECT),
+          number(Column.GAZE_DISTANCE, Double.NaN),
+          choice(Column.GAZE_VERSION));
     }
 
     private @Nullable Instant wall() {

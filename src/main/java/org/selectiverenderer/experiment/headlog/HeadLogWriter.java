@@ -2,6 +2,7 @@ package org.selectiverenderer.experiment.headlog;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.Consumer;
 import org.selectiverenderer.base.files.NotWritten;
 import org.selectiverenderer.base.problem.Problem;
@@ -14,8 +15,14 @@ public final class HeadLogWriter implements AutoCloseable {
   /** Samples that may wait: at 60 frames per second those of nine minutes, about 8 MB. */
   static final int MOST_WAITING = 1 << 15;
 
-  private static final RowWriter.Form<HeadSample> FORM =
-      new RowWriter.Form<>("head-log", "the head log", "frames", Column::cells);
+  private static RowWriter.Form<HeadSample> form(boolean eyes) {
+    List<Column> columns = Column.of(eyes);
+    return new RowWriter.Form<>(
+        "head-log",
+        "the head log",
+        "frames",
+        sample -> columns.stream().map(column -> column.cell(sample)).toList());
+  }
 
   /** Where the lines of a log go. */
   interface Lines {
@@ -46,7 +53,8 @@ public final class HeadLogWriter implements AutoCloseable {
       HeadLogFiles files, HeadLogDescription description, Consumer<Problem> problem)
       throws IOException {
     try {
-      return start(files.csv(), files.begin(description), MOST_WAITING, problem);
+      return start(
+          files.csv(), files.begin(description), description.eyes(), MOST_WAITING, problem);
     } catch (IOException e) {
       files.close();
       throw NotWritten.named(files.csv(), e);
@@ -57,10 +65,12 @@ public final class HeadLogWriter implements AutoCloseable {
    * Begins to write.
    *
    * @param file for messages
+   * @param eyes whether the log has the columns of the eyes
    * @param mostWaiting samples
    */
-  static HeadLogWriter start(Path file, Lines lines, int mostWaiting, Consumer<Problem> problem) {
-    return new HeadLogWriter(RowWriter.start(file, lines, FORM, mostWaiting, problem));
+  static HeadLogWriter start(
+      Path file, Lines lines, boolean eyes, int mostWaiting, Consumer<Problem> problem) {
+    return new HeadLogWriter(RowWriter.start(file, lines, form(eyes), mostWaiting, problem));
   }
 
   /** Hands over a sample; called by one thread; never waits. */

@@ -24,6 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @param frameMs milliseconds from the step of the frame before to that of this one, pauses not
  *     counted
  * @param moment when it was shown to the participant, and whether it was
+ * @param eyes where they look; null where nothing tracks them
  */
 public record HeadSample(
     double t,
@@ -40,7 +41,8 @@ public record HeadSample(
     List<String> cone,
     List<String> schemas,
     double frameMs,
-    Moment moment) {
+    Moment moment,
+    @Nullable EyeSample eyes) {
 
   /**
    * A frame on the clocks of the machine, and whether the participant saw it.
@@ -64,5 +66,34 @@ public record HeadSample(
   public HeadSample {
     cone = List.copyOf(cone);
     schemas = List.copyOf(schemas);
+  }
+
+  /** Where nothing tracks the eyes. */
+  public HeadSample(
+      double t,
+      double x,
+      double y,
+      double z,
+      double yaw,
+      double pitch,
+      double roll,
+      boolean moved,
+      String object,
+      double distance,
+      int version,
+      List<String> cone,
+      List<String> schemas,
+      double frameMs,
+      Moment moment) {
+    this(
+        t, x, y, z, yaw, pitch, roll, moved, object, distance, version, cone, schemas, frameMs,
+        moment, null);
+  }
+
+  /** The same with what the eyes do. */
+  public HeadSample looking(@Nullable EyeSample looked) {
+    return new HeadSample(
+        t, x, y, z, yaw, pitch, roll, moved, object, distance, version, cone, schemas, frameMs,
+        moment, looked);
   }
 }

@@ -45,23 +45,33 @@ public final class TrackerLog implements AutoCloseable {
    * @param headLog beside which it lies
    * @param replace whether files that are there may be replaced
    * @param tracker as the user named it
+   * @param placed whether it tells places of the head, too
    * @param begun when the log begins, by the monotonic clock in seconds
    * @param problem hears when the log cannot go on, on the log's thread
    * @throws IOException if it cannot be written, or is there and may not be replaced
    */
   public static TrackerLog open(
-      Path headLog, boolean replace, String tracker, double begun, Consumer<Problem> problem)
+      Path headLog,
+      boolean replace,
+      String tracker,
+      boolean placed,
+      double begun,
+      Consumer<Problem> problem)
       throws IOException {
     Path csv = beside(headLog).get(0);
     try (FileChannel description = channel(beside(headLog).get(1), replace)) {
-      Disk.write(description, description(headLog, tracker).getBytes(StandardCharsets.UTF_8));
+      Disk.write(
+          description, description(headLog, tracker, placed).getBytes(StandardCharsets.UTF_8));
       description.force(true);
     }
     FileChannel channel = channel(csv, replace);
     try {
       Disk.write(
           channel,
-          CsvText.bare().row(TrackerRecord.HEADERS).toString().getBytes(StandardCharsets.UTF_8));
+          CsvText.bare()
+              .row(TrackerRecord.headers(placed))
+              .toString()
+              .getBytes(StandardCharsets.UTF_8));
       channel.force(true);
     } catch (IOException e) {
       channel.close();
@@ -69,7 +79,7 @@ public final class TrackerLog implements AutoCloseable {
     }
     RowWriter.Form<TrackerRecord> form =
         new RowWriter.Form<>(
-            "tracker-log", "the tracker's log", "records", record -> record.cells(begun));
+            "tracker-log", "the tracker's log", "records", record -> record.cells(begun, placed));
     return new TrackerLog(RowWriter.start(csv, lines(channel), form, MOST_WAITING, problem));
   }
 
@@ -102,7 +112,7 @@ public final class TrackerLog implements AutoCloseable {
     };
   }
 
-  private static String description(Path headLog, String tracker) {
+  private static String description(Path headLog, String tracker, boolean placed) {
     ObjectNode root = JsonTree.object();
     root.put("tracker", tracker);
     root.put("head_log", String.valueOf(headLog.getFileName()));
@@ -114,6 +124,12 @@ public final class TrackerLog implements AutoCloseable {
     column(columns, "number", "of the record since the tracker was opened, from 1", "");
     column(columns, "wall", "date and time of the computer when it arrived, UTC", "");
     column(columns, "mono", "the computer's monotonic clock then, as in the head log", "s");
+    if (placed) {
+      String from = " of where the tracker counts from; empty where it tells none";
+      column(columns, "right", "place of the head to the right" + from, "m");
+      column(columns, "up", "place of the head above" + from, "m");
+      column(columns, "back", "place of the head behind" + from, "m");
+    }
     return JsonText.of(root);
   }
 

@@ -1,14 +1,19 @@
 package org.selectiverenderer.experiment.questionnaire;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 
 /**
  * Answers a questionnaire by two buttons and a stick, a question at a time: of two options each
  * button is one, of several the stick or the second button marks one and the first button takes it.
- * Where a page has no more to ask, the first button turns it and the second goes back. Nothing is
- * marked before the participant marks it, so that no answer is suggested. Belongs to one thread.
+ * Where several may be chosen, the first button takes them one by one, and behind the last one goes
+ * on. Where something is to be written, the first button goes on and the second takes a letter
+ * back. Where a page has no more to ask, the first button turns it and the second goes back.
+ * Nothing is marked before the participant marks it, so that no answer is suggested. Who points
+ * chooses at once, and goes back and on by what is pointed at. Belongs to one thread.
  */
 public final class ButtonCourse {
   private final QuestionnaireCourse course;
@@ -16,6 +21,7 @@ public final class ButtonCourse {
   private int at;
   private int field;
   private int marked = -1;
+  private final StringBuilder written = new StringBuilder();
   private boolean over;
 
   /** Begins, with the first question that is open. */
@@ -26,15 +32,9 @@ public final class ButtonCourse {
     toFirstOpen();
   }
 
-  /**
-   * Whether every question can be answered so: by choosing one of some options, on pages without
-   * pictures.
-   */
-  public static boolean fits(Questionnaire questionnaire, Wording wording) {
-    return questionnaire.pages().stream().allMatch(page -> page.picture().isEmpty())
-        && questionnaire.questions().stream()
-            .flatMap(question -> question.kind().fields(wording).stream())
-            .allMatch(each -> each instanceof AnswerField.Choice choice && !choice.several());
+  /** Whether a questionnaire can be answered so: on pages without pictures. */
+  public static boolean fits(Questionnaire questionnaire) {
+    return questionnaire.pages().stream().allMatch(page -> page.picture().isEmpty());
   }
 
   /** The page, with what is answered on it. */
@@ -53,13 +53,47 @@ public final class ButtonCourse {
     return at + 1;
   }
 
-  /** What there is to choose from for the question; its first field before its second. */
-  public Optional<AnswerField.Choice> choice() {
-    return question().map(asked -> choices(asked).get(field));
+  /** What is to be filled in for the question; its first field before its second. */
+  private Optional<AnswerField> asks() {
+    return question().map(asked -> asked.kind().fields(wording).get(field));
   }
 
-  private List<AnswerField.Choice> choices(Question question) {
-    return question.kind().fields(wording).stream().map(AnswerField.Choice.class::cast).toList();
+  /** What there is to choose from; empty where something is to be written. */
+  public Optional<AnswerField.Choice> choice() {
+    return asks().filter(AnswerField.Choice.class::isInstance).map(AnswerField.Choice.class::cast);
+  }
+
+  /** What is to be written; empty where there are options to choose from. */
+  public Optional<AnswerField.Line> line() {
+    return asks().filter(AnswerField.Line.class::isInstance).map(AnswerField.Line.class::cast);
+  }
+
+  /** What is written so far. */
+  public String written() {
+    return written.toString();
+  }
+
+  /** Writes something behind that; where nothing is to be written, it does nothing. */
+  public void write(String more) {
+    if (line().isPresent() && written.length() + more.length() <= AnswerField.Line.LONGEST) {
+      written.append(more);
+    }
+  }
+
+  /** Takes the last letter back. */
+  public void erase() {
+    if (!written.isEmpty()) {
+      written.setLength(written.offsetByCodePoints(written.length(), -1));
+    }
+  }
+
+  /** Whether several options may be chosen, and this is one of them. */
+  public boolean chosen(int option) {
+    return choice()
+        .filter(AnswerField.Choice::several)
+        .map(choice -> choice.options().get(option).value())
+        .filter(AnswerField.Choice.parts(course.answer(question().orElseThrow()).value())::contains)
+        .isPresent();
   }
 
   /** The heading of that field, as {@code How sure are you?}; empty where it has none. */
@@ -83,15 +117,23 @@ public final class ButtonCourse {
 
   /** Whether each button is an option. */
   public boolean oneOfTwo() {
-    return choice().filter(known -> known.options().size() == 2).isPresent();
+    return choice().filter(known -> known.options().size() == 2 && !known.several()).isPresent();
+  }
+
+  /** How many things the second button goes through: where several are chosen, an end of it. */
+  private int places() {
+    AnswerField.Choice choice = choice().orElseThrow();
+    return choice.options().size() + (choice.several() ? 1 : 0);
   }
 
   /** The first button: yes. */
   public void yes() {
-    if (question().isEmpty()) {
-      goOn();
+    if (choice().isEmpty()) {
+      forward();
     } else if (oneOfTwo()) {
       take(0);
+    } else if (marked == choice().orElseThrow().options().size()) {
+      forward();
     } else if (marked >= 0) {
       take(marked);
     }
@@ -99,17 +141,18 @@ public final class ButtonCourse {
 
   /** The second button: no. */
   public void no() {
-    if (question().isPresent()) {
+    if (line().isPresent()) {
+      erase();
+    } else if (question().isPresent()) {
       if (oneOfTwo()) {
         take(1);
       } else {
-        marked = (marked + 1) % choice().orElseThrow().options().size();
+        marked = (marked + 1) % places();
       }
     } else if (!course.asked().isEmpty()) {
       ask(0);
-    } else if (course.turn(-1)) {
-      course.begin();
-      ask(course.asked().size());
+    } else {
+      back();
     }
   }
 
@@ -127,14 +170,76 @@ public final class ButtonCourse {
     Optional<AnswerField.Choice> choice = choice();
     if (choice.isPresent() && !oneOfTwo()) {
       boolean on = choice.get().inLine() == away;
-      int last = choice.get().options().size() - 1;
+      int last = places() - 1;
       marked = marked < 0 ? (on ? 0 : last) : Math.max(0, Math.min(last, marked + (on ? 1 : -1)));
     } else if (away && at > 0) {
       ask(at - 1);
-    } else if (!away
-        && question().filter(one -> one.complete(course.answer(one), wording)).isPresent()) {
+    } else if (!away && question().isPresent()) {
+      forward();
+    }
+  }
+
+  /** An option of the question was pointed at and chosen. */
+  public void choose(int option) {
+    take(option);
+  }
+
+  /** Whether there is something to go back to: a question or a page before. */
+  public boolean mayGoBack() {
+    return at > 0 || course.number() > 0;
+  }
+
+  /** Goes back to the question before, else to the page before. */
+  public void back() {
+    if (mayGoOn()) {
+      keep();
+    }
+    if (at > 0) {
+      ask(at - 1);
+    } else if (course.turn(-1)) {
+      course.begin();
+      ask(course.asked().size());
+    }
+  }
+
+  /** Whether nothing keeps the participant from going on to the next question or page. */
+  public boolean mayGoOn() {
+    if (question().isEmpty()) {
+      return !course.refuses();
+    }
+    Question asked = question().get();
+    return line()
+        .map(
+            line ->
+                written.toString().isBlank()
+                    ? asked.complete(Answer.NONE, wording)
+                    : line.typed(written.toString()).isPresent())
+        .orElseGet(() -> asked.complete(course.answer(asked), wording));
+  }
+
+  /** Goes on to the next question, else to the next page, else ends. */
+  public void forward() {
+    if (question().isEmpty()) {
+      goOn();
+    } else if (mayGoOn()) {
+      keep();
       ask(at + 1);
     }
+  }
+
+  /** What is written becomes the answer, unless it is already. */
+  private void keep() {
+    line()
+        .ifPresent(
+            line -> {
+              Question asked = question().orElseThrow();
+              String text = written.toString();
+              String value = text.isBlank() ? "" : line.typed(text).orElseThrow();
+              if (!course.answer(asked).value().equals(value)) {
+                Answer answer = value.isEmpty() ? Answer.NONE : course.answer(asked).value(value);
+                course.answer(asked, answer, true, System.nanoTime());
+              }
+            });
   }
 
   private void goOn() {
@@ -172,8 +277,10 @@ public final class ButtonCourse {
   /** Marks what was answered before. */
   private void mark() {
     marked = -1;
+    written.setLength(0);
+    line().ifPresent(known -> written.append(course.answer(question().orElseThrow()).value()));
     Optional<AnswerField.Choice> choice = choice();
-    if (choice.isPresent()) {
+    if (choice.isPresent() && !choice.get().several()) {
       Answer known = course.answer(question().orElseThrow());
       String value = field == 0 ? known.value() : Integer.toString(known.confidence());
       List<String> values = choice.get().options().stream().map(Option::value).toList();
@@ -183,14 +290,25 @@ public final class ButtonCourse {
 
   private void take(int option) {
     Question question = question().orElseThrow();
-    String value = choice().orElseThrow().options().get(option).value();
+    AnswerField.Choice choice = choice().orElseThrow();
+    String value = choice.options().get(option).value();
     Answer known = course.answer(question);
+    if (choice.several()) {
+      Set<String> all = new HashSet<>(AnswerField.Choice.parts(known.value()));
+      if (!all.remove(value)) {
+        all.add(value);
+      }
+      String joined = choice.joined(all);
+      Answer answer = joined.isEmpty() ? Answer.NONE : known.value(joined);
+      course.answer(question, answer, true, System.nanoTime());
+      return;
+    }
     course.answer(
         question,
         field == 0 ? known.value(value) : known.confidence(Integer.parseInt(value)),
         true,
         System.nanoTime());
-    if (field + 1 < choices(question).size()) {
+    if (field + 1 < question.kind().fields(wording).size()) {
       field++;
       mark();
     } else {

@@ -67,6 +67,8 @@ final class MotionFiles implements AutoCloseable {
           .forEach(
               (name, text) ->
                   writing.addLasting(motion.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
+      Bids.eyes(read.get(), stem, SessionFolder.task(headName), Bids.SOFTWARE)
+          .forEach((name, bytes) -> writing.addLasting(motion.resolve(name), bytes));
       writing.commit();
     }
     List<String> said = problems.list().stream().map(Problem::message).toList();

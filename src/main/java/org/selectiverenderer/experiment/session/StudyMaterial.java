@@ -75,7 +75,7 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
   }
 
   private boolean fits(Questionnaire questionnaire) {
-    return ButtonCourse.fits(questionnaire, wording);
+    return ButtonCourse.fits(questionnaire);
   }
 
   /** Says what a participant has to take the headset off for. */
@@ -97,8 +97,7 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
             name ->
                 problems.info(
                     place,
-                    ("%s has a picture, or questions that are written or have several answers, so it"
-                            + " is asked at the desk; inside the headset one of some options is chosen")
+                    "%s has a picture, so it is asked at the desk; inside the headset there are none"
                         .formatted(name)));
   }
 

@@ -25,8 +25,9 @@ public final class PolygonStatistics {
   private final List<CountedItem> objects;
   private final AreaFinder areas;
   private final PolygonCounter high;
+  private final Map<CountScope, List<StateFinder.Found>> found = new LinkedHashMap<>();
 
-  private PolygonStatistics(SceneFile file, List<String> scopeNames, Problems problems) {
+  PolygonStatistics(CountedFile file, List<String> scopeNames, Problems problems) {
     this.problems = problems;
     ItemBuilder items = new ItemBuilder(file, problems);
     root = items.root();
@@ -62,7 +63,7 @@ public final class PolygonStatistics {
     return new PolygonStatistics(file, scopes, problems).count(scene.toString());
   }
 
-  private SceneStatistics count(String scene) {
+  SceneStatistics count(String scene) {
     if (objects.isEmpty()) {
       problems.info(
           Location.of(scene),
@@ -86,9 +87,55 @@ public final class PolygonStatistics {
             "the areas of %s overlap in more than %d ways; the rest are left out"
                 .formatted(scope.name(), AreaSets.LIMIT));
       }
-      counts.add(new ScopeCount(scope.name(), all, states.states(scope, all, sets.sets())));
+      List<StateFinder.Found> inScope = states.states(scope, sets.sets());
+      found.put(scope, inScope);
+      counts.add(
+          new ScopeCount(
+              scope.name(), all, inScope.stream().map(state -> state.count(all)).toList()));
     }
     return new SceneStatistics(scene, high.of(root), objectCounts(), counts);
+  }
+
+  /** What the states of all parts come from; after {@link #count}. */
+  List<StateShares> shares() {
+    List<StateShares> shares = new ArrayList<>();
+    found.forEach(
+        (scope, states) -> {
+          Map<CountedItem, Integer> none = new LinkedHashMap<>();
+          scope.objects().forEach(object -> none.put(object, -1));
+          long fixed = new PolygonCounter(none).of(scope.item());
+          ItemInstances places =
+              new ItemInstances(scope.item(), new LinkedHashSet<>(scope.objects()));
+          for (StateFinder.Found state : states) {
+            PolygonCounter counter = new PolygonCounter(state.shown());
+            shares.add(
+                new StateShares(
+                    scope.name(),
+                    state.schemas(),
+                    state.polygons(),
+                    state.count(high.of(scope.item())).percent(),
+                    fixed,
+                    scope.objects().stream()
+                        .map(object -> share(object, state, counter, places.of(object).size()))
+                        .toList()));
+          }
+        });
+    return shares;
+  }
+
+  private StateShares.ObjectShare share(
+      CountedItem object, StateFinder.Found state, PolygonCounter counter, int places) {
+    return new StateShares.ObjectShare(
+        object.name,
+        state.shown().getOrDefault(object, object.whichChoice()),
+        object.children.stream().map(high::of).toList(),
+        places,
+        times(counter.of(object), places));
+  }
+
+  /** As in {@link CountedItem#plus}. */
+  private static long times(long polygons, int places) {
+    return places > 0 && polygons > Long.MAX_VALUE / places ? Long.MAX_VALUE : polygons * places;
   }
 
   private List<ObjectCount> objectCounts() {

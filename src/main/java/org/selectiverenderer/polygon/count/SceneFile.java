@@ -29,6 +29,11 @@ record SceneFile(
     this(file, problems, new ConcurrentHashMap<>(), new ConcurrentHashMap<>());
   }
 
+  /** The same file and its sizes, whose Inlines are to be followed anew. */
+  SceneFile again() {
+    return new SceneFile(file, problems, sizes, new ConcurrentHashMap<>());
+  }
+
   @Override
   public Size size(ParsedNode geometry) {
     return sizes.getOrDefault(geometry, Size.NOTHING);

@@ -1,6 +1,8 @@
 package org.selectiverenderer.polygon.count;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.IdentityHashMap;
@@ -12,6 +14,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
@@ -40,8 +43,12 @@ final class SceneFiles {
   private final ContentRoot root;
   private final ContentBase base;
   private final Libraries libraries;
+  private final KeptFiles kept;
+  private final AtomicInteger filesRead = new AtomicInteger();
 
-  private SceneFiles(Path nameFolder, ContentAccess access, ExecutorService executor) {
+  private SceneFiles(
+      Path nameFolder, ContentAccess access, KeptFiles kept, ExecutorService executor) {
+    this.kept = kept;
     base = ContentBase.folder(nameFolder);
     this.executor = executor;
     this.root = new ContentRoot(nameFolder, access);
@@ -55,6 +62,53 @@ final class SceneFiles {
    * @throws IOException if the file itself cannot be read, with a message of one line
    */
   static SceneFile read(Path scene, ContentAccess access) throws IOException {
+    return measured(
+        scene,
+        access,
+        new KeptFiles(),
+        files -> {
+          Problems problems = new Problems();
+          X3dReader reader = files.reader.with(files.libraries, files.base);
+          return files.load(scene, new SceneFile(reader.read(scene, problems), problems));
+        });
+  }
+
+  /**
+   * A scene that has been read.
+   *
+   * @param filesRead how many files it took, itself included
+   */
+  record Read(SceneFile file, int filesRead) {}
+
+  /**
+   * Reads a scene from its text, and of what it inlines those files that are not known.
+   *
+   * @param scene where it is, or would be
+   * @param name for messages
+   * @param kept files of the time before; those of this time are added
+   */
+  static Read read(Path scene, String name, byte[] text, ContentAccess access, KeptFiles kept)
+      throws IOException {
+    return measured(
+        scene,
+        access,
+        kept,
+        files -> {
+          Problems problems = new Problems();
+          X3dReader reader = files.reader.with(files.libraries, files.base);
+          ByteArrayInputStream in = new ByteArrayInputStream(text);
+          SceneFile first = new SceneFile(reader.read(name, in, text.length, problems), problems);
+          files.filesRead.incrementAndGet();
+          return new Read(files.load(scene, first), files.filesRead.get());
+        });
+  }
+
+  private interface Loading<T> {
+    T load(SceneFiles files) throws IOException;
+  }
+
+  private static <T> T measured(
+      Path scene, ContentAccess access, KeptFiles kept, Loading<T> loading) throws IOException {
     ExecutorService executor =
         Executors.newFixedThreadPool(
             Runtime.getRuntime().availableProcessors(),
@@ -65,16 +119,16 @@ final class SceneFiles {
             });
     try {
       Path parent = scene.getParent();
-      return new SceneFiles(parent == null ? Path.of("") : parent, access, executor).load(scene);
+      return loading.load(
+          new SceneFiles(parent == null ? Path.of("") : parent, access, kept, executor));
     } finally {
       executor.shutdownNow();
     }
   }
 
-  private SceneFile load(Path scene) throws IOException {
-    Problems problems = new Problems();
-    SceneFile first = new SceneFile(reader.with(libraries, base).read(scene, problems), problems);
-    files.put(scene.toRealPath().toString(), CompletableFuture.completedFuture(Optional.of(first)));
+  private SceneFile load(Path scene, SceneFile first) throws IOException {
+    String key = Files.exists(scene) ? scene.toRealPath().toString() : scene.toString();
+    files.put(key, CompletableFuture.completedFuture(Optional.of(first)));
     follow(first, base);
     for (CompletableFuture<?> task = tasks.poll(); task != null; task = tasks.poll()) {
       task.join();
@@ -113,6 +167,9 @@ final class SceneFiles {
   }
 
   private void measure(ParsedNode geometry, SceneFile file) {
+    if (file.sizes().containsKey(geometry)) {
+      return; // measured the time before
+    }
     tasks.add(
         CompletableFuture.runAsync(
             () ->
@@ -136,6 +193,14 @@ final class SceneFiles {
   }
 
   private Optional<SceneFile> inlined(Content content, Location requestedBy, Problems requester) {
+    Optional<SceneFile> known = kept.find(content).map(SceneFile::again);
+    known.ifPresent(file -> follow(file, content.base()));
+    return known.or(() -> fresh(content, requestedBy, requester));
+  }
+
+  private Optional<SceneFile> fresh(Content content, Location requestedBy, Problems requester) {
+    filesRead.incrementAndGet();
+    Optional<String> stamp = KeptFiles.stamp(content);
     String name = content.name();
     Problems problems = new Problems();
     try (var in = content.open()) {
@@ -143,6 +208,7 @@ final class SceneFiles {
           new SceneFile(
               reader.with(libraries, content.base()).read(name, in, content.size(), problems),
               problems);
+      kept.keep(content, stamp, file);
       follow(file, content.base());
       return Optional.of(file);
     } catch (IOException e) {

@@ -35,12 +35,24 @@ final class StateFinder {
   }
 
   /**
+   * A state.
+   *
+   * @param schemas as {@link SceneStatistics.StateCount} has them
+   * @param shown the version of each object
+   */
+  record Found(List<String> schemas, long polygons, Map<CountedItem, Integer> shown) {
+    StateCount count(long high) {
+      return StateCount.of(schemas, polygons, high);
+    }
+  }
+
+  /**
    * @param sets of areas of the scope, each in document order
    */
-  List<StateCount> states(CountScope scope, long high, Collection<List<Area>> sets) {
-    List<StateCount> states = new ArrayList<>();
-    long loaded = count(scope, activation(objects, areas));
-    states.add(StateCount.of(mainSchemas(scope), loaded, high));
+  List<Found> states(CountScope scope, Collection<List<Area>> sets) {
+    List<Found> states = new ArrayList<>();
+    Activation<Area, CountedItem> start = activation(objects, areas);
+    states.add(new Found(mainSchemas(scope), count(scope, start), start.shown()));
     Set<List<String>> listed = new HashSet<>();
     listed.add(states.get(0).schemas());
     for (List<Area> set : sets) {
@@ -50,7 +62,7 @@ final class StateFinder {
         order.forEach(activation::enter);
         long polygons = count(scope, activation);
         if (counts.add(polygons) && listed.add(activation.activeSchemas())) {
-          states.add(StateCount.of(activation.activeSchemas(), polygons, high));
+          states.add(new Found(activation.activeSchemas(), polygons, activation.shown()));
         }
       }
     }

@@ -8,6 +8,9 @@
  * the controller does: there is one algorithm, on plain keys. A test holds the counts against those
  * of the instance tree and of simulated walks.
  *
+ * <p>{@link org.selectiverenderer.polygon.count.SceneCounter} counts a scene while it is edited: it
+ * keeps the inlined files that it has measured, and says what each object has of each state.
+ *
  * <p>In: a scene file. Out: {@link org.selectiverenderer.polygon.count.SceneStatistics}, as text,
  * CSV, JSON and bar charts, and problems. {@link org.selectiverenderer.polygon.count.SceneModel}
  * gives the validator the same counts, boxes and states of files that it has read itself ({@link

@@ -1,5 +1,9 @@
 package org.selectiverenderer.runtime.loading;
 
+import java.util.ArrayDeque;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -46,6 +50,11 @@ record FileContent(
     Map<ParsedNode, Map<Backdrop.Side, ParsedNode>> pictures,
     Map<ParsedNode, CompletableFuture<Outcome>> inlines) {
 
+  private static final long LEAST_OF_ONE = 40;
+
+  /** Pixels of an image that are sent to the graphics card while a triangle is made ready. */
+  private static final long PIXELS = 50;
+
   /** What became of reading a file. */
   sealed interface Outcome {
     /** It could be read, however much is wrong with it. */
@@ -73,6 +82,35 @@ record FileContent(
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>(),
         new ConcurrentHashMap<>());
+  }
+
+  /**
+   * What it takes to show all of it, in triangles: a shape for at least {@link #LEAST_OF_ONE}, and
+   * {@link #PIXELS} of an image for one. Files within it count once, however often and wherever
+   * they are inlined: they may inline each other, and meshes are shared.
+   */
+  long work() {
+    Set<FileContent> files = Collections.newSetFromMap(new IdentityHashMap<>());
+    Deque<FileContent> open = new ArrayDeque<>(List.of(this));
+    long work = 0;
+    while (!open.isEmpty()) {
+      FileContent file = open.pop();
+      if (!files.add(file)) {
+        continue;
+      }
+      for (Optional<Mesh> mesh : file.meshes.values()) {
+        work += Math.max(LEAST_OF_ONE, mesh.map(Mesh::polygons).orElse(0));
+      }
+      for (Optional<Texture.Image> image : file.images.values()) {
+        work += image.map(of -> (long) of.rgba().length).orElse(0L) / (4 * PIXELS);
+      }
+      for (CompletableFuture<Outcome> inlined : file.inlines.values()) {
+        if (inlined.join() instanceof Outcome.Read read) {
+          open.push(read.content());
+        }
+      }
+    }
+    return work;
   }
 
   void error(Location location, String message) {

@@ -44,7 +44,11 @@ final class ImageFiles {
    * @param image empty when the file could not be read
    * @param fault why, else empty
    */
-  private record Decoded(Optional<Texture.Image> image, String fault) {}
+  private record Decoded(Optional<Texture.Image> image, String fault, String flaw) {
+    Decoded(Optional<Texture.Image> image, String fault) {
+      this(image, fault, "");
+    }
+  }
 
   /**
    * @param room where films are decoded
@@ -121,6 +125,11 @@ final class ImageFiles {
           "%s holds no cube: an ImageCubeMapTexture takes a DDS image with six faces; %s"
               .formatted(file.name(), CONSEQUENCE));
     }
+    if (!decoded.flaw.isEmpty()) {
+      problems.warning(
+          texture.location(),
+          "%s %s; it is shown up to there".formatted(file.name(), decoded.flaw));
+    }
     return movie ? shown(texture, decoded.image, file, problems) : decoded.image;
   }
 
@@ -165,7 +174,8 @@ final class ImageFiles {
                   movie.translucent() ? 4 : 3,
                   first,
                   room.film(movie, first))),
-          "");
+          "",
+          movie.flaw());
     } catch (IOException e) {
       return new Decoded(Optional.empty(), Failure.clause(e));
     }

@@ -37,7 +37,7 @@ public final class LiveFiles {
 
   private final LoadedScene loaded;
   private final Problems problems;
-  private final Consumer<Runnable> post;
+  private final Arrivals arrivals;
   private final LiveInlines inlines;
   private final LiveImages images;
   private final LiveSounds sounds;
@@ -51,7 +51,7 @@ public final class LiveFiles {
   public LiveFiles(LoadedScene loaded, Problems problems, Consumer<Runnable> post) {
     this.loaded = loaded;
     this.problems = problems;
-    this.post = post;
+    arrivals = new Arrivals(post);
     inlines = new LiveInlines(this, new LiveImports(loaded.scene(), problems));
     images = new LiveImages(this, loaded.loader().store().assets());
     sounds = new LiveSounds(this);
@@ -89,8 +89,9 @@ public final class LiveFiles {
     loaded.loader().room().waitForPictures();
   }
 
-  /** Begins to read what the events of a frame have asked for. */
+  /** Ends a frame: begins to read what its events have asked for. */
   public void update() {
+    arrivals.frame();
     inlines.update();
     sounds.update();
     movies.update();
@@ -302,7 +303,8 @@ public final class LiveFiles {
       CompletableFuture<SceneLoader.Arrival<T>> reading, Consumer<T> arrived, Runnable failed) {
     reading.thenAccept(
         arrival ->
-            post.accept(
+            arrivals.add(
+                arrival.work(),
                 () -> {
                   for (Problem problem : arrival.problems()) {
                     problems.add(problem);

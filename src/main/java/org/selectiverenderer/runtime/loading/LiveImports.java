@@ -31,13 +31,11 @@ final class LiveImports {
    * Looks at all scenes that import anything, until nothing changes: what one imports another may
    * import from it.
    *
-   * @param inlines all that are in the scene
+   * @param inlines all those in the scene whose contents import anything
    */
   void refresh(Collection<InlineNode> inlines) {
     List<Scene> importing = new ArrayList<>();
-    for (InlineNode inline : inlines) {
-      inline.content().filter(content -> !content.imports().isEmpty()).ifPresent(importing::add);
-    }
+    inlines.forEach(inline -> inline.content().ifPresent(importing::add));
     if (!scene.imports().isEmpty()) {
       importing.add(scene);
     }

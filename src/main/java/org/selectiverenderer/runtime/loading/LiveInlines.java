@@ -26,6 +26,9 @@ final class LiveInlines {
   private final Map<InlineNode, Watch> watched = new IdentityHashMap<>();
   private final List<Watch> changed = new ArrayList<>();
 
+  /** Those whose scenes import something, of all that are watched. */
+  private final Set<InlineNode> importing = Collections.newSetFromMap(new IdentityHashMap<>());
+
   LiveInlines(LiveFiles files, LiveImports imports) {
     this.files = files;
     this.imports = imports;
@@ -45,8 +48,10 @@ final class LiveInlines {
               }
               return gone;
             });
+    importing.clear();
     for (InlineNode inline : present) {
       watched.computeIfAbsent(inline, Watch::new);
+      filled(inline);
     }
   }
 
@@ -55,7 +60,16 @@ final class LiveInlines {
     changed.clear();
     now.forEach(Watch::update);
     if (!now.isEmpty()) {
-      imports.refresh(watched.keySet());
+      imports.refresh(importing);
+    }
+  }
+
+  /** An Inline has the content that it has; costs the same however many others there are. */
+  private void filled(InlineNode inline) {
+    if (inline.content().filter(content -> !content.imports().isEmpty()).isPresent()) {
+      importing.add(inline);
+    } else {
+      importing.remove(inline);
     }
   }
 
@@ -111,7 +125,8 @@ final class LiveInlines {
         inline.asked(url);
         double scale = content.map(Scene::unitLength).orElse(1.0) / files.unitLength(inline);
         inline.refill(content.orElse(null), content.isPresent() ? scale : 1);
-        imports.refresh(watched.keySet());
+        filled(inline);
+        imports.refresh(importing);
       }
     }
   }

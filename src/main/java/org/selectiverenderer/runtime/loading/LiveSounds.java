@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.WeakHashMap;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.sound.AudioClipNode;
 import org.selectiverenderer.runtime.scene.Node;
@@ -23,6 +24,9 @@ final class LiveSounds {
   private final LiveFiles files;
   private final Map<AudioClipNode, Watch> watched = new IdentityHashMap<>();
   private final List<Watch> changed = new ArrayList<>();
+
+  /** The urls whose recordings clips had, or waited for, when they left; nobody looked since. */
+  private final Map<AudioClipNode, Optional<String[]>> left = new WeakHashMap<>();
 
   LiveSounds(LiveFiles files) {
     this.files = files;
@@ -40,7 +44,7 @@ final class LiveSounds {
             watch -> {
               boolean gone = !now.contains(watch.clip);
               if (gone) {
-                watch.clip.removeObserver(watch);
+                watch.leave();
               }
               return gone;
             });
@@ -62,14 +66,27 @@ final class LiveSounds {
     /** The url whose recording it has, or waits for; null for none. */
     private String @Nullable [] requested;
 
+    private boolean gone;
+
     Watch(AudioClipNode clip) {
       this.clip = clip;
       clip.addObserver(this);
-      if (files.fromFile(clip) && clip.bool("load")) {
+      Optional<String[]> had = left.remove(clip);
+      if (had != null) {
+        requested = had.orElse(null);
+        changed.add(this); // Its fields may be others by now.
+      } else if (files.fromFile(clip) && clip.bool("load")) {
         requested = clip.strings("url");
       } else {
         changed.add(this);
       }
+    }
+
+    /** It is in the scene no longer; what is being read for it arrives all the same. */
+    void leave() {
+      clip.removeObserver(this);
+      left.put(clip, Optional.ofNullable(requested));
+      gone = true;
     }
 
     @Override
@@ -91,8 +108,11 @@ final class LiveSounds {
     }
 
     private void arrived(String[] url, Optional<Recording> found) {
-      if (requested == url) {
+      boolean wanted = !gone || clip.bool("load") && clip.strings("url") == url;
+      if (requested == url && wanted) {
         clip.recording(found.orElse(null));
+      } else if (gone) {
+        left.computeIfPresent(clip, (its, had) -> Optional.empty()); // It is read again then.
       }
     }
   }

@@ -12,6 +12,7 @@ import java.util.concurrent.ForkJoinWorkerThread;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
+import java.util.function.LongSupplier;
 import org.joml.FrustumIntersection;
 import org.joml.Matrix4d;
 import org.joml.Matrix4f;
@@ -291,8 +292,9 @@ public final class SceneLoader implements AutoCloseable {
    *
    * @param value empty when it could not be read
    * @param problems with it, in order
+   * @param work that it makes where it is shown, in triangles
    */
-  record Arrival<T>(Optional<T> value, List<Problem> problems) {}
+  record Arrival<T>(Optional<T> value, List<Problem> problems, long work) {}
 
   /** Reads the file that an Inline names and all that it names in turn. */
   CompletableFuture<Arrival<Scene>> inline(ParsedNode inline, UrlBase origin) {
@@ -352,7 +354,7 @@ public final class SceneLoader implements AutoCloseable {
     FileContent content =
         new FileContent(origin.file(), origin.base(), X3dFile.of(node, origin.unitLength()));
     tasks.start(() -> loader.follow(content));
-    return arrival(tasks, node, hears -> making.make(content, hears));
+    return arrival(tasks, node, hears -> making.make(content, hears), content::work);
   }
 
   /**
@@ -380,7 +382,7 @@ public final class SceneLoader implements AutoCloseable {
                 });
           }
         });
-    return arrival(tasks, anchor, hears -> making.get().apply(hears));
+    return arrival(tasks, anchor, hears -> making.get().apply(hears), () -> 0);
   }
 
   private Optional<Scene> scene(
@@ -393,13 +395,14 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   private <T> CompletableFuture<Arrival<T>> arrival(
-      TaskGroup tasks, ParsedNode node, Function<Problems, Optional<T>> making) {
+      TaskGroup tasks, ParsedNode node, Function<Problems, Optional<T>> making, LongSupplier work) {
     return tasks
         .end()
         .thenApplyAsync(
             over -> {
               Problems hears = new Problems();
-              return new Arrival<>(making.apply(hears), hears.list());
+              Optional<T> made = making.apply(hears);
+              return new Arrival<>(made, hears.list(), work.getAsLong());
             },
             threads)
         .exceptionally(
@@ -411,7 +414,7 @@ public final class SceneLoader implements AutoCloseable {
                       node.location(),
                       "what the %s names could not be read (%s); it is left out"
                           .formatted(node.type().name(), cause));
-              return new Arrival<>(Optional.empty(), List.of(problem));
+              return new Arrival<>(Optional.empty(), List.of(problem), 0);
             });
   }
 

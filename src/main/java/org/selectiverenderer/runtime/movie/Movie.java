@@ -26,6 +26,16 @@ public interface Movie {
    */
   int at(double seconds);
 
+  /**
+   * What is wrong with it although it can be shown, as a clause that reads after the file's name;
+   * may take as long as a picture takes to decode.
+   *
+   * @return empty for nothing
+   */
+  default String flaw() {
+    return "";
+  }
+
   /** Begins to decode it. */
   Pictures open();
 

@@ -1,5 +1,6 @@
 package org.selectiverenderer.runtime.movie;
 
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.runtime.movie.mpeg.MpegVideo;
 
 /** A film of MPEG-1 video; all its pictures are shown equally long. */
@@ -32,6 +33,14 @@ record MpegMovie(MpegVideo video) implements Movie {
   @Override
   public int at(double seconds) {
     return (int) Math.max(0, Math.min(pictures() - 1.0, Math.floor(seconds * video.rate())));
+  }
+
+  @Override
+  public String flaw() {
+    return video.cutOff()
+        ? "is cut off or damaged at its end, after %s pictures (%s s)"
+            .formatted(pictures(), DecimalText.rounded(seconds(), 2))
+        : "";
   }
 
   @Override

@@ -23,6 +23,7 @@ public final class CameraPathReader {
           List.of("t", "x", "y", "z"),
           List.of("yaw", "pitch", "roll"),
           true,
+          false,
           false);
 
   private CameraPathReader() {}

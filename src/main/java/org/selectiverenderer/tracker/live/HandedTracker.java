@@ -65,6 +65,11 @@ public final class HandedTracker extends PublishingTracker {
   }
 
   @Override
+  public boolean placed() {
+    return true;
+  }
+
+  @Override
   public TrackerHealth health() {
     return meter.health(state, System.nanoTime());
   }

@@ -57,6 +57,11 @@ public final class LiveTracker extends PublishingTracker {
   }
 
   @Override
+  public boolean placed() {
+    return source.placed();
+  }
+
+  @Override
   public TrackerHealth health() {
     return meter.health(state, System.nanoTime());
   }

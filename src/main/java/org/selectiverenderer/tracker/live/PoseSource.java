@@ -26,6 +26,11 @@ public interface PoseSource {
    */
   void read(PoseSink intake) throws IOException;
 
+  /** Whether its records tell the place of the head ({@link PoseSink#place}). */
+  default boolean placed() {
+    return false;
+  }
+
   /** Lets go of the connection; does nothing when there is none. */
   void close();
 }

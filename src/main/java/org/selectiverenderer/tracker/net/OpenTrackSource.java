@@ -94,6 +94,11 @@ public final class OpenTrackSource implements PoseSource {
   }
 
   @Override
+  public boolean placed() {
+    return true;
+  }
+
+  @Override
   public void close() {
     if (socket != null) {
       socket.close();

@@ -128,6 +128,11 @@ public final class VrpnSource implements PoseSource {
   }
 
   @Override
+  public boolean placed() {
+    return true;
+  }
+
+  @Override
   public void close() {
     Closing.quietly(socket);
     Closing.quietly(listening);

@@ -11,7 +11,8 @@ import org.selectiverenderer.tracker.PoseSample;
 
 /**
  * Recorded orientations over time: a CSV file with the columns t (seconds), yaw, pitch and roll
- * (degrees) in any order among others. Immutable.
+ * (degrees) in any order among others; where the device told the place of the head, also right, up
+ * and back (metres), as {@link PoseSample} has them, empty in rows without one. Immutable.
  */
 public final class ReplayLog {
   private static final TableForm FORM =
@@ -19,9 +20,14 @@ public final class ReplayLog {
           "the log",
           "the log is not played",
           List.of("t", "yaw", "pitch", "roll"),
-          List.of(),
+          List.of("right", "up", "back"),
           false,
+          true,
           true);
+
+  private static final int RIGHT = 4;
+  private static final int UP = 5;
+  private static final int BACK = 6;
 
   private final double[][] rows;
 
@@ -54,8 +60,19 @@ public final class ReplayLog {
     return time(size() - 1) - time(0);
   }
 
-  /** Copies a row's angles. */
-  public void angles(int row, PoseSample into) {
-    into.turn(rows[row][1], rows[row][2], rows[row][3]);
+  /** Whether it has the place of the head, too. */
+  public boolean placed() {
+    return rows[0].length > BACK;
+  }
+
+  /** Copies a row's angles, and its place if it has one. */
+  public void pose(int row, PoseSample into) {
+    double[] cells = rows[row];
+    into.turn(cells[1], cells[2], cells[3]);
+    if (placed() && !Double.isNaN(cells[RIGHT])) {
+      into.place(cells[RIGHT], cells[UP], cells[BACK]);
+    } else {
+      into.unplace();
+    }
   }
 }

@@ -23,7 +23,7 @@ public final class ReplaySource implements PoseSource {
   @Override
   public void read(PoseSink intake) {
     intake.connected();
-    PoseSample angles = new PoseSample();
+    PoseSample pose = new PoseSample();
     long begin = System.nanoTime();
     for (int row = 0; row < log.size() && !intake.closed(); row++) {
       long due = begin + (long) ((log.time(row) - log.time(0)) * 1e9);
@@ -33,9 +33,19 @@ public final class ReplaySource implements PoseSource {
         intake.tick();
         left = due - System.nanoTime();
       }
-      log.angles(row, angles);
-      intake.angles(System.nanoTime(), angles.yaw(), angles.pitch(), angles.roll());
+      log.pose(row, pose);
+      if (pose.placed()) {
+        intake.place(pose.x(), pose.y(), pose.z());
+      } else {
+        intake.place(Double.NaN, Double.NaN, Double.NaN);
+      }
+      intake.angles(System.nanoTime(), pose.yaw(), pose.pitch(), pose.roll());
     }
+  }
+
+  @Override
+  public boolean placed() {
+    return log.placed();
   }
 
   /** There is nothing to let go of. */

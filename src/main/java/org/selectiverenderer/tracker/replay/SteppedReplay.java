@@ -41,7 +41,7 @@ public final class SteppedReplay extends PublishingTracker {
     }
     int before = row;
     while (row < log.size() && log.time(row) <= time) {
-      log.angles(row, sample);
+      log.pose(row, sample);
       // The filters' clock is that of the recording.
       long recorded = (long) (log.time(row) * 1e9);
       sample.set(row + 1L, recorded, sample.yaw(), sample.pitch(), sample.roll());
@@ -53,6 +53,11 @@ public final class SteppedReplay extends PublishingTracker {
       publish(sample);
     }
     next = row;
+  }
+
+  @Override
+  public boolean placed() {
+    return log.placed();
   }
 
   @Override

@@ -5,6 +5,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.tracker.PoseSample;
@@ -12,27 +14,42 @@ import org.selectiverenderer.tracker.TrackerHealth;
 
 /**
  * A CSV file that {@code replay:} reads: t (seconds since the tracker was opened), yaw, pitch, roll
- * (degrees). Written out several times per second, so that a crash loses little.
+ * (degrees), and of a tracker that tells the place of the head right, up, back (metres), empty in
+ * records without one. Written out several times per second, so that a crash loses little.
  */
 public final class CsvTrackOutput implements TrackOutput, AutoCloseable {
   private final BufferedWriter writer;
+  private boolean placed;
 
   /**
    * @throws IOException if the file cannot be made
    */
   public CsvTrackOutput(Path file) throws IOException {
     writer = Files.newBufferedWriter(file, StandardCharsets.UTF_8);
-    writer.write(CsvText.line("t", "yaw", "pitch", "roll"));
+  }
+
+  @Override
+  public void begin(boolean placed) throws IOException {
+    this.placed = placed;
+    writer.write(
+        placed
+            ? CsvText.line("t", "yaw", "pitch", "roll", "right", "up", "back")
+            : CsvText.line("t", "yaw", "pitch", "roll"));
   }
 
   @Override
   public void sample(double time, PoseSample sample) throws IOException {
-    writer.write(
-        CsvText.line(
-            DecimalText.fixed(time, 6),
-            DecimalText.fixed(sample.yaw(), 4),
-            DecimalText.fixed(sample.pitch(), 4),
-            DecimalText.fixed(sample.roll(), 4)));
+    List<String> cells = new ArrayList<>();
+    cells.add(DecimalText.fixed(time, 6));
+    cells.add(DecimalText.fixed(sample.yaw(), 4));
+    cells.add(DecimalText.fixed(sample.pitch(), 4));
+    cells.add(DecimalText.fixed(sample.roll(), 4));
+    if (placed) {
+      for (double way : new double[] {sample.x(), sample.y(), sample.z()}) {
+        cells.add(sample.placed() ? DecimalText.fixed(way, 5) : "");
+      }
+    }
+    writer.write(CsvText.line(cells.toArray()));
   }
 
   @Override

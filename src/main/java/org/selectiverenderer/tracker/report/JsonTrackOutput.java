@@ -28,8 +28,16 @@ public final class JsonTrackOutput implements TrackOutput {
         .append(",\"pitch\":")
         .append(number(sample.pitch(), 4))
         .append(",\"roll\":")
-        .append(number(sample.roll(), 4))
-        .append("}\n");
+        .append(number(sample.roll(), 4));
+    if (sample.placed()) {
+      out.append(",\"right\":")
+          .append(number(sample.x(), 5))
+          .append(",\"up\":")
+          .append(number(sample.y(), 5))
+          .append(",\"back\":")
+          .append(number(sample.z(), 5));
+    }
+    out.append("}\n");
   }
 
   @Override

@@ -31,6 +31,15 @@ public final class TextTrackOutput implements TrackOutput {
               newest.roll(),
               health.rateHz(),
               health.jitterMs()));
+      if (newest.placed()) {
+        out.append(
+            String.format(
+                Locale.ROOT,
+                "  right %6.3f  up %6.3f  back %6.3f m",
+                newest.x(),
+                newest.y(),
+                newest.z()));
+      }
     }
     out.append("  bad ").append(Long.toString(health.bad()));
     out.append("  dropped ").append(Long.toString(health.dropped()));

@@ -7,6 +7,13 @@ import org.selectiverenderer.tracker.TrackerHealth;
 /** Where records go. Called by one thread. */
 public interface TrackOutput {
   /**
+   * The tracker is open.
+   *
+   * @param placed whether it tells the place of the head, too
+   */
+  default void begin(boolean placed) throws IOException {}
+
+  /**
    * A record.
    *
    * @param time of its arrival, in seconds since the tracker was opened

@@ -67,6 +67,9 @@ public final class TrackSession {
     long begin = System.nanoTime();
     HeadTracker tracker = Trackers.open(spec, options, listener());
     try (tracker) {
+      for (TrackOutput output : outputs) {
+        output.begin(tracker.placed());
+      }
       watch(tracker, begin, seconds);
     }
     drain(begin);

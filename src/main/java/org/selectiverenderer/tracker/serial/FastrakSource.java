@@ -87,6 +87,11 @@ public final class FastrakSource implements PoseSource {
   }
 
   @Override
+  public boolean placed() {
+    return true;
+  }
+
+  @Override
   public void close() {
     if (line != null) {
       line.close();

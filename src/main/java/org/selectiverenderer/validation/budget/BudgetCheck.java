@@ -1,10 +1,8 @@
 package org.selectiverenderer.validation.budget;
 
-import java.util.Comparator;
 import java.util.List;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.polygon.count.SceneModel;
-import org.selectiverenderer.polygon.count.SceneModel.State;
 import org.selectiverenderer.validation.Budget;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.OutlinedFile;
@@ -33,22 +31,19 @@ final class BudgetCheck implements SceneCheck {
 
   private static void worst(
       SceneView view, Budget budget, BudgetMatch.Holds holds, Findings findings) {
-    String group = holds.group();
-    holds.states().stream()
-        .max(Comparator.comparingLong(State::polygons))
-        .filter(worst -> worst.polygons() > budget.polygons())
-        .ifPresent(
-            worst ->
-                report(
-                    view,
-                    BudgetRules.OVER_BUDGET,
-                    group,
-                    findings,
-                    group.isEmpty() ? "the scene" : group,
-                    worst.polygons(),
-                    in(worst.schemas()),
-                    worst.polygons() - budget.polygons(),
-                    budget.polygons()));
+    BudgetStatus status = BudgetStatus.of(budget, holds);
+    if (status.broken()) {
+      report(
+          view,
+          BudgetRules.OVER_BUDGET,
+          status.group(),
+          findings,
+          status.group().isEmpty() ? "the scene" : status.group(),
+          status.worst().polygons(),
+          in(status.worst().schemas()),
+          status.over(),
+          budget.polygons());
+    }
   }
 
   private static String in(List<String> schemas) {

@@ -178,6 +178,14 @@ public final class DocumentElement {
     return changed;
   }
 
+  /**
+   * Whether it is a reference to an entity of the DOCTYPE, which stands for elements that are
+   * declared there; {@link #name} is the reference then.
+   */
+  public boolean isReference() {
+    return name.startsWith("&");
+  }
+
   /** Whether it is still part of its text. */
   public boolean attached() {
     return attached;

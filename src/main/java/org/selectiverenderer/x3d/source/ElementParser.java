@@ -51,7 +51,11 @@ class ElementParser {
               + ", and only X3D XML can be changed; convert it first";
       throw new XmlFault(new DocumentFault(Kind.REFUSED, Location.of(name), why));
     }
-    XmlEvents xml = preflight.events();
+    Entities entities = source.entities();
+    XmlEvents xml =
+        entities.none()
+            ? preflight.events()
+            : new XmlEvents(preflight.source(), EntityMask.of(text, entities, source, shift));
     ElementParser parser = new ElementParser(xml, source, shift, revision, limits);
     DocumentFault cut = preflight.cut();
     DocumentFault fault = cut == null ? parser.parse() : cut;
@@ -96,8 +100,8 @@ class ElementParser {
         new DocumentElement(
             source,
             xml.element(),
-            xml.attribute("DEF"),
-            xml.attribute("USE"),
+            name("DEF", place),
+            name("USE", place),
             place.offset() + shift,
             xml.end() + shift,
             revision);
@@ -110,6 +114,18 @@ class ElementParser {
     open = element;
     depth++;
     count++;
+  }
+
+  private @Nullable String name(String attribute, ElementLocation place) {
+    String parsed = xml.attribute(attribute);
+    boolean masked = parsed != null && !source.entities().none();
+    return masked
+        ? source
+            .tag(place.offset() + shift)
+            .attribute(attribute)
+            .map(WrittenAttribute::value)
+            .orElse(parsed)
+        : parsed;
   }
 
   private void end() {
@@ -131,6 +147,20 @@ class ElementParser {
 
   void ended(DocumentElement element) {}
 
-  /** Something else has come than the beginning or end of an element. */
-  void other(int event, @Nullable DocumentElement in) {}
+  /**
+   * Something else has come than the beginning or end of an element. A reference to an entity
+   * stands for elements that are not in the text at its place: it counts as one without attributes.
+   */
+  void other(int event, @Nullable DocumentElement in) {
+    if (event == XMLStreamConstants.ENTITY_REFERENCE && in != null) {
+      int start = xml.place().offset() + shift;
+      String name = "&" + xml.entity() + ";";
+      int end = start + name.length();
+      DocumentElement reference =
+          new DocumentElement(source, name, null, null, start, end, revision);
+      reference.endAt(end);
+      in.add(reference);
+      count++;
+    }
+  }
 }

@@ -48,6 +48,11 @@ public interface ElementSource {
 
   /** The attributes of the tag that starts at an offset. */
   default StartTag tag(int start) {
-    return StartTag.of(characters(), start);
+    return StartTag.of(characters(), start, entities());
+  }
+
+  /** The entities that attributes may refer to; none where they are never expanded. */
+  default Entities entities() {
+    return Entities.NONE;
   }
 }

@@ -10,7 +10,11 @@ public final class StartTag {
   private final List<WrittenAttribute> attributes = new ArrayList<>(4);
   private final int end;
 
-  private StartTag(CharSequence text, int start) {
+  private StartTag(CharSequence text, int start, Entities entities) {
+    if (start < text.length() && text.charAt(start) == '&') {
+      end = start; // a reference to an entity, which has none
+      return;
+    }
     int limit = text.length();
     int at = skipName(text, start + 1, limit);
     int last = at;
@@ -28,7 +32,7 @@ public final class StartTag {
         to++;
       }
       String name = text.subSequence(from, at).toString();
-      attributes.add(new WrittenAttribute(text, name, from, quote + 1, to));
+      attributes.add(new WrittenAttribute(text, name, from, quote + 1, to, entities));
       at = Math.min(to + 1, limit);
       last = at;
     }
@@ -38,9 +42,10 @@ public final class StartTag {
    * Reads a tag; one that is not well formed as far as it makes sense.
    *
    * @param start the offset of its {@code <}
+   * @param entities that values may refer to
    */
-  static StartTag of(CharSequence text, int start) {
-    return new StartTag(text, start);
+  static StartTag of(CharSequence text, int start, Entities entities) {
+    return new StartTag(text, start, entities);
   }
 
   private static int skipName(CharSequence text, int from, int limit) {

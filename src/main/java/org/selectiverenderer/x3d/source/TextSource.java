@@ -52,7 +52,7 @@ public final class TextSource implements ElementSource {
   public StartTag tag(int start) {
     StartTag known = tag;
     if (known == null || tagStart != start) {
-      known = StartTag.of(text, start);
+      known = StartTag.of(text, start, entities());
       tag = known;
       tagStart = start;
     }

@@ -8,17 +8,23 @@ package org.selectiverenderer.x3d.source;
  * @param from offset of the name
  * @param valueFrom offset of the value, behind its quote
  * @param valueTo offset of the quote that ends it
+ * @param entities that the value may refer to
  */
 public record WrittenAttribute(
-    CharSequence text, String name, int from, int valueFrom, int valueTo) {
+    CharSequence text, String name, int from, int valueFrom, int valueTo, Entities entities) {
   /** The value with references replaced and white space as XML reads it. */
   public String value() {
-    return XmlReferences.read(text, valueFrom, valueTo);
+    return XmlReferences.read(text, valueFrom, valueTo, ' ', entities);
   }
 
   /** The same with the ends of its lines, which XML takes for blanks: for programs. */
   String lines() {
-    return XmlReferences.read(text, valueFrom, valueTo, '\n');
+    return XmlReferences.read(text, valueFrom, valueTo, '\n', entities);
+  }
+
+  /** Whether a part of the value, or all, comes out of an entity of the DOCTYPE. */
+  public boolean fromEntity() {
+    return entities.within(text, valueFrom, valueTo);
   }
 
   /** The value as it is written, references and all. */
@@ -27,7 +33,7 @@ public record WrittenAttribute(
   }
 
   /** Whether it declares a namespace. */
-  boolean declaration() {
+  public boolean declaration() {
     return name.equals("xmlns") || name.startsWith("xmlns:");
   }
 

@@ -1,20 +1,23 @@
 package org.selectiverenderer.x3d.source;
 
+import java.util.Optional;
+
 /** References to characters, as attributes hold them. */
 final class XmlReferences {
   private XmlReferences() {}
 
   /** What a part of a text means as an attribute's value (XML 1.0, 3.3.3). */
   static String read(CharSequence text, int from, int to) {
-    return read(text, from, to, ' ');
+    return read(text, from, to, ' ', Entities.NONE);
   }
 
   /**
    * The same with another character in place of each end of a line.
    *
    * @param lineEnd a blank, as XML has it, or {@code \n}
+   * @param entities what other references mean
    */
-  static String read(CharSequence text, int from, int to, char lineEnd) {
+  static String read(CharSequence text, int from, int to, char lineEnd, Entities entities) {
     StringBuilder value = new StringBuilder(to - from);
     for (int i = from; i < to; i++) {
       char c = text.charAt(i);
@@ -23,7 +26,7 @@ final class XmlReferences {
         while (end < to && text.charAt(end) != ';') {
           end++;
         }
-        reference(text.subSequence(i + 1, end).toString(), value);
+        reference(text.subSequence(i + 1, end).toString(), value, lineEnd, entities);
         i = end;
       } else if (c == '\r' && i + 1 < to && text.charAt(i + 1) == '\n') {
         value.append(lineEnd);
@@ -35,7 +38,7 @@ final class XmlReferences {
     return value.toString();
   }
 
-  private static void reference(String name, StringBuilder into) {
+  private static void reference(String name, StringBuilder into, char lineEnd, Entities entities) {
     switch (name) {
       case "lt" -> into.append('<');
       case "gt" -> into.append('>');
@@ -49,7 +52,13 @@ final class XmlReferences {
                   ? Integer.parseInt(name.substring(2), 16)
                   : Integer.parseInt(name.substring(1)));
         } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
-          into.append('&').append(name).append(';'); // an entity of a DOCTYPE: never expanded
+          Optional<String> known = entities.value(name);
+          if (known.isPresent()) {
+            // Its own references are replaced but for those to characters.
+            into.append(read(known.get(), 0, known.get().length(), lineEnd, Entities.NONE));
+          } else {
+            into.append('&').append(name).append(';'); // external, or of a scene that is run
+          }
         }
       }
     }

@@ -61,7 +61,9 @@ out float along;
 #ifdef LIT_BY_VERTEX
 // What the pixels need of the light: all of it together where the colour is the same everywhere.
 vec3 diffuseOf(Light light) {
-#ifdef WHOLE_BY_VERTEX
+#ifdef TINTED
+  return material[1].rgb + color.rgb * light.diffuse + light.highlight;
+#elif defined(WHOLE_BY_VERTEX)
   return material[1].rgb + material[0].rgb * light.diffuse + light.highlight;
 #else
   return light.diffuse;

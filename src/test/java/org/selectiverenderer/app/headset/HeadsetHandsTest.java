@@ -6,8 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.openxr.HeadsetButton;
+import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.openxr.XrInput;
 import org.selectiverenderer.runtime.walk.Controls;
 import org.selectiverenderer.runtime.walk.Motion;
@@ -83,5 +86,39 @@ class HeadsetHandsTest {
     assertThat(hands.take(HeadsetButton.TELEPORT)).isTrue();
     hands.frame(held(HeadsetButton.TELEPORT));
     assertThat(hands.take(HeadsetButton.TELEPORT)).isFalse();
+  }
+
+  private static XrInput pointing(boolean left, boolean right, HeadsetButton... buttons) {
+    SpacePose leftHand = new SpacePose(new Vector3d(-1, 0, 0), new Quaterniond());
+    SpacePose rightHand = new SpacePose(new Vector3d(1, 0, 0), new Quaterniond());
+    return new XrInput(
+        0,
+        0,
+        0,
+        0,
+        Set.of(buttons),
+        Optional.empty(),
+        left ? Optional.of(leftHand) : Optional.empty(),
+        right ? Optional.of(rightHand) : Optional.empty());
+  }
+
+  @Test
+  void theHandThatChoseLastPoints() {
+    HeadsetHands hands = new HeadsetHands(0);
+    assertThat(hands.aim()).isEmpty();
+    hands.frame(pointing(true, false));
+    assertThat(hands.aim().orElseThrow().position().x).isEqualTo(-1);
+    hands.frame(pointing(true, true));
+    assertThat(hands.aim().orElseThrow().position().x).isEqualTo(1);
+    hands.frame(pointing(true, true, HeadsetButton.CHOOSE_LEFT));
+    hands.frame(pointing(true, true, HeadsetButton.CHOOSE_LEFT));
+    assertThat(hands.aim().orElseThrow().position().x).isEqualTo(-1);
+    assertThat(hands.takeAnswers()).containsExactly(HeadsetAnswer.CHOOSE);
+    hands.frame(pointing(true, true, HeadsetButton.CHOOSE_RIGHT, HeadsetButton.YES));
+    assertThat(hands.aim().orElseThrow().position().x).isEqualTo(1);
+    assertThat(hands.takeAnswers()).containsExactly(HeadsetAnswer.CHOOSE, HeadsetAnswer.YES);
+    hands.frame(pointing(true, false));
+    hands.frame(pointing(true, false, HeadsetButton.CHOOSE_RIGHT)); // A hand that nobody sees.
+    assertThat(hands.takeAnswers()).isEmpty();
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -119,6 +120,40 @@ class SceneRunTest {
     assertThat(rows).extracting(HeadSample::t).containsExactly(0.0, 1.0);
     assertThat(rows).extracting(HeadSample::frameMs).containsExactly(0.0, 1000.0);
     assertThat(rows).extracting(row -> row.moment().mono()).containsExactly(7.0, 12.0);
+  }
+
+  @Test
+  void anEmptyWindowDoesNotStayOpenForAFileThatIsNoScene() throws IOException {
+    Path file = Files.writeString(folder.resolve("no.x3d"), "hello");
+    RunSettings settings = new RunSettings(file, SelectiveController.Settings.SELECTIVE);
+    List<String> told = new ArrayList<>();
+    RunListener listener =
+        new RunListener() {
+          @Override
+          public void problem(Problem problem) {
+            told.add(problem.message());
+          }
+
+          @Override
+          public void happened(TimelineEvent event) {
+            throw new AssertionError(event);
+          }
+
+          @Override
+          public void printed(String text) {
+            throw new AssertionError(text);
+          }
+        };
+    HeadSession head = HeadSession.open(settings, QUIET::problem);
+    try (SceneRun run =
+        new SceneRun(settings, listener, head, guide, Pace.WATCHED, new RunStop())) {
+      run.awaitScene();
+      assertThat(run.step()).isEmpty();
+      assertThat(run.finished()).isTrue();
+      assertThat(run.unreadable()).isTrue();
+      assertThat(run.end(FrameTarget.LastPictures.NONE).problems()).isTrue();
+    }
+    assertThat(told).singleElement().asString().contains("neither XML nor VRML nor JSON");
   }
 
   private List<HeadSample> rows() throws IOException {

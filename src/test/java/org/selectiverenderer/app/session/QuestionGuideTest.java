@@ -37,6 +37,7 @@ import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.hmd.HeadsetShown;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.openxr.HeadsetNews;
+import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.viewer.Viewer;
@@ -142,15 +143,27 @@ class QuestionGuideTest {
   }
 
   @Test
-  void whatIsWrittenIsAskedAtTheDeskAndThatIsSaid() {
-    assertThat(problems.list())
-        .singleElement()
-        .satisfies(
-            problem ->
-                assertThat(problem.toString())
-                    .contains("words has a picture, or questions that are written"));
+  void whatIsWrittenIsAskedInsideToo() throws IOException {
+    assertThat(problems.list()).isEmpty();
     List<SessionStep> left = session.remaining();
-    assertThat(left).map(steps::shows).containsExactly(true, true, false);
+    assertThat(left).map(steps::shows).containsExactly(true, true, true);
+    for (SessionStep step : left.subList(0, 2)) {
+      session.began(step, false);
+      session.finished(step, Map.of());
+    }
+    RunGuide guide = steps.next().orElseThrow().guide();
+    try (Walkthrough walk = scene()) {
+      guide.opened(walk);
+      guide.pointed(
+          Optional.of(new SpacePose(new Vector3d(), new Quaterniond().rotationY(Math.PI))));
+      for (String key :
+          List.of("ABC", "h", "i", "Space", "ΕΛ", "΄", "ω", "ς", "ψ", "Erase", "Continue")) {
+        choose(guide, walk, key.equals("h") ? "H" : key);
+      }
+      choose(guide, walk, "Continue");
+      assertThat(guide.over(1)).isTrue();
+    }
+    assertThat(session.answers(left.get(2))).containsOnly(Map.entry("say", new Answer("Hi ώς", 0)));
   }
 
   @Test
@@ -164,9 +177,9 @@ class QuestionGuideTest {
     try (Walkthrough walk = scene()) {
       guide.opened(walk);
       guide.answered(HeadsetAnswer.YES); // Before there is anything to read.
-      assertThat(texts(guide.panel().orElseThrow())).contains("a cube", "Yes", "No");
+      assertThat(texts(guide.panels().get(0))).contains("a cube", "Yes", "No");
       controls.pause(true);
-      assertThat(guide.panel()).isEmpty();
+      assertThat(guide.panels()).isEmpty();
       guide.answered(HeadsetAnswer.NO);
       controls.pause(false);
       guide.answered(HeadsetAnswer.YES);
@@ -180,6 +193,93 @@ class QuestionGuideTest {
     assertThat(session.answers(asked)).containsOnly(Map.entry("cube", new Answer("yes", 2)));
     assertThat(Files.readString(session.folder().journal()))
         .contains("\"event\":\"page\"", "\"confidence\":2", "\"place\":1");
+  }
+
+  /** A hand at the head that points at the middle of a text on the panel. */
+  private static Optional<SpacePose> at(RunGuide guide, Walkthrough walk, String text) {
+    Panel panel = guide.panels().get(0);
+    Mark.Text mark =
+        panel.marks().stream()
+            .filter(Mark.Text.class::isInstance)
+            .map(Mark.Text.class::cast)
+            .filter(each -> each.text().equals(text))
+            .findFirst()
+            .orElseThrow();
+    Vector3d point = panel.place().transformPosition(new Vector3d(mark.x() + 5, mark.y() - 5, 0));
+    Vector3d way = point.sub(walk.world().viewer().position());
+    return Optional.of(
+        new SpacePose(new Vector3d(), new Quaterniond().rotationTo(new Vector3d(0, 0, -1), way)));
+  }
+
+  private void choose(RunGuide guide, Walkthrough walk, String text) {
+    Optional<SpacePose> hand = at(guide, walk, text);
+    guide.pointed(hand);
+    guide.panels(); // It is lit before it is chosen.
+    guide.pointed(hand);
+    guide.answered(HeadsetAnswer.CHOOSE);
+    guide.answered(HeadsetAnswer.NO); // The same button on controllers that have few.
+  }
+
+  @Test
+  void whatIsPointedAtIsLitAndChosen() throws IOException {
+    SessionStep asked = session.remaining().get(0);
+    RunGuide guide = steps.next().orElseThrow().guide();
+    try (Walkthrough walk = scene()) {
+      guide.opened(walk);
+      int dark = guide.panels().get(0).marks().size();
+      guide.pointed(at(guide, walk, "Yes"));
+      List<Panel> pointing = guide.panels();
+      assertThat(pointing).hasSize(2); // The ray is one of its own.
+      assertThat(pointing.get(0).marks()).hasSizeGreaterThan(dark);
+      assertThat(texts(pointing.get(0))).anyMatch(text -> text.contains("press the trigger"));
+      choose(guide, walk, "Yes");
+      assertThat(session.answers(asked)).containsOnly(Map.entry("cube", new Answer("yes", 0)));
+      choose(guide, walk, "4");
+      assertThat(session.answers(asked)).containsOnly(Map.entry("cube", new Answer("yes", 4)));
+      choose(guide, walk, "Back");
+      choose(guide, walk, "No");
+      choose(guide, walk, "2");
+      assertThat(guide.over(1)).isFalse();
+      choose(guide, walk, "Continue");
+      assertThat(guide.over(1)).isTrue();
+    }
+    assertThat(session.answers(asked)).containsOnly(Map.entry("cube", new Answer("no", 2)));
+  }
+
+  @Test
+  void aHandThatPointsElsewhereAnswersByItsButtons() throws IOException {
+    SessionStep asked = session.remaining().get(0);
+    RunGuide guide = steps.next().orElseThrow().guide();
+    try (Walkthrough walk = scene()) {
+      guide.opened(walk);
+      guide.panels();
+      guide.pointed(
+          Optional.of(new SpacePose(new Vector3d(), new Quaterniond().rotationY(Math.PI))));
+      assertThat(guide.panels()).hasSize(2);
+      guide.answered(HeadsetAnswer.CHOOSE);
+      assertThat(session.answers(asked)).isEmpty();
+      guide.answered(HeadsetAnswer.NO);
+    }
+    assertThat(session.answers(asked)).containsOnly(Map.entry("cube", new Answer("no", 0)));
+  }
+
+  @Test
+  void theRayGoesFromTheHandToThePanel() throws IOException {
+    RunGuide guide = steps.next().orElseThrow().guide();
+    try (Walkthrough walk = scene()) {
+      guide.opened(walk);
+      guide.panels();
+      guide.pointed(
+          Optional.of(
+              new SpacePose(
+                  new Vector3d(0.2, -0.4, -0.3), new Quaterniond().rotationX(0.2).rotateY(0.1))));
+      Panel ray = guide.panels().get(1);
+      double[] band = ((Mark.Area) ray.marks().get(0)).corners();
+      Vector3d start = ray.place().transformPosition(new Vector3d(0, 0, 0));
+      Vector3d end = ray.place().transformPosition(new Vector3d(band[2], 0, 0));
+      assertThat(start.distance(0.2, 1.2, -0.3)).isCloseTo(0, within(1e-6));
+      assertThat(end.z).isCloseTo(-PanelPlace.DISTANCE, within(1e-6));
+    }
   }
 
   @Test
@@ -201,7 +301,7 @@ class QuestionGuideTest {
 
   /** The middle of the paper in the world. */
   private static Vector3d middle(RunGuide guide) {
-    Panel panel = guide.panel().orElseThrow();
+    Panel panel = guide.panels().get(0);
     double[] paper = ((Mark.Area) panel.marks().get(0)).corners();
     Matrix4dc place = panel.place();
     return place.transformPosition(new Vector3d(paper[4] / 2, paper[5] / 2, 0));

@@ -32,6 +32,10 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.SelectiveController;
+import org.selectiverenderer.experiment.headlog.EyeSample;
+import org.selectiverenderer.experiment.headlog.HeadLogDescription;
+import org.selectiverenderer.experiment.headlog.HeadSample;
+import org.selectiverenderer.experiment.headlog.SceneMap;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.runtime.viewer.CameraPathReader;
 import org.selectiverenderer.runtime.walk.MouseMapping;
@@ -160,6 +164,42 @@ class LabStreamsTest {
         .as("stamped by the library's clock")
         .isBetween(before - 1, lsl.clock() + 1);
     assertThat(told).isEmpty();
+  }
+
+  @Test
+  void whereTheEyesLookGoesOutWhereAHeadsetTracksThem() throws Exception {
+    try (LabStreams streams = LabStreams.sending(lsl, Map.of("study", id), this::tell)) {
+      SampleListener eyes = streams.samples().orElseThrow();
+      eyes.scene(
+          new HeadLogDescription(
+              "", "scene.x3d", "high", 0, "headset", "none", 1, 1, 1, 10, true, SceneMap.EMPTY));
+      try (LslPeer looking = LslPeer.start("receive", "SelectiveRenderer-Eyes", id);
+          LslPeer naming = LslPeer.start("receive", "SelectiveRenderer-EyeObject", id)) {
+        assertThat(looking.next())
+            .isEqualTo(
+                "[\"Gaze\", \"Gaze_DirX\", \"Gaze_DirY\", \"Gaze_DirZ\", \"Gaze_Yaw\","
+                    + " \"Gaze_Pitch\", \"Tracked\"]");
+        assertThat(naming.next()).isEqualTo("[\"Gaze\", \"object\"]");
+        eyes.sampled(looking(new EyeSample(true, -30, 0, "Lamp", 2, 0)), System.nanoTime());
+        eyes.sampled(looking(EyeSample.LOST), System.nanoTime());
+        JsonNode seen = JsonTree.parse(looking.next());
+        double[] right = {1, 0, 0, -30, 0, 1}; // The head is turned by 60 degrees already.
+        for (int channel = 0; channel < right.length; channel++) {
+          assertThat(seen.path(channel + 1).asDouble()).isCloseTo(right[channel], within(1e-9));
+        }
+        assertThat(looking.next()).endsWith(" 0.0]");
+        assertThat(JsonTree.parse(naming.next()).path(1).asText()).isEqualTo("Lamp");
+        assertThat(JsonTree.parse(naming.next()).path(1).asText()).isEqualTo("none");
+      }
+    }
+    assertThat(told).isEmpty();
+  }
+
+  private static HeadSample looking(EyeSample eyes) {
+    HeadSample.Moment moment = HeadSample.Moment.UNTOLD;
+    return new HeadSample(
+            0, 0, 0, 0, -60, 0, 0, false, "", Double.NaN, -1, List.of(), List.of(), 10, moment)
+        .looking(eyes);
   }
 
   private JsonNode awaited(String event) throws InterruptedException {

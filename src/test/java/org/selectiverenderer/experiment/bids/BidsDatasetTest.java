@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -68,6 +70,16 @@ class BidsDatasetTest {
   }
 
   @Test
+  void whereTheEyesLookedLiesBesideTheMotionOfTheHead() throws IOException {
+    String stem =
+        "sub-P2/ses-01/motion/sub-P2_ses-01_task-exposurehall_tracksys-head_run-01"
+            + "_recording-eye1_physio";
+    assertThat(text(stem + ".json")).contains("\"PhysioType\" : \"eyetrack\"", "exposurehall");
+    assertThat(dataset.resolve(stem + ".tsv.gz")).isNotEmptyFile();
+    assertThat(dataset.resolve(stem.replace("P2", "001") + ".json")).doesNotExist();
+  }
+
+  @Test
   void theTrackersOwnRecordsAreATrackingSystemOfTheirOwn() throws IOException {
     String stem = "sub-001/ses-01/motion/sub-001_ses-01_task-exposurehall_tracksys-tracker_run-01";
     assertThat(text(stem + "_motion.tsv"))
@@ -79,6 +91,31 @@ class BidsDatasetTest {
     assertThat(JsonTree.parse(text(stem + "_motion.json")).path("SamplingFrequency").asDouble())
         .isEqualTo(100);
     assertThat(dataset.resolve(stem.replace("001", "P2") + "_motion.tsv")).doesNotExist();
+  }
+
+  @Test
+  void placesOfTheTrackerAreChannelsWhereItTellsThem() throws IOException {
+    Files.writeString(
+        study.resolve("sub-P2/ses-01/head/exposure-hall_run-01_tracker.csv"),
+        "t,yaw,pitch,roll,number,wall,mono,right,up,back\n"
+            + "0.5,0,0,0,1,2026-03-01T08:00:12.500Z,100.5,0.1,-0.2,0.3\n"
+            + "0.51,0,0,0,2,2026-03-01T08:00:12.510Z,100.51,,,\n");
+    dataset = folder.resolve("placed");
+    BidsDataset.write(
+        RecordedStudy.read(RecordedFolder.material(study), problems), ORIGIN, dataset, problems);
+    String stem = "sub-P2/ses-01/motion/sub-P2_ses-01_task-exposurehall_tracksys-tracker_run-01";
+    assertThat(text(stem + "_motion.tsv"))
+        .isEqualTo(
+            """
+            0.000000\t0.000000\t0.000000\t1.000000\t0.10000\t-0.20000\t0.30000\t0.000000
+            0.000000\t0.000000\t0.000000\t1.000000\tn/a\tn/a\tn/a\t0.010000
+            """);
+    assertThat(text(stem + "_channels.tsv"))
+        .hasLineCount(9)
+        .contains("\ntracker_POS_y\ty\tPOS\thead\tm\t100.0\ttracker\n");
+    JsonNode told = JsonTree.parse(text(stem + "_motion.json"));
+    assertThat(told.path("POSChannelCount").asInt()).isEqualTo(3);
+    assertThat(told.path("MotionChannelCount").asInt()).isEqualTo(8);
   }
 
   @Test
@@ -109,8 +146,17 @@ class BidsDatasetTest {
             "remarks\tlong, \"but\" fine\tn/a\t9\t2\tn/a\tn/a\tn/a");
     try (Stream<Path> all = Files.walk(dataset)) {
       for (Path file : all.filter(Files::isRegularFile).toList()) {
-        assertThat(Files.readString(file)).doesNotContain("Maria", "210 1234", "the boat");
+        assertThat(plain(file)).doesNotContain("Maria", "210 1234", "the boat");
       }
+    }
+  }
+
+  private static String plain(Path file) throws IOException {
+    if (!file.toString().endsWith(".gz")) {
+      return Files.readString(file);
+    }
+    try (InputStream unzipped = new GZIPInputStream(Files.newInputStream(file))) {
+      return new String(unzipped.readAllBytes(), StandardCharsets.UTF_8);
     }
   }
 

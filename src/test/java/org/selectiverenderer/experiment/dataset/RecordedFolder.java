@@ -3,6 +3,7 @@ package org.selectiverenderer.experiment.dataset;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.session.StudyMaterial;
@@ -120,6 +121,20 @@ public final class RecordedFolder {
       Files.writeString(head.resolve("exposure-hall_run-01.csv"), log());
       Files.writeString(head.resolve("exposure-hall_run-01.json"), description());
     }
+    Path tracked = second.resolve("exposure-hall_run-01.csv");
+    Files.writeString(tracked, withEyes(Files.readString(tracked)));
+  }
+
+  /** The eyes look at the boat for a second; then nobody sees them, until the last sample's. */
+  private static String withEyes(String log) {
+    List<String> lines = new ArrayList<>(log.lines().toList());
+    lines.set(0, lines.get(0) + ",eyes,gaze_yaw,gaze_pitch,gaze_object,gaze_distance,gaze_version");
+    for (int i = 1; i < lines.size(); i++) {
+      String eyes =
+          i < 3 ? "tracked,10,0,Boat,2," : i < lines.size() - 1 ? "lost,,,,," : "tracked,90,0,,,";
+      lines.set(i, lines.get(i) + "," + eyes);
+    }
+    return String.join("\n", lines) + "\n";
   }
 
   /** Seven seconds at two samples a second: the coat for three seconds, then nothing. */

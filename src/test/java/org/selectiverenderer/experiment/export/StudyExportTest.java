@@ -50,6 +50,7 @@ class StudyExportTest {
             "sessions.csv",
             "exposures.csv",
             "gaze.csv",
+            "eyes.csv",
             "events.csv",
             "responses.csv",
             "ratings.csv",
@@ -78,10 +79,21 @@ class StudyExportTest {
   }
 
   @Test
+  void theEyesHaveATableOfTheirOwnOfWhoHadAnEyeTracker() throws IOException {
+    assertThat(lines("eyes.csv"))
+        .containsExactly(
+            "participant,session,condition,step,run,object,dwell,looks,first,longest,fixations",
+            "P2,1,high,exposure-hall,1,Boat,1,1,0,1,1",
+            "P2,1,high,exposure-hall,1,Coat,0,0,,0,0");
+    assertThat(lines("exposures.csv").get(0)).contains(",idle,eyes_tracked,fps,");
+    assertThat(lines("exposures.csv").get(2)).contains(",0.2,");
+  }
+
+  @Test
   void anExposureSaysHowItWasShown() throws IOException {
     assertThat(lines("exposures.csv").get(1))
         .isEqualTo(
-            "001,1,selective,exposure-hall,1,yes,2026-03-01T10:00:12+02:00,1,7,2,15,0,50,20,25,"
+            "001,1,selective,exposure-hall,1,yes,2026-03-01T10:00:12+02:00,1,7,2,15,0,,50,20,25,"
                 + "low-frame-rate,sub-001/ses-01/head/exposure-hall_run-01.csv");
     assertThat(lines("exposures.csv").get(2)).startsWith("P2,1,high,exposure-hall,1,no,");
   }
@@ -105,7 +117,7 @@ class StudyExportTest {
   @Test
   void theCodebookExplainsEveryColumnOfEveryTable() throws IOException {
     JsonNode book = JsonTree.parse(Files.readString(tables.resolve("codebook.json")));
-    assertThat(book).hasSize(9);
+    assertThat(book).hasSize(10);
     book.properties()
         .forEach(
             file -> {

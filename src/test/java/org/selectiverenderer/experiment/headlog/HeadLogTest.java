@@ -42,6 +42,7 @@ class HeadLogTest {
           0.28,
           0.5,
           10,
+          false,
           MAP);
 
   @TempDir private Path folder;
@@ -225,16 +226,16 @@ class HeadLogTest {
       samples.add(sample(i * 0.1, 1, 0, object));
     }
     HeadLogAnalysis analysis = HeadLogAnalysis.of(read(write(samples)));
-    assertThat(analysis.looks())
+    assertThat(analysis.head().all())
         .extracting(Dwell::object)
         .containsExactly("Switch_Desk", "Leg", "Switch_Shelf", "Switch_Desk");
-    assertThat(analysis.looks().get(0).end()).isCloseTo(2, within(1e-9));
-    HeadLogAnalysis.ObjectView desk = analysis.objects().get(0);
+    assertThat(analysis.head().all().get(0).end()).isCloseTo(2, within(1e-9));
+    Looks.ObjectView desk = analysis.head().objects().get(0);
     assertThat(desk.object()).isEqualTo("Switch_Desk");
     assertThat(desk.looks()).isEqualTo(2);
     assertThat(desk.seconds()).isCloseTo(3, within(1e-9));
     assertThat(desk.first()).isZero();
-    assertThat(analysis.unseen()).isEqualTo(Map.of("Office", List.of("Switch_Clock")));
+    assertThat(analysis.head().unseen()).isEqualTo(Map.of("Office", List.of("Switch_Clock")));
   }
 
   @Test
@@ -250,11 +251,11 @@ class HeadLogTest {
     assertThat(analysis.unshown().samples()).isEqualTo(22);
     assertThat(analysis.unshown().seconds()).isCloseTo(2.2, within(1e-9));
     assertThat(analysis.unshown().pauses()).isZero();
-    HeadLogAnalysis.ObjectView desk = analysis.objects().get(0);
+    Looks.ObjectView desk = analysis.head().objects().get(0);
     assertThat(desk.seconds()).isCloseTo(1.8, within(1e-9));
     assertThat(desk.first()).isCloseTo(1, within(1e-9));
     assertThat(desk.looks()).isEqualTo(2);
-    assertThat(analysis.unseen()).isEqualTo(Map.of("Office", List.of("Switch_Clock")));
+    assertThat(analysis.head().unseen()).isEqualTo(Map.of("Office", List.of("Switch_Clock")));
     assertThat(analysis.rooms().get(0).seconds()).isCloseTo(1.8, within(1e-9));
     assertThat(AnalysisFormats.text(analysis))
         .contains("1.8 s in view, 18 samples", "left out: 2.2 s, 22 samples without a picture");
@@ -273,7 +274,7 @@ class HeadLogTest {
     assertThat(analysis.seconds()).isCloseTo(2, within(1e-9));
     assertThat(analysis.unshown().pauses()).isOne();
     assertThat(analysis.unshown().paused()).isCloseTo(60, within(1e-6));
-    assertThat(analysis.objects().get(0).looks()).isEqualTo(2);
+    assertThat(analysis.head().objects().get(0).looks()).isEqualTo(2);
     assertThat(AnalysisFormats.text(analysis)).contains("paused: 1 time, 60.0 s together");
   }
 

@@ -53,7 +53,7 @@ class HeadLogWriterTest {
             }
           }
         };
-    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, 10, problems::add);
+    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, false, 10, problems::add);
     writer.add(sample(0));
     writing.await();
     for (int i = 1; i <= 15; i++) {
@@ -90,7 +90,7 @@ class HeadLogWriterTest {
             }
           }
         };
-    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, 10, problems::add);
+    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, false, 10, problems::add);
     keeping.await();
     writer.add(sample(7)); // Killed now, the program would have written it.
     assertThat(written.take()).startsWith("7.");
@@ -113,7 +113,7 @@ class HeadLogWriterTest {
             throw new IOException("the disk is gone");
           }
         };
-    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, 10, problems::add);
+    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, false, 10, problems::add);
     assertThat(problems.take().toString()).contains("the head log ends here", "the disk is gone");
     writer.close();
     assertThat(problems).isEmpty();
@@ -128,7 +128,7 @@ class HeadLogWriterTest {
             throw new IllegalStateException("of ours");
           }
         };
-    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, 10, problems::add);
+    HeadLogWriter writer = HeadLogWriter.start(Path.of("p01.csv"), disk, false, 10, problems::add);
     writer.add(sample(0));
     assertThat(problems.take().toString()).contains("the head log ends here", "of ours");
     writer.add(sample(1));
@@ -146,7 +146,7 @@ class HeadLogWriterTest {
           }
         };
     HeadLogWriter writer =
-        HeadLogWriter.start(Path.of("p01.csv"), disk, HeadLogWriter.MOST_WAITING, problems::add);
+        HeadLogWriter.start(Path.of("p01.csv"), disk, false, HeadLogWriter.MOST_WAITING, problems::add);
     for (int i = 0; i < 20_000; i++) {
       writer.add(sample(i * 0.001));
     }

@@ -13,9 +13,11 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.replay.ReplayLog;
 
 class TrackerLogTest {
@@ -24,7 +26,7 @@ class TrackerLogTest {
   private Path write() throws IOException {
     Path headLog = folder.resolve("p01.csv");
     try (TrackerLog log =
-        TrackerLog.open(headLog, false, "intertrax2:/dev/ttyUSB0", 100, problem -> {})) {
+        TrackerLog.open(headLog, false, "intertrax2:/dev/ttyUSB0", false, 100, problem -> {})) {
       for (int i = 1; i <= 3; i++) {
         log.add(
             new TrackerRecord(
@@ -33,7 +35,8 @@ class TrackerLogTest {
                 Instant.parse("2026-01-01T12:00:00Z").plusMillis(4 * i),
                 10.00004 * i,
                 -1,
-                0));
+                0,
+                Optional.empty()));
       }
     }
     return folder.resolve("p01_tracker.csv");
@@ -54,6 +57,35 @@ class TrackerLogTest {
   }
 
   @Test
+  void placesAreWrittenAndDescribedWhereTheTrackerTellsThem() throws IOException {
+    Instant wall = Instant.parse("2026-01-01T12:00:00Z");
+    Optional<TrackerRecord.Place> place =
+        Optional.of(new TrackerRecord.Place(0.1, -0.25, 0.000004));
+    try (TrackerLog log =
+        TrackerLog.open(
+            folder.resolve("p02.csv"), false, "opentrack:4242", true, 9, problem -> {})) {
+      log.add(new TrackerRecord(1, 10, wall, 1, 2, 3, place));
+      log.add(new TrackerRecord(2, 11, wall, 1, 2, 3, Optional.empty()));
+    }
+    Path file = folder.resolve("p02_tracker.csv");
+    assertThat(Files.readAllLines(file))
+        .containsExactly(
+            "t,yaw,pitch,roll,number,wall,mono,right,up,back",
+            "1.000000,1.0000,2.0000,3.0000,1,2026-01-01T12:00:00.000Z,10.000000,0.10000,-0.25000,0.00000",
+            "2.000000,1.0000,2.0000,3.0000,2,2026-01-01T12:00:00.000Z,11.000000,,,");
+    JsonNode told = new ObjectMapper().readTree(folder.resolve("p02_tracker.json").toFile());
+    List<String> columns = new ArrayList<>();
+    told.get("columns").fieldNames().forEachRemaining(columns::add);
+    assertThat(Files.readAllLines(file).get(0)).isEqualTo(String.join(",", columns));
+    ReplayLog replay = ReplayLog.read(file, new Problems()).orElseThrow();
+    PoseSample pose = new PoseSample();
+    replay.pose(0, pose);
+    assertThat(new double[] {pose.x(), pose.y(), pose.z()}).containsExactly(0.1, -0.25, 0);
+    replay.pose(1, pose);
+    assertThat(pose.placed()).isFalse();
+  }
+
+  @Test
   void theDescriptionNamesTheTrackerAndEveryColumn() throws IOException {
     Path file = write();
     JsonNode told = new ObjectMapper().readTree(folder.resolve("p01_tracker.json").toFile());
@@ -69,7 +101,8 @@ class TrackerLogTest {
     Path file = write();
     byte[] before = Files.readAllBytes(file);
     assertThatThrownBy(
-            () -> TrackerLog.open(folder.resolve("p01.csv"), false, "none", 0, problem -> {}))
+            () ->
+                TrackerLog.open(folder.resolve("p01.csv"), false, "none", false, 0, problem -> {}))
         .isInstanceOf(FileAlreadyExistsException.class)
         .hasMessageContaining("p01_tracker");
     assertThat(file).hasBinaryContent(before);

@@ -146,21 +146,83 @@ class ButtonCourseTest {
     assertThat(told).containsExactly("page read 0", "page asked 1", "1 there 30");
   }
 
+  private static final String SEVERAL =
+      """
+      {"id": "which", "kind": "multiple", "text": "Which?",
+       "options": [{"value": "a", "text": "A"}, {"value": "b", "text": "B"}]}
+      """;
+
   @Test
-  void whatIsWrittenOrHasSeveralAnswersDoesNotFit() throws IOException {
-    assertThat(ButtonCourse.fits(memory(), wording)).isTrue();
-    assertThat(
-            ButtonCourse.fits(
-                own("{\"id\": \"say\", \"kind\": \"text\", \"text\": \"Say\"}"), wording))
-        .isFalse();
-    assertThat(
-            ButtonCourse.fits(
-                own(
-                    """
-                    {"id": "which", "kind": "multiple", "text": "Which?",
-                     "options": [{"value": "a", "text": "A"}, {"value": "b", "text": "B"}]}
-                    """),
-                wording))
+  void severalOptionsAreTakenOneByOne() throws IOException {
+    ButtonCourse asked = course(own(SEVERAL), Map.of());
+    asked.yes();
+    assertThat(asked.oneOfTwo()).isFalse();
+    asked.yes(); // Nothing is marked yet.
+    asked.no();
+    asked.yes();
+    asked.no();
+    asked.yes();
+    assertThat(asked.chosen(0)).isTrue();
+    assertThat(asked.chosen(1)).isTrue();
+    asked.choose(0); // Taken back, by pointing.
+    assertThat(asked.chosen(0)).isFalse();
+    asked.no();
+    asked.yes(); // Behind the last option.
+    asked.yes();
+    assertThat(asked.over()).isTrue();
+    assertThat(told)
+        .containsExactly("page read 0", "page asked 1", "1 which a0", "1 which a|b0", "1 which b0");
+  }
+
+  @Test
+  void aWrittenAnswerIsKeptWhenOneGoesOn() throws IOException {
+    ButtonCourse asked =
+        course(
+            own(
+                """
+                {"id": "say", "kind": "text", "text": "Say", "optional": true},
+                {"id": "age", "kind": "number", "min": 18, "max": 99, "whole": true, "text": "Age"}
+                """),
+            Map.of());
+    asked.yes();
+    assertThat(asked.choice()).isEmpty();
+    asked.write("καλά!");
+    asked.no();
+    assertThat(asked.written()).isEqualTo("καλά");
+    asked.yes();
+    asked.write("1");
+    assertThat(asked.mayGoOn()).isFalse();
+    asked.yes();
+    assertThat(asked.question().orElseThrow().id()).isEqualTo("age");
+    asked.write("9");
+    asked.yes();
+    assertThat(asked.question()).isEmpty();
+    assertThat(told).containsExactly("page read 0", "page asked 2", "1 say καλά0", "2 age 190");
+  }
+
+  @Test
+  void whatNeedNotBeWrittenMayBeLeftOut() throws IOException {
+    ButtonCourse asked =
+        course(
+            own("{\"id\": \"say\", \"kind\": \"text\", \"text\": \"Say\", \"optional\": true}"),
+            Map.of("say", new Answer("so", 0)));
+    asked.yes();
+    asked.back();
+    assertThat(asked.written()).isEqualTo("so");
+    asked.erase();
+    asked.erase();
+    asked.erase();
+    asked.forward();
+    assertThat(asked.question()).isEmpty();
+    assertThat(told).last().isEqualTo("1 say 0");
+  }
+
+  @Test
+  void aPageWithAPictureDoesNotFit() throws IOException {
+    assertThat(ButtonCourse.fits(memory())).isTrue();
+    assertThat(ButtonCourse.fits(own(SEVERAL))).isTrue();
+    Page page = new Page("p", "", "", Optional.of(folder), List.of(), false, Optional.empty());
+    assertThat(ButtonCourse.fits(new Questionnaire("q", "q", "", List.of(page), List.of())))
         .isFalse();
   }
 }

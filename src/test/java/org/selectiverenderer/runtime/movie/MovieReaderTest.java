@@ -61,6 +61,18 @@ class MovieReaderTest {
   }
 
   @Test
+  void aFilmThatIsCutOffSaysHowMuchOfItIsThere() throws IOException {
+    byte[] film =
+        Files.readAllBytes(
+            Path.of("src/test/resources/org/selectiverenderer/runtime/movie/mandelbrot.m1v"));
+    assertThat(read(film, 1 << 20).orElseThrow().flaw()).isEmpty();
+    Movie cut = read(Arrays.copyOf(film, film.length - 10), 1 << 20).orElseThrow();
+    assertThat(cut.flaw())
+        .isEqualTo("is cut off or damaged at its end, after 13 pictures (0.52 s)");
+    assertThat(read(Files.readAllBytes(GIF), 1 << 20).orElseThrow().flaw()).isEmpty();
+  }
+
+  @Test
   void damagedGifIsTold() throws IOException {
     byte[] gif = Files.readAllBytes(GIF);
     Random random = new Random(2);

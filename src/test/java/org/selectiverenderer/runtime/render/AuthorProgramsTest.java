@@ -79,6 +79,40 @@ class AuthorProgramsTest {
     }
   }
 
+  /**
+   * One program for all shaders with its text: what one of them sets is not seen by another that
+   * leaves it.
+   */
+  @Test
+  void whatAShaderDoesNotSetIsTheProgramsOwnBesideOneThatDoes() {
+    String text =
+        """
+        uniform vec3 tint = vec3(0.0, 1.0, 0.0);
+        uniform int more[2];
+        void main() { gl_FragColor = vec4(tint + vec3(0.0, 0.0, float(more[1])), 1.0); }
+        """;
+    String parts = PROGRAM.formatted(text).replace("type='VERTEX'", "DEF='V' type='VERTEX'");
+    String used = "<ShaderPart USE='V'/><ShaderPart USE='P'/>";
+    String program = BLUE_MATERIAL + "<ComposedShader language='GLSL'>%s%s</ComposedShader>";
+    String field = "<field name='%s' type='%s' accessType='inputOutput' value='%s'/>";
+    String both =
+        field.formatted("tint", "SFVec3f", "1 0 0") + field.formatted("more", "MFInt32", "0 1");
+    String part = field.formatted("more", "MFInt32", "0");
+    try (Studio studio = new Studio()) {
+      Screenshot shot =
+          studio.shoot(
+              TestScene.of(
+                  at(-3, shape(program.formatted(both, parts), BOX))
+                      + at(-1, shape(program.formatted("", used), BOX))
+                      + at(1, shape(program.formatted(both, used), BOX))
+                      + at(3, shape(program.formatted(part, used), BOX))));
+      assertThat(shot.rgb(8, 32)).isEqualTo(0xff00ff);
+      assertThat(shot.rgb(24, 32)).isEqualTo(GREEN);
+      assertThat(shot.rgb(40, 32)).isEqualTo(0xff00ff);
+      assertThat(shot.rgb(56, 32)).isEqualTo(GREEN);
+    }
+  }
+
   /** What has become of a scene in a picture of 64 x 64 and a frame after it. */
   private record Seen(int middle, List<String> told, List<String> sent) {}
 

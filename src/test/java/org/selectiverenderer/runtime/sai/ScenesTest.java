@@ -10,6 +10,8 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.runtime.nodes.key.KeyStroke;
+import org.selectiverenderer.runtime.scene.Node;
 import org.web3d.x3d.sai.ComponentInfo;
 import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.ImportedNodeException;
@@ -250,6 +252,24 @@ class ScenesTest {
     sai.step();
     sai.step();
     assertThat(sai.scene().getNamedNodes()).containsExactly("Next");
+    assertThat(sai.complaints()).isEmpty();
+  }
+
+  /** The frame in which it goes shows a KeySensor, which is not to listen any more. */
+  @Test
+  void aWorldThatAListenerReplacesHasNoPartInTheRestOfTheFrame() {
+    browser.replaceWorld(
+        browser.createX3DFromString(
+            SaiFixture.file("<Switch DEF='S' whichChoice='-1'><KeySensor/></Switch>")));
+    sai.step();
+    X3DScene next =
+        browser.createX3DFromString(
+            SaiFixture.file("<Viewpoint DEF='V' position='1 2 3'/><Group DEF='Next'/>"));
+    sai.node("S").getField("whichChoice").addX3DEventListener(event -> browser.replaceWorld(next));
+    sai.node("S", Switch.class).setWhichChoice(0);
+    sai.step();
+    assertThat(sai.world.keys().takes(KeyStroke.Action.HOME)).isFalse();
+    assertThat(sai.world.bindables().bound("Viewpoint").map(Node::name)).contains("V");
     assertThat(sai.complaints()).isEmpty();
   }
 }

@@ -29,6 +29,8 @@ class OpenTrackTest {
       send(socket, port, datagram(48, 10, 20, 30, 12.5, -3, 190));
       watching.until("a record", () -> watching.samples() == 1);
       assertThat(watching.orientations).containsExactly(new Orientation(12.5, -3, -170));
+      assertThat(watching.places).containsExactly("0.1 0.2 0.3"); // It sends centimetres.
+      assertThat(tracker.placed()).isTrue();
       assertThat(tracker.health().bad()).isZero();
     }
   }
@@ -50,6 +52,21 @@ class OpenTrackTest {
       send(socket, port, datagram(48, 0, 0, 0, 1, 2, 3));
       watching.problem("records come again");
       assertThat(watching.orientations).containsExactly(new Orientation(1, 2, 3));
+    }
+  }
+
+  @Test
+  void whatIsNoPlaceOfAHeadIsLeftOutAndTheAnglesAreKept() throws IOException {
+    int port = freePort();
+    try (HeadTracker tracker = open(port);
+        DatagramSocket socket = new DatagramSocket()) {
+      send(socket, port, datagram(48, 1, 2, 3, 1, 0, 0));
+      send(socket, port, datagram(48, Double.NaN, 2, 3, 2, 0, 0));
+      send(socket, port, datagram(48, 0, 200_000, 0, 3, 0, 0));
+      watching.until("the records", () -> watching.samples() == 3);
+      assertThat(tracker.health().bad()).isZero();
+      assertThat(watching.places).containsExactly("0.01 0.02 0.03", "none", "none");
+      assertThat(watching.orientations).extracting(Orientation::yaw).containsExactly(1.0, 2.0, 3.0);
     }
   }
 

@@ -32,6 +32,8 @@ class VrpnTest {
       watching.until("two records", () -> watching.samples() == 2);
       assertThat(watching.orientations.get(0).yaw()).isCloseTo(90, within(1e-6));
       assertThat(watching.orientations.get(1).pitch()).isCloseTo(90, within(1e-5));
+      assertThat(watching.places).containsExactly("100.0 101.0 102.0", "100.0 101.0 102.0");
+      assertThat(tracker.placed()).isTrue();
       assertThat(tracker.health().bad()).isZero();
       assertThat(watching.messages()).isEmpty();
     }

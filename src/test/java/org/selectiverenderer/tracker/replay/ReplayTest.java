@@ -35,7 +35,7 @@ class ReplayTest {
         file("frame,roll,t,x,yaw,object,pitch\n1,3,0.5,9,1,\"Desk, left\",2\n2,6,0.5,9,4,,5\n");
     ReplayLog log = log(file);
     PoseSample pose = new PoseSample();
-    log.angles(1, pose);
+    log.pose(1, pose);
     assertThat(log.size()).isEqualTo(2);
     assertThat(log.time(0)).isEqualTo(0.5);
     assertThat(pose.orientation()).isEqualTo(new Orientation(4, 5, 6));
@@ -52,6 +52,50 @@ class ReplayTest {
       PoseSample pose = new PoseSample();
       assertThat(tracker.read(pose)).isTrue();
       assertThat(pose.yaw()).isEqualTo(3);
+    }
+  }
+
+  @Test
+  void placesAreReadFromTheirColumns() throws IOException {
+    ReplayLog log = log(file("t,yaw,pitch,roll,right,up,back\n0,1,2,3,0.1,0.2,-0.3\n1,1,2,3,,,\n"));
+    assertThat(log.placed()).isTrue();
+    PoseSample pose = new PoseSample();
+    log.pose(0, pose);
+    assertThat(pose.placed()).isTrue();
+    assertThat(new double[] {pose.x(), pose.y(), pose.z()}).containsExactly(0.1, 0.2, -0.3);
+    log.pose(1, pose);
+    assertThat(pose.placed()).isFalse();
+    assertThat(log(file("t,yaw,pitch,roll,x,y,z\n0,1,2,3,4,5,6\n")).placed()).isFalse();
+  }
+
+  @Test
+  void aPlaceThatIsThereInPartIsAFault() throws IOException {
+    Problems problems = new Problems();
+    Path half = file("t,yaw,pitch,roll,right,up,back\n0,1,2,3,0.1,,0\n");
+    assertThat(ReplayLog.read(half, problems)).isEmpty();
+    assertThat(problems.list()).singleElement().asString().contains(":2:13: a number is missing");
+    Path missing = file("t,yaw,pitch,roll,right\n0,1,2,3,0.1\n");
+    assertThat(ReplayLog.read(missing, new Problems())).isEmpty();
+  }
+
+  @Test
+  void placesArePlayedAsTheyWereRecorded() throws IOException {
+    Path file = file("t,yaw,pitch,roll,right,up,back\n0,1,0,0,0.1,0.2,0.3\n0.01,2,0,0,,,\n");
+    try (HeadTracker tracker = open(file)) {
+      watching.until("the end", () -> tracker.health().state() == State.ENDED);
+      assertThat(tracker.placed()).isTrue();
+    }
+    assertThat(watching.places).containsExactly("0.1 0.2 0.3", "none");
+    PoseSample pose = new PoseSample();
+    try (SteppedReplay replay =
+        new SteppedReplay(new TrackerSpec.Replay(file), log(file), TrackerOptions.NONE)) {
+      replay.advanceTo(0);
+      assertThat(replay.read(pose)).isTrue();
+      assertThat(pose.placed()).isTrue();
+      assertThat(pose.y()).isEqualTo(0.2);
+      replay.advanceTo(1);
+      assertThat(replay.read(pose)).isTrue();
+      assertThat(pose.placed()).isFalse();
     }
   }
 
@@ -127,7 +171,8 @@ class ReplayTest {
     Path file = file("t,x,y,z\n0,1,2,3\n");
     assertThatThrownBy(() -> open(file).close()).isInstanceOf(TrackerException.class);
     assertThat(watching.messages().get(0))
-        .contains("the header lacks yaw, pitch, roll (it must be t,yaw,pitch,roll)");
+        .contains(
+            "the header lacks yaw, pitch, roll (it must be t,yaw,pitch,roll or t,yaw,pitch,roll,right,up,back)");
     Path none = folder.resolve("none.csv");
     assertThatThrownBy(() -> open(none).close())
         .isInstanceOf(TrackerException.class)

@@ -34,6 +34,20 @@ class FastrakTest {
   }
 
   @Test
+  void thePlaceIsTurnedFromItsAxesToThoseOfTheViewer() throws IOException {
+    // 40 cm to the front, 12.5 cm to the right, 30 cm down.
+    String whole = "01   40.00  12.50  30.00  12.50 -45.25   3.00\r\n";
+    try (FarEnd device = sending(whole.repeat(2));
+        HeadTracker tracker = open()) {
+      watching.more(2);
+      assertThat(device.heard()).endsWith("C");
+      assertThat(watching.places).containsOnly("0.125 -0.3 -0.4");
+      assertThat(watching.orientations).containsOnly(new Orientation(12.5, -45.25, 3));
+      assertThat(tracker.placed()).isTrue();
+    }
+  }
+
+  @Test
   void whatIsNotExactlyARecordIsBad() throws IOException {
     try (FarEnd device =
             sending(

@@ -21,6 +21,11 @@ final class BitReader {
     return at >= end;
   }
 
+  /** Whether more bits were read than there are. */
+  boolean past() {
+    return at > end;
+  }
+
   /** The next bits, 25 at most, which stay. */
   int peek(int count) {
     int from = (int) (at >> 3);

@@ -82,7 +82,14 @@ public final class MpegDecoder {
     slices(code, target, from, to);
   }
 
-  private void slices(int code, Planes target, Planes forward, Planes backward) {
+  /** Whether a picture, by the order of coding, is there to its end. */
+  boolean complete(int code) {
+    Planes any = new Planes(across, down);
+    return slices(code, any, any, any);
+  }
+
+  /** Makes a picture's slices; whether the last of them is whole. */
+  private boolean slices(int code, Planes target, Planes forward, Planes backward) {
     int start = video.start(code);
     int end = video.end(code);
     BitReader header = new BitReader(video.data, start + 4, end);
@@ -108,6 +115,7 @@ public final class MpegDecoder {
       }
       at = behind;
     }
+    return slice.complete();
   }
 
   private static Slice.Vectors vectors(BitReader header) {

@@ -176,6 +176,11 @@ public final class MpegVideo {
     return rate;
   }
 
+  /** Whether it ends within a picture, as a film does that was not copied or downloaded whole. */
+  public boolean cutOff() {
+    return !decoder().complete(count - 1);
+  }
+
   /** Makes pictures of it, for one thread. */
   public MpegDecoder decoder() {
     return new MpegDecoder(this);

@@ -49,6 +49,9 @@ final class Slice {
   /** How many macroblocks are still made, all slices of the picture together. */
   private int left;
 
+  /** The last macroblock that was made whole, by its place; -1 for none. */
+  private int reached = -1;
+
   private int quantizer;
   private int lastType;
 
@@ -103,7 +106,18 @@ final class Slice {
       if (!macroblock(bits, address)) {
         return;
       }
+      if (!bits.past()) {
+        reached = address;
+      }
     }
+  }
+
+  /**
+   * Whether the picture's last macroblock was made, which no picture leaves out (ISO/IEC 11172-2,
+   * 2.4.2.6).
+   */
+  boolean complete() {
+    return reached == pictures.across() * pictures.down() - 1;
   }
 
   /** How far it is to the next macroblock; 0 for nonsense. */

@@ -27,7 +27,8 @@ record AuthorLook(
    * A number of the program.
    *
    * @param field of the shader with its name, else null
-   * @param value what browsers give by that name, else null
+   * @param value what browsers give by that name, else null; where both are null it is the
+   *     program's own, which a shader beside this one may have set
    */
   record Number(
       AuthorProgram.Uniform uniform,
@@ -61,6 +62,8 @@ record AuthorLook(
         program.set(gl, number.uniform(), floats(number.field().type(), number.field().value()));
       } else if (number.value() != null) {
         program.set(gl, number.uniform(), number.value().apply(state));
+      } else {
+        program.unset(gl, number.uniform());
       }
     }
   }

@@ -225,12 +225,11 @@ final class AuthorPrograms {
     for (AuthorProgram.Uniform uniform : program.uniforms()) {
       ProgramField field = fields.get(uniform.name());
       if (field != null && !field.type().isNode()) {
-        if (fits(field, uniform)) {
-          numbers.add(new AuthorLook.Number(uniform, field, null));
-        }
+        numbers.add(new AuthorLook.Number(uniform, fits(field, uniform) ? field : null, null));
       } else {
-        AuthorValues.of(uniform.name(), uniform.components())
-            .ifPresent(value -> numbers.add(new AuthorLook.Number(uniform, null, value)));
+        AuthorValues.Value value =
+            AuthorValues.of(uniform.name(), uniform.components()).orElse(null);
+        numbers.add(new AuthorLook.Number(uniform, null, value));
       }
     }
     List<Optional<GpuTexture>> images = new ArrayList<>();

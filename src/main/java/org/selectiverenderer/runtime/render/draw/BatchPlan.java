@@ -1,6 +1,7 @@
 package org.selectiverenderer.runtime.render.draw;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
@@ -11,7 +12,10 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.light.Lighting;
 import org.selectiverenderer.runtime.render.mesh.MeshMerger;
 
-/** Decides which shapes share a batch: those of one look that are small and near each other. */
+/**
+ * Decides which shapes share a batch: those of one look that are small and near each other. Of
+ * plain lit shapes the diffuse colours may differ: then the batch's vertices have them.
+ */
 final class BatchPlan {
   /**
    * Indices of a mesh beyond which a call of its own costs next to nothing beside its triangles.
@@ -49,17 +53,34 @@ final class BatchPlan {
   static List<List<Candidate>> of(List<Candidate> candidates) {
     Map<Mesh, Integer> uses = new IdentityHashMap<>();
     candidates.forEach(candidate -> uses.merge(candidate.mesh(), 1, Integer::sum));
+    Map<DrawLook, DrawLook> colourless = new IdentityHashMap<>(); // Equal looks are the same.
     Map<LitLook, List<Candidate>> byLook = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {
       if (mergeable(candidate, uses.get(candidate.mesh()))) {
         LitLook look =
-            new LitLook(candidate.look(), candidate.lighting().byVertex(candidate.shape()));
+            new LitLook(
+                colourless.computeIfAbsent(candidate.look(), of -> colourless(candidate)),
+                candidate.lighting().byVertex(candidate.shape()));
         byLook.computeIfAbsent(look, same -> new ArrayList<>()).add(candidate);
       }
     }
     List<List<Candidate>> batches = new ArrayList<>();
     byLook.values().forEach(alike -> split(alike, batches));
     return batches;
+  }
+
+  /** What all shapes have in common that differ in their diffuse colours only. */
+  private static DrawLook colourless(Candidate candidate) {
+    DrawLook look = candidate.look();
+    if (!candidate.shape().surface().lit()
+        || look.layout().normal() < 0
+        || look.layout().color() >= 0
+        || look.texture() != null) {
+      return look;
+    }
+    float[] material = look.material().array().clone();
+    Arrays.fill(material, 0, 3, 0);
+    return look.of(new Numbers(material));
   }
 
   private static boolean mergeable(Candidate candidate, int uses) {

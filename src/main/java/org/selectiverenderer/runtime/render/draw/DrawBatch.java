@@ -8,6 +8,7 @@ import org.joml.Matrix4dc;
  */
 final class DrawBatch {
   private final Matrix4dc place;
+  private final boolean tinted;
 
   /** First and last of its items found visible, by their numbers; -1 for none. */
   int first = -1;
@@ -19,9 +20,15 @@ final class DrawBatch {
 
   /**
    * @param place from the coordinates in its buffers to the world: a translation
+   * @param tinted whether its vertices have the diffuse colours of its shapes
    */
-  DrawBatch(Matrix4dc place) {
+  DrawBatch(Matrix4dc place, boolean tinted) {
     this.place = place;
+    this.tinted = tinted;
+  }
+
+  boolean tinted() {
+    return tinted;
   }
 
   Matrix4dc place() {

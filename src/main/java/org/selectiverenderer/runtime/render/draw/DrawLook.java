@@ -38,4 +38,43 @@ record DrawLook(
     Mesh.Primitive primitive,
     boolean solid,
     @Nullable DetailTextures detail,
-    @Nullable AuthorLook author) {}
+    @Nullable AuthorLook author) {
+
+  /** The same with other programs. */
+  DrawLook drawnBy(ShapePrograms.Family pixel, ShapePrograms.Family vertex) {
+    return new DrawLook(
+        pixel,
+        vertex,
+        texture,
+        reaching,
+        material,
+        textureTransform,
+        blended,
+        layout,
+        stroke,
+        around,
+        primitive,
+        solid,
+        detail,
+        author);
+  }
+
+  /** The same in another material. */
+  DrawLook of(Numbers other) {
+    return new DrawLook(
+        byPixel,
+        byVertex,
+        texture,
+        reaching,
+        other,
+        textureTransform,
+        blended,
+        layout,
+        stroke,
+        around,
+        primitive,
+        solid,
+        detail,
+        author);
+  }
+}

@@ -188,6 +188,11 @@ final class DrawLooks {
     return ranks.computeIfAbsent(new State(look.byPixel(), look.texture()), state -> ranks.size());
   }
 
+  /** The same where the vertices have the diffuse colour. */
+  DrawLook tinted(DrawLook look) {
+    return look.drawnBy(programs.tinted(look.byPixel()), programs.tinted(look.byVertex()));
+  }
+
   private static boolean blended(Surface surface, Mesh mesh, @Nullable GpuTexture texture) {
     return surface.transparency() > 0
         || MeshPacker.translucent(mesh)
@@ -213,6 +218,7 @@ final class DrawLooks {
         !mesh.solid(),
         mesh.primitive() == Mesh.Primitive.POINTS,
         blended,
+        false,
         detail);
   }
 

@@ -161,7 +161,8 @@ final class GpuAssets {
   }
 
   private DrawItem item(BatchPlan.Candidate shape, Mesh source, MeshPart part) {
-    DrawLook look = shape.look();
+    DrawBatch batch = part.batch();
+    DrawLook look = batch != null && batch.tinted() ? looks.tinted(shape.look()) : shape.look();
     return new DrawItem(
         shape.shape(),
         source,

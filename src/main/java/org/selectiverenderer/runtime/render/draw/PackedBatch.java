@@ -19,12 +19,14 @@ import org.selectiverenderer.runtime.render.occlude.Occluders;
  *
  * @param origin in the world, of the coordinates in the buffers
  * @param worlds of the shapes when they were put there
+ * @param tinted whether the vertices have the diffuse colours of the shapes, which differ
  * @param occluders what of each shape hides other things, in the coordinates of the buffers
  */
 record PackedBatch(
     List<BatchPlan.Candidate> shapes,
     Matrix4dc origin,
     List<Matrix4dc> worlds,
+    boolean tinted,
     MeshMerger.Merged merged,
     List<Occluders> occluders) {
 
@@ -36,22 +38,48 @@ record PackedBatch(
     double z = (box[2] + box[5]) / 2;
     Matrix4dc toBatch = new Matrix4d().translation(-x, -y, -z);
     List<Matrix4dc> worlds = shapes.stream().map(candidate -> candidate.shape().world()).toList();
+    DrawLook first = shapes.get(0).look();
+    boolean tinted = shapes.stream().anyMatch(candidate -> candidate.look() != first);
     List<PackedMesh> packed = new ArrayList<>();
     List<Occluders> occluders = new ArrayList<>();
     for (int i = 0; i < shapes.size(); i++) {
       Matrix4d placement = toBatch.mul(worlds.get(i), new Matrix4d());
       Mesh mesh = shapes.get(i).mesh();
       Mesh placed = MeshPlacement.place(mesh, placement);
-      packed.add(MeshPacker.pack(placed));
+      packed.add(MeshPacker.pack(tinted ? tinted(placed, shapes.get(i).look()) : placed));
       occluders.add(Occluders.placed(mesh, placement, placed.bounds()));
     }
     return new PackedBatch(
-        shapes, new Matrix4d().translation(x, y, z), worlds, MeshMerger.merge(packed), occluders);
+        shapes,
+        new Matrix4d().translation(x, y, z),
+        worlds,
+        tinted,
+        MeshMerger.merge(packed),
+        occluders);
+  }
+
+  /** A mesh without colours in the one that its look has. */
+  private static Mesh tinted(Mesh mesh, DrawLook look) {
+    float[] material = look.material().array();
+    float[] colors = new float[4 * mesh.vertexCount()];
+    for (int i = 0; i < colors.length; i += 4) {
+      System.arraycopy(material, 0, colors, i, 3);
+      colors[i + 3] = 1; // Of the opacity a batch has one.
+    }
+    return new Mesh(
+        mesh.primitive(),
+        mesh.positions(),
+        mesh.normals(),
+        colors,
+        mesh.texCoords(),
+        mesh.indices(),
+        mesh.solid(),
+        mesh.bounds());
   }
 
   /** Tells each shape its part of the uploaded buffers. */
   void parts(GpuMesh mesh, Map<ShapeInstance, MeshPart> parts) {
-    DrawBatch batch = new DrawBatch(origin);
+    DrawBatch batch = new DrawBatch(origin, tinted);
     for (int i = 0; i < shapes.size(); i++) {
       parts.put(
           shapes.get(i).shape(),

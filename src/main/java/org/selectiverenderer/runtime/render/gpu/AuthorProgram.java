@@ -23,6 +23,9 @@ public final class AuthorProgram {
   private final List<Uniform> samplers = new ArrayList<>();
   private final Map<Uniform, float[]> sent = new IdentityHashMap<>();
 
+  /** The values that the program's text gives its numbers. */
+  private final Map<Uniform, float[]> own = new IdentityHashMap<>();
+
   /**
    * What a program asks for by a name.
    *
@@ -120,9 +123,33 @@ public final class AuthorProgram {
         new Uniform(GlslTranslator.fieldName(plain), location, type[0], Math.max(1, size[0]));
     if (uniform.number()) {
       uniforms.add(uniform);
+      own.put(uniform, own(gl, uniform, plain));
     } else {
       samplers.add(uniform);
     }
+  }
+
+  private float[] own(GL3 gl, Uniform of, String name) {
+    int components = of.components();
+    float[] values = new float[of.size() * components];
+    float[] numbers = new float[components];
+    int[] whole = new int[components];
+    for (int i = 0; i < of.size(); i++) {
+      int at = i == 0 ? of.location() : gl.glGetUniformLocation(id, name + "[" + i + "]");
+      if (at < 0) {
+        continue; // An element that the program does not use.
+      }
+      if (of.whole() || of.type() == GL.GL_UNSIGNED_INT) {
+        gl.glGetUniformiv(id, at, whole, 0);
+        for (int c = 0; c < components; c++) {
+          numbers[c] = whole[c];
+        }
+      } else {
+        gl.glGetUniformfv(id, at, numbers, 0);
+      }
+      System.arraycopy(numbers, 0, values, i * components, components);
+    }
+    return values;
   }
 
   /**
@@ -202,15 +229,34 @@ public final class AuthorProgram {
   }
 
   /**
-   * Sets numbers while it is current. Those of an array that are not given stay as they are.
+   * Sets numbers while it is current. Those of an array that are not given are those of the
+   * program's text, whatever was set before for another shape.
    *
    * @param values not written to afterwards
    */
   public void set(GL3 gl, Uniform to, float[] values) {
-    int count = Math.min(to.size(), values.length / to.components());
-    if (count == 0 || sent.put(to, values) == values) {
+    float[] before = sent.put(to, values);
+    if (before == values) {
       return;
     }
+    int given = values.length - values.length % to.components();
+    float[] all = values;
+    if (given < to.size() * to.components()) {
+      all = own.get(to).clone();
+      System.arraycopy(values, 0, all, 0, given);
+    }
+    send(gl, to, all);
+  }
+
+  /** Sets a number to what the program's text says while it is current. */
+  public void unset(GL3 gl, Uniform to) {
+    if (sent.remove(to) != null) {
+      send(gl, to, own.get(to));
+    }
+  }
+
+  private static void send(GL3 gl, Uniform to, float[] values) {
+    int count = to.size();
     int at = to.location();
     if (to.whole() || to.type() == GL.GL_UNSIGNED_INT) {
       whole(gl, to, count, values);

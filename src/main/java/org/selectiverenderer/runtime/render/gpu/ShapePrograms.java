@@ -62,6 +62,11 @@ public final class ShapePrograms {
     return known;
   }
 
+  /** The programs of the same shapes where several diffuse colours are drawn together. */
+  public Family tinted(Family family) {
+    return get(family.variant.tints());
+  }
+
   public void dispose(GL3 gl) {
     families.values().stream().flatMap(Family::programs).forEach(program -> program.dispose(gl));
     families.clear();

@@ -17,6 +17,8 @@ import java.util.List;
  * @param twoSided whether the back is seen
  * @param points whether points are drawn
  * @param blended whether it is blended over what is behind
+ * @param tinted whether vertices have, instead, the diffuse colours of the materials of shapes that
+ *     are drawn together
  * @param detail what {@link DetailDefines} says of a surface that has more; else empty
  */
 public record ShapeVariant(
@@ -30,18 +32,22 @@ public record ShapeVariant(
     boolean twoSided,
     boolean points,
     boolean blended,
+    boolean tinted,
     List<String> detail) {
 
   List<String> defines(LightCounts lights) {
     List<String> defines = new ArrayList<>(lights.defines());
     boolean apart = colors || texture;
+    // Such a colour is the same all over a triangle: where light is computed, there it is enough.
+    boolean atVertices = lit && byVertex && !apart;
     add(defines, lit, "LIT");
     add(defines, lit && specular, "SPECULAR");
     add(defines, lit && (specular || lights.positional()), "EYE_POSITION");
     add(defines, lit && byVertex, "LIT_BY_VERTEX");
-    add(defines, lit && byVertex && !apart, "WHOLE_BY_VERTEX");
+    add(defines, atVertices, "WHOLE_BY_VERTEX");
+    add(defines, atVertices && tinted, "TINTED");
     add(defines, lit && byVertex && apart && specular, "HIGHLIGHT_APART");
-    add(defines, colors, "COLORS");
+    add(defines, colors || (tinted && !atVertices), "COLORS");
     add(defines, texture, "TEXTURE");
     add(defines, texture && tint, "TINT");
     add(defines, texture && alphaTest, "ALPHA_TEST");
@@ -65,6 +71,7 @@ public record ShapeVariant(
         twoSided,
         points,
         blended,
+        tinted,
         detail);
   }
 
@@ -81,6 +88,14 @@ public record ShapeVariant(
         twoSided && !lit,
         points,
         blended,
+        tinted,
+        detail);
+  }
+
+  /** The same for shapes of several diffuse colours, which are drawn together. */
+  ShapeVariant tints() {
+    return new ShapeVariant(
+        lit, specular, byVertex, colors, texture, tint, alphaTest, twoSided, points, blended, true,
         detail);
   }
 

@@ -202,7 +202,7 @@ public final class HeadsetWindow implements WorldScreen {
       OffscreenTarget target = eyes.bind(gl, due.width(), due.height());
       Drawn drawn = painter.paint(gl, shown, target.width(), target.height(), 1);
       veil.draw(gl, host.darkness(), target.width(), target.height());
-      host.panel().ifPresent(page -> read(page, shown, target));
+      host.panels().forEach(page -> read(page, shown, target));
       eyes.resolve(gl);
       boolean both = true;
       for (int eye = 0; eye < 2; eye++) {

@@ -69,11 +69,11 @@ public interface WorldHost {
   }
 
   /**
-   * What the user of a headset is to read, over the darkened picture; empty for nothing. After each
-   * {@link #step()}, and only where a frame will be seen.
+   * What the user of a headset is to read, over the darkened picture, later over earlier. After
+   * each {@link #step()}, and only where a frame will be seen.
    */
-  default Optional<Panel> panel() {
-    return Optional.empty();
+  default List<Panel> panels() {
+    return List.of();
   }
 
   /** A frame of the world was drawn and is about to be shown. */

@@ -85,6 +85,24 @@ class MpegVideoTest {
     assertThat(all(streamed)).usingElementComparator(Arrays::compare).isEqualTo(all(alone));
   }
 
+  @Test
+  void whatIsCutOffIsKnownWhereverItIsCut() throws IOException {
+    byte[] whole = file("mandelbrot.m1v");
+    MpegVideo video = MpegVideo.of(whole);
+    assertThat(video.cutOff()).isFalse();
+    assertThat(MpegVideo.of(stream(whole)).cutOff()).isFalse();
+    int last = video.start(video.pictures() - 1);
+    // This one has no code that ends the sequence, as not all programs write one.
+    byte[] ended = Arrays.copyOf(whole, whole.length + 4);
+    System.arraycopy(new byte[] {0, 0, 1, (byte) 0xb7}, 0, ended, whole.length, 4);
+    assertThat(MpegVideo.of(ended).cutOff()).isFalse();
+    assertThat(MpegVideo.of(Arrays.copyOf(whole, last)).cutOff()).isFalse();
+    for (int length = last + 8; length < whole.length - 1; length += 5) {
+      byte[] cut = Arrays.copyOf(whole, length);
+      assertThat(MpegVideo.of(cut).cutOff()).as("%s of %s bytes", length, whole.length).isTrue();
+    }
+  }
+
   /**
    * A system stream: a pack, then packets of video with and without stamps, one of sound between.
    */

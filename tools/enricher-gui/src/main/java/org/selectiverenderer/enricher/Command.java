@@ -35,6 +35,6 @@ final class Command extends AbstractAction {
 
   /** Shows another name. */
   void rename(String name) {
-    putValue(Action.NAME, name);
+    putValue(Action.NAME, name.replace("&", ""));
   }
 }

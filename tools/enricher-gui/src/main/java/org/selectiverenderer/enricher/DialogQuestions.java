@@ -13,6 +13,7 @@ import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.markup.Markup;
 import org.selectiverenderer.enricher.diff.DiffDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** Asks by dialogs. */
 final class DialogQuestions implements Questions {
@@ -80,6 +81,11 @@ final class DialogQuestions implements Questions {
     return choose(sentence, "Cancel", "Save There Anyway") == 1;
   }
 
+  @Override
+  public boolean saveFaulty(String sentence) {
+    return choose(sentence, Texts.of("keep.cancel"), Texts.of("keep.faulty.save")) == 1;
+  }
+
   private static JFileChooser chooser(Optional<Path> near) {
     JFileChooser chooser = new JFileChooser();
     chooser.setFileFilter(new FileNameExtensionFilter("X3D scenes", endings()));
@@ -111,12 +117,7 @@ final class DialogQuestions implements Questions {
   @Override
   public Optional<Path> fileToSave(Path near) {
     JFileChooser chooser = chooser(Optional.of(near));
-    Optional<Path> target = chosen(chooser, chooser.showSaveDialog(owner));
-    boolean other = target.isPresent() && !target.get().equals(near.toAbsolutePath());
-    if (other && target.get().toFile().exists() && !overwrite(target.get() + " exists already.")) {
-      return Optional.empty();
-    }
-    return target;
+    return chosen(chooser, chooser.showSaveDialog(owner));
   }
 
   @Override

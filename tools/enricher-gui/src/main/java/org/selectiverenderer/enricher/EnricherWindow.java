@@ -19,6 +19,7 @@ import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.document.UndoHistory;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -54,10 +55,16 @@ final class EnricherWindow {
   private final KeptWork kept;
   private final ConversionOffer conversion;
   private final SceneDialogs dialogs;
+  private final RunCommands runs;
   private final WindowMenus menus;
 
   /** Later, when the step is in the history. */
   private final DocumentListener titles = change -> EventQueue.invokeLater(this::refresh);
+
+  /** The scene asked for last, and what hears that it is there. */
+  private record Awaited(Path path, Runnable opened) {}
+
+  private @Nullable Awaited awaited;
 
   private @Nullable Workbench bench;
   private @Nullable Saving saving;
@@ -115,7 +122,8 @@ final class EnricherWindow {
     conversion = new ConversionOffer(catalogue, tasks, questions, this::read);
     kept = new KeptWork(recovery, questions, status::say);
     dialogs = new SceneDialogs(frame, this::bench, status::say);
-    menus = new WindowMenus(this, dialogs, settings);
+    runs = new RunCommands(frame, this::bench, this::open, status::say);
+    menus = new WindowMenus(this, dialogs, runs, settings);
     frame.setJMenuBar(menus.bar());
     menus.moreKeys(frame.getRootPane());
     frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -197,6 +205,14 @@ final class EnricherWindow {
 
   /** Opens a scene in place of the one that is open, which the author may save first. */
   public void open(Path path) {
+    open(path, () -> {});
+  }
+
+  /**
+   * @param opened hears that the scene is there
+   */
+  private void open(Path path, Runnable opened) {
+    awaited = new Awaited(path, opened);
     leaving(
         () -> {
           announce(Texts.of("window.opening", path.getFileName()) + "\u2026");
@@ -256,6 +272,10 @@ final class EnricherWindow {
     opened.focus();
     recent.add(file.path());
     announce("");
+    if (awaited != null && awaited.path().equals(file.path())) {
+      awaited.opened().run();
+      awaited = null;
+    }
     status.say(Texts.of("window.opened", file.path()));
     refresh();
   }
@@ -333,17 +353,21 @@ final class EnricherWindow {
   }
 
   void undo() {
-    if (bench != null) {
-      bench.commit();
-      bench.session().document().history().undo();
-      refresh();
-    }
+    step(true);
   }
 
   void redo() {
+    step(false);
+  }
+
+  private void step(boolean back) {
     if (bench != null) {
       bench.commit();
-      bench.session().document().history().redo();
+      UndoHistory history = bench.session().document().history();
+      boolean files = history.concernsFiles(back);
+      if (new Steps(history, questions).go(back) && files) {
+        bench.lookAtFilesAgain();
+      }
       refresh();
     }
   }
@@ -425,6 +449,7 @@ final class EnricherWindow {
   /** Closes the window whatever is unsaved; that stays kept for the next start. */
   void dispose() {
     letGo(false);
+    runs.dispose();
     status.dispose();
     tasks.close();
     frame.dispose();

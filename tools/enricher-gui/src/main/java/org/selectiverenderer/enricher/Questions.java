@@ -52,8 +52,16 @@ interface Questions {
    */
   boolean leaveBehind(String sentence);
 
+  /**
+   * Whether to save a text that is not well formed.
+   *
+   * @param sentence what is wrong, and what becomes of the last good copy
+   */
+  boolean saveFaulty(String sentence);
+
   Optional<Path> fileToOpen(Optional<Path> near);
 
+  /** The file to save to, as the author names it. */
   Optional<Path> fileToSave(Path near);
 
   /** Whether the changes are as the author wants them, having seen them. */

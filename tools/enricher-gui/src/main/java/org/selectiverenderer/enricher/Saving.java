@@ -1,16 +1,20 @@
 package org.selectiverenderer.enricher;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
+import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.document.file.DiskState;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.FileChanged;
 import org.selectiverenderer.document.file.LeftBehind;
 import org.selectiverenderer.document.file.Writing;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentFault;
 
 /**
  * Saves a document in the background, and sees that no work is lost. Without widgets; for the event
@@ -39,21 +43,41 @@ final class Saving {
       waiting.add(() -> save(review, saved));
     } else if (!session.document().modified()) {
       saved.run();
-    } else if (!review || questions.review(session)) {
+    } else if (faultAccepted(session.file().path()) && (!review || questions.review(session))) {
       write(session.file().writing(), saved);
     }
   }
 
-  /** Saves to another file, which the author names. */
+  /** Whether the text is well formed, or the author wants to save it all the same. */
+  private boolean faultAccepted(Path target) {
+    Optional<DocumentFault> fault = session.document().fault();
+    boolean save =
+        fault.isEmpty()
+            || questions.saveFaulty(
+                Texts.of(
+                    "keep.faulty",
+                    String.valueOf(target.getFileName()),
+                    String.valueOf(fault.get().location().line()),
+                    fault.get().message()));
+    if (!save) {
+      fault.ifPresent(is -> session.message(is.location() + ": " + is.message()));
+    }
+    return save;
+  }
+
+  /** Saves to another file, which the author names; its ending is added where it lacks. */
   void saveAs(Runnable saved) {
     if (writing) {
       waiting.add(() -> saveAs(saved));
       return;
     }
     Path now = session.file().path().toAbsolutePath();
-    Optional<Path> target = questions.fileToSave(now);
-    target
+    questions
+        .fileToSave(now)
+        .map(other -> SceneEnding.added(other, now))
+        .filter(other -> free(now, other.toAbsolutePath()))
         .filter(other -> complete(now, other.toAbsolutePath()))
+        .filter(this::faultAccepted)
         .ifPresent(
             other ->
                 write(
@@ -61,6 +85,14 @@ final class Saving {
                         ? session.file().writing()
                         : session.file().writing(other),
                     saved));
+  }
+
+  /** Whether nothing is replaced that the author has not agreed to. */
+  private boolean free(Path now, Path other) {
+    return other.equals(now)
+        || !Files.exists(other)
+        || FileTransaction.sink(other)
+        || questions.overwrite(Texts.of("keep.exists", other.toString()));
   }
 
   /** Whether the scene finds its files from the other place, or the author accepts that not. */

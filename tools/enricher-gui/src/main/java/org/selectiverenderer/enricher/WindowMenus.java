@@ -1,43 +1,51 @@
 package org.selectiverenderer.enricher;
 
+import javax.swing.KeyStroke;
+import javax.swing.JRootPane;
+import javax.swing.JComponent;
+import java.util.Map;
 import java.awt.event.KeyEvent;
+import org.selectiverenderer.enricher.settings.Language;
+import org.selectiverenderer.enricher.text.Texts;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
-import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JRadioButtonMenuItem;
-import javax.swing.JRootPane;
-import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import org.selectiverenderer.document.UndoHistory;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
-import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.Theme;
+import org.selectiverenderer.enricher.source.SourcePanel;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** The menus: all that can be done, with its keys. */
 final class WindowMenus {
   private final EnricherWindow window;
   private final SceneDialogs dialogs;
+  private final RunCommands runs;
+  private final Command back;
   private final EnricherSettings settings;
   private final JMenuBar bar = new JMenuBar();
   private final JMenu recent = menu("menu.recent");
-  private final JCheckBoxMenuItem review =
-      new JCheckBoxMenuItem(command("menu.review", "", () -> {}));
+  private final JCheckBoxMenuItem review = new JCheckBoxMenuItem(command("menu.review", "", () -> {}));
   private final Command save;
   private final Command saveAs;
   private final Command changes;
   private final Command undo;
   private final Command redo;
 
-  WindowMenus(EnricherWindow window, SceneDialogs dialogs, EnricherSettings settings) {
+  WindowMenus(
+      EnricherWindow window, SceneDialogs dialogs, RunCommands runs, EnricherSettings settings) {
+    this.runs = runs;
+    back = new Command(Texts.of("run.backnone"), "alt LEFT", runs::back);
     this.window = window;
     this.dialogs = dialogs;
     this.settings = settings;
@@ -49,6 +57,7 @@ final class WindowMenus {
     bar.add(file());
     bar.add(edit());
     bar.add(scene());
+    bar.add(run());
     bar.add(view());
     bar.add(help());
   }
@@ -76,18 +85,86 @@ final class WindowMenus {
     menu.add(undo);
     menu.add(redo);
     menu.addSeparator();
+    menu.add(new Command(Texts.of("overview.copy"), "ctrl alt C", with(Workbench::copyMetadata)));
+    menu.add(new Command(Texts.of("overview.paste"), "ctrl alt V", with(Workbench::pasteMetadata)));
+    menu.addSeparator();
     menu.add(command("menu.search", "ctrl shift F", with(Workbench::searchTree)));
     menu.add(command("menu.next", "F8", with(Workbench::nextProblem)));
     menu.add(command("menu.previous", "shift F8", with(Workbench::previousProblem)));
     menu.add(command("menu.fix", "alt ENTER", with(Workbench::fixProblem)));
+    source(menu);
     return menu;
+  }
+
+  /** What can be done in the source, which comes into view then. */
+  private void source(JMenu menu) {
+    menu.addSeparator();
+    menu.add(sourceCommand("menuFind", "ctrl F", source -> source.find(false)));
+    menu.add(sourceCommand("menuReplace", "ctrl H", source -> source.find(true)));
+    menu.add(sourceCommand("menuNext", "F3", source -> source.findNext(1)));
+    menu.add(sourceCommand("menuPrevious", "shift F3", source -> source.findNext(-1)));
+    menu.add(sourceCommand("menuLine", "ctrl G", SourcePanel::goToLine));
+    menu.add(sourceCommand("menuTag", "ctrl shift M", SourcePanel::goToMatchingTag));
+    menu.add(sourceCommand("menuComment", "ctrl SLASH", SourcePanel::toggleComment));
+  }
+
+  private Command sourceCommand(String text, String key, Consumer<SourcePanel> work) {
+    return new Command(Texts.of("source." + text), key, with(bench -> bench.inSource(work)));
   }
 
   private JMenu scene() {
     JMenu menu = menu("menu.scene");
     menu.add(command("menu.ratings", "ctrl R", () -> dialogs.ratings(Optional.empty())));
     menu.add(command("menu.versions", "ctrl M", dialogs::versions));
+    areas(menu);
     return menu;
+  }
+
+  private JMenu run() {
+    JMenu menu = menu("run.menu");
+    menu.add(new Command(Texts.of("run.run"), "F5", runs::run));
+    menu.add(new Command(Texts.of("run.runas"), "shift F5", runs::runAs));
+    menu.add(new Command(Texts.of("run.shown"), "", runs::showMessages));
+    menu.addSeparator();
+    menu.add(new Command(Texts.of("run.inline"), "ctrl I", runs::openInline));
+    menu.add(new Command(Texts.of("run.inlinewindow"), "ctrl shift I", runs::openInlineInWindow));
+    menu.add(back);
+    return menu;
+  }
+
+  /** Areas, Switches, and what is done with any node. */
+  private void areas(JMenu menu) {
+    menu.addSeparator();
+    menu.add(area("add", "ctrl shift A", AreaCommands::addAroundSelection));
+    menu.add(area("switch", "ctrl shift W", AreaCommands::makeSwitch));
+    menu.add(area("rename.node", "", AreaCommands::rename));
+    menu.add(area("copy.node", "", AreaCommands::copy));
+    menu.add(area("delete.node", "", AreaCommands::delete));
+    JMenu grid = menu("area.grid");
+    grid.addMenuListener(new Opening(() -> listGrid(grid)));
+    menu.add(grid);
+  }
+
+  private Command area(String key, String stroke, Consumer<AreaCommands> does) {
+    return new Command(
+        Texts.of("area." + key),
+        stroke,
+        with(
+            bench -> {
+              bench.commit();
+              does.accept(bench.areas());
+            }));
+  }
+
+  private void listGrid(JMenu menu) {
+    GridSetting grid = new GridSetting(settings);
+    menu.removeAll();
+    for (double step : GridSetting.STEPS) {
+      JRadioButtonMenuItem item = new JRadioButtonMenuItem(GridSetting.title(step));
+      item.setSelected(step == grid.step().step());
+      item.addActionListener(event -> grid.use(step));
+      menu.add(item);
+    }
   }
 
   private JMenu view() {
@@ -95,6 +172,7 @@ final class WindowMenus {
     menu.add(command("menu.preview", "ctrl 1", with(bench -> bench.showTab(0))));
     menu.add(command("menu.schemas", "ctrl 2", with(bench -> bench.showTab(1))));
     menu.add(command("menu.source", "ctrl 3", with(bench -> bench.showTab(2))));
+    menu.add(new Command(Texts.of("area.plan"), "ctrl 4", with(bench -> bench.showTab(3))));
     menu.add(command("menu.part", "F6", with(Workbench::nextPart)));
     menu.addSeparator();
     ButtonGroup group = new ButtonGroup();
@@ -209,6 +287,9 @@ final class WindowMenus {
     save.setEnabled(open);
     saveAs.setEnabled(open);
     changes.setEnabled(open);
+    String from = runs.from().map(file -> String.valueOf(file.getFileName())).orElse("");
+    back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
+    back.setEnabled(!from.isEmpty());
     name(undo, "menu.undo", history.flatMap(UndoHistory::undoName));
     name(redo, "menu.redo", history.flatMap(UndoHistory::redoName));
   }

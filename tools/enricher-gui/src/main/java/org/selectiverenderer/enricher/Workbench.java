@@ -1,9 +1,10 @@
 package org.selectiverenderer.enricher;
 
-import java.util.Optional;
 import java.awt.Container;
+import java.awt.Toolkit;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
@@ -11,9 +12,20 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.document.file.Recovery;
+import org.selectiverenderer.enricher.cost.BudgetPlace;
+import org.selectiverenderer.enricher.cost.CostPanel;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.area.NameDialog;
+import org.selectiverenderer.enricher.area.NameQuestion;
 import org.selectiverenderer.enricher.form.FormPanel;
 import org.selectiverenderer.enricher.help.HelpPanel;
+import org.selectiverenderer.enricher.menu.NodeCommand;
+import org.selectiverenderer.enricher.menu.NodeEditing;
+import org.selectiverenderer.enricher.menu.NodeMenu;
+import org.selectiverenderer.enricher.overview.MetadataClipboard;
 import org.selectiverenderer.enricher.overview.OverviewPanel;
+import org.selectiverenderer.enricher.plan.PlanPanel;
 import org.selectiverenderer.enricher.preview.PreviewPanel;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.problems.ProblemCounts;
@@ -23,8 +35,9 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.Autosave;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.source.SourcePanel;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
-import org.selectiverenderer.validation.ValidationSettings;
+import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -41,12 +54,17 @@ final class Workbench {
   private final VersionPictures pictures;
   private final PreviewPanel preview;
   private final OverviewPanel overview;
+  private final CostPanel cost;
+  private final JSplitPane schemas;
+  private final AreaCommands areas;
+  private final PlanPanel plan;
   private final HelpPanel help;
   private final ProblemsPanel problems;
   private final JTabbedPane tabs = new JTabbedPane();
   private final JSplitPane left;
   private final JSplitPane right;
   private final JSplitPane all;
+  private final NodeMenu menu;
   private final List<Runnable> disposals = new ArrayList<>();
 
   /**
@@ -61,9 +79,11 @@ final class Workbench {
       Consumer<DocumentElement> makeVersions) {
     this.session = session;
     this.settings = settings;
+    menu = new NodeMenu(session);
     pictures = new VersionPictures(session.access());
     autosave = new Autosave(session, recovery);
-    problems = new ProblemsPanel(session, List.of(validator(session)));
+    BudgetPlace budgets = new BudgetPlace(() -> session.file().path(), settings);
+    problems = new ProblemsPanel(session, List.of(validator(session, budgets)));
     tree = new SceneTreePanel(session, problems::faulty);
     problems.onCounts(
         now -> {
@@ -78,21 +98,34 @@ final class Workbench {
     tabs.getAccessibleContext().setAccessibleName("Views of the scene");
     preview = new PreviewPanel(session);
     overview = new OverviewPanel(session);
+    cost = new CostPanel(session, budgets, problems::checkAgain);
+    schemas = split(JSplitPane.VERTICAL_SPLIT, overview, cost, 0.6, "polygons");
+    GridSetting grid = new GridSetting(settings);
+    NameQuestion names = new NameDialog(() -> tabs);
+    areas = new AreaCommands(session, preview.probe(), names);
+    preview.grid(grid::step);
+    preview.addAction(
+        Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
+    plan = new PlanPanel(session, areas, names, grid);
     tabs.addTab("Preview", preview);
-    tabs.addTab("Schemas", overview);
+    tabs.addTab("Schemas", schemas);
     tabs.addTab("Source", source.component());
+    tabs.addTab(Texts.of("area.plan"), plan);
     tabs.addTab("Help", help);
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
+    addMenus();
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
     disposals.add(tree::dispose);
     disposals.add(source::dispose);
     disposals.add(form::dispose);
     disposals.add(help::dispose);
+    disposals.add(plan::dispose);
     disposals.add(preview::dispose);
     disposals.add(overview::dispose);
+    disposals.add(cost::dispose);
     disposals.add(pictures::close);
     disposals.add(session::dispose);
     int before = tabs.indexOfTab(settings.word("tab", ""));
@@ -103,11 +136,35 @@ final class Workbench {
     }
   }
 
-  private static ValidatorCheck validator(EnricherSession session) {
+  private void addMenus() {
+    menu.add(NodeEditing.of(session, Toolkit.getDefaultToolkit().getSystemClipboard()));
+    menu.add(
+        List.of(
+            new NodeCommand(
+                "goToSource", Texts.of("node.toSource"), element -> true, this::showInSource)));
+    menu.attach(tree.tree());
+    preview.onMenu(menu::show);
+    source.onMenu(menu::fill);
+  }
+
+  /** What can be done with the selected node, in all views; other parts add theirs. */
+  NodeMenu menu() {
+    return menu;
+  }
+
+  private void showInSource(DocumentElement element) {
+    inSource(panel -> panel.reveal(element.start()));
+    source.area().requestFocusInWindow();
+  }
+
+  private static ValidatorCheck validator(EnricherSession session, BudgetPlace budgets) {
     return new ValidatorCheck(
         () -> session.file().path(),
         RuleCatalogue.standard(),
-        ValidationSettings.standard().allowing(session.access()));
+        problems ->
+            budgets
+                .settings(problems)
+                .map(read -> read.allowing(read.access().and(session.access()))));
   }
 
   private static JSplitPane split(
@@ -139,6 +196,7 @@ final class Workbench {
     int rest = width - left.getDividerLocation() - left.getDividerSize();
     right.setDividerLocation(
         Math.max(120, rest - settings.number("split.form", Math.min(375, rest / 2))));
+    schemas.setDividerLocation(settings.number("split.cost", Math.max(100, height / 2 - 60)));
     all.setDividerLocation(
         Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
   }
@@ -148,12 +206,13 @@ final class Workbench {
     settings.put("tab", tabs.getTitleAt(tabs.getSelectedIndex()));
     settings.put("split.tree", left.getDividerLocation());
     settings.put("split.form", right.getWidth() - right.getDividerLocation());
+    settings.put("split.cost", schemas.getDividerLocation());
     settings.put("split.problems", all.getHeight() - all.getDividerLocation());
   }
 
   /** Takes over what is typed somewhere and not yet in the document. */
   void commit() {
-    source.flush();
+    source.endStep();
     form.commit();
   }
 
@@ -168,9 +227,20 @@ final class Workbench {
     }
   }
 
+  /** What makes areas and Switches, and copies, names and deletes nodes. */
+  AreaCommands areas() {
+    return areas;
+  }
+
   /** Version files may be others now, though the document's text is the same. */
   void lookAtFilesAgain() {
     preview.reload();
+    cost.lookAtFilesAgain();
+  }
+
+  /** Where the preview is; empty while there is none. */
+  Optional<Pose> here() {
+    return preview.pose();
   }
 
   /** Puts the focus where the author begins: at the fault, else at the nodes. */
@@ -182,6 +252,18 @@ final class Workbench {
   void searchTree() {
     tree.searchField().requestFocusInWindow();
     tree.searchField().selectAll();
+  }
+
+  /** Copies the whole metadata of the selected object or area. */
+  void copyMetadata() {
+    commit();
+    new MetadataClipboard(session).copy(session.selection().stream().toList());
+  }
+
+  /** Gives it to the selected one. */
+  void pasteMetadata() {
+    commit();
+    new MetadataClipboard(session).paste(session.selection().stream().toList());
   }
 
   void nextProblem() {
@@ -200,6 +282,15 @@ final class Workbench {
     if (index < tabs.getTabCount()) {
       tabs.setSelectedIndex(index);
     }
+  }
+
+  /** Does something in the source, which comes into view. */
+  void inSource(Consumer<SourcePanel> work) {
+    if (tabs.getSelectedComponent() != source.component()) {
+      tabs.setSelectedComponent(source.component());
+      source.area().requestFocusInWindow();
+    }
+    work.accept(source);
   }
 
   void showHelp() {

@@ -60,6 +60,11 @@ class KeptWorkTest {
     }
 
     @Override
+    public boolean saveFaulty(String sentence) {
+      throw new AssertionError(sentence);
+    }
+
+    @Override
     public Optional<Path> fileToOpen(Optional<Path> near) {
       throw new AssertionError(near);
     }

@@ -15,6 +15,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.StepFiles;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Tasks;
@@ -64,6 +66,12 @@ class SavingTest {
 
     @Override
     public boolean leaveBehind(String sentence) {
+      asked.add(sentence);
+      return agree;
+    }
+
+    @Override
+    public boolean saveFaulty(String sentence) {
       asked.add(sentence);
       return agree;
     }
@@ -210,6 +218,77 @@ class SavingTest {
     assertThat(done).isEqualTo(1);
     assertThat(Files.readString(first)).doesNotContain("mine");
     assertThat(session.file().path()).hasFileName("other.x3d");
+  }
+
+  @Test
+  void aTextThatIsNotWellFormedIsSavedOnlyWhenTheAuthorAgreesAndTheLastGoodCopyStays()
+      throws IOException, InterruptedException {
+    String good = onDisk();
+    session.document().type(0, 0, "<");
+    answers.agree = false;
+    assertThat(save(true)).isFalse();
+    assertThat(answers.asked)
+        .singleElement()
+        .asString()
+        .startsWith("scene.x3d would not be well-formed XML: line 1, ");
+    assertThat(onDisk()).isEqualTo(good);
+    assertThat(session.document().modified()).isTrue();
+    answers.agree = true;
+    assertThat(save(false)).isTrue();
+    String faulty = onDisk();
+    session.document().type(0, 0, "<");
+    assertThat(save(false)).isTrue();
+    assertThat(session.file().backup()).hasContent(good);
+    assertThat(session.file().faultyBackup()).hasContent(faulty);
+    session.document().type(0, 2, "");
+    assertThat(save(false)).isTrue();
+    assertThat(onDisk()).isEqualTo(good);
+    assertThat(session.file().backup()).hasContent(good);
+  }
+
+  @Test
+  void aNameWithoutTheEndingOfASceneGetsItAndNothingUnderThatNameIsReplacedUnasked()
+      throws IOException, InterruptedException {
+    answers.target = Path.of("room.v2");
+    type();
+    saving.saveAs(() -> done++);
+    result();
+    assertThat(session.file().path()).hasFileName("room.v2.x3d");
+    assertThat(folder.resolve("room.v2")).doesNotExist();
+    Path other = Files.writeString(folder.resolve("hall.x3d"), "theirs");
+    answers.target = Path.of("hall");
+    answers.agree = false;
+    saving.saveAs(() -> done++);
+    assertThat(answers.asked).containsExactly("overwrite");
+    assertThat(other).content().isEqualTo("theirs");
+    answers.agree = true;
+    saving.saveAs(() -> done++);
+    result();
+    assertThat(other).content().contains("mine");
+    assertThat(folder.resolve("hall.x3d.faulty.bak")).content().isEqualTo("theirs");
+  }
+
+  @Test
+  void filesOfAStepThatAnotherProgramChangedAreReplacedOnlyWhenTheAuthorAgrees()
+      throws IOException {
+    Path file = folder.resolve("cup_v2.x3d");
+    session
+        .document()
+        .perform(
+            new Edit("Make", List.of()),
+            List.of(new StepFiles.Written(file, new byte[] {'a'}, false)));
+    Files.writeString(file, "theirs");
+    Steps steps = new Steps(session.document().history(), answers);
+    answers.agree = false;
+    assertThat(steps.go(true)).isFalse();
+    assertThat(file).hasContent("theirs");
+    answers.agree = true;
+    assertThat(steps.go(true)).isTrue();
+    assertThat(file).doesNotExist();
+    assertThat(folder.resolve("cup_v2.x3d.bak")).hasContent("theirs");
+    assertThat(steps.go(false)).isTrue();
+    assertThat(file).hasContent("a");
+    assertThat(answers.asked).containsExactly("overwrite", "overwrite");
   }
 
   @Test

@@ -33,7 +33,11 @@ final class ChoiceForm {
   private @Nullable VersionLoading loading;
 
   ChoiceForm(
-      EnricherSession session, VersionPictures pictures, EnrichedSwitch node, ChoiceNode choice) {
+      EnricherSession session,
+      VersionPictures pictures,
+      EnrichedSwitch node,
+      ChoiceNode choice,
+      JComponent buttons) {
     this.session = session;
     this.pictures = pictures;
     this.choice = choice;
@@ -74,7 +78,8 @@ final class ChoiceForm {
     JLabel degreeComplaint = Labels.complaint();
     JLabel schemasComplaint = Labels.complaint();
     JLabel typeComplaint = Labels.complaint();
-    panel.add(title, "span, wmin 0");
+    panel.add(title, "split 2, span, growx, pushx, wmin 0");
+    panel.add(buttons, "growx 0");
     JPanel facts = new JPanel(new MigLayout("insets 0, wrap 1, gapy 2", "[grow,fill]"));
     facts.add(url, "wmin 0");
     facts.add(polygons, "wmin 0");
@@ -86,9 +91,8 @@ final class ChoiceForm {
     panel.add(degree, "wmin pref");
     panel.add(Labels.of(Texts.of("terms.schemas"), schemas, "schemaBelonginess"));
     panel.add(schemas, "spanx 3, wmin 0");
-    panel.add(typeComplaint, "skip 1, spanx 3, wmin 0");
-    panel.add(degreeComplaint, "skip 1, spanx 3, wmin 0");
-    panel.add(schemasComplaint, "skip 1, spanx 3, wmin 0");
+    JPanel complaints = Labels.room(typeComplaint, degreeComplaint, schemasComplaint);
+    panel.add(complaints, "skip 1, spanx 3, wmin 0, hmin pref");
     panel.getAccessibleContext().setAccessibleName("Choice " + choice.index());
     fields =
         List.of(

@@ -5,8 +5,10 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.Entities;
 
 /**
  * What is to be known of an element that has no form.
@@ -17,6 +19,9 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 record ElementSummary(
     String path, Optional<DocumentElement> around, String advice, boolean versions) {
+  /** Characters of an entity that are shown. */
+  private static final int SHOWN = 600;
+
   static ElementSummary of(SceneDocument document, NodeCatalogue catalogue, DocumentElement node) {
     List<String> names = new ArrayList<>();
     Optional<DocumentElement> around = Optional.empty();
@@ -37,7 +42,9 @@ record ElementSummary(
     boolean named = node.def().isPresent();
     boolean free = around.isEmpty() && node.use().isEmpty();
     String advice;
-    if (around.isPresent()) {
+    if (node.isReference()) {
+      advice = reference(document, node);
+    } else if (around.isPresent()) {
       advice = "It is part of " + around.get() + ", which has a form.";
     } else if (object && named && free) {
       advice = "Versions of it with fewer polygons can be made. A Switch then shows one of them.";
@@ -54,6 +61,23 @@ record ElementSummary(
         around,
         document.locked().orElse(advice),
         object && named && free && document.locked().isEmpty());
+  }
+
+  /** What a reference to an entity stands for. */
+  private static String reference(SceneDocument document, DocumentElement node) {
+    String name = node.name().substring(1, node.name().length() - 1);
+    Optional<Entities.Declared> declared = document.entities().find(name);
+    if (declared.isEmpty()) {
+      return Texts.of("node.referenceNowhere");
+    }
+    String line = Integer.toString(document.location(declared.get().offset()).line());
+    return declared.get().value().isPresent()
+        ? Texts.of("node.reference", line) + "\n\n" + shortened(declared.get().value().get())
+        : Texts.of("node.referenceFar", node.name(), line);
+  }
+
+  private static String shortened(String text) {
+    return text.length() <= SHOWN ? text : text.substring(0, SHOWN) + " ...";
   }
 
   private static boolean inlines(String name) {

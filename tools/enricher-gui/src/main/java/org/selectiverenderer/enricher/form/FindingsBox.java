@@ -1,28 +1,77 @@
 package org.selectiverenderer.enricher.form;
 
+import java.awt.Dimension;
 import java.util.List;
 import java.util.Optional;
+import javax.swing.BorderFactory;
 import javax.swing.JButton;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.document.enrichment.EnrichedSensor;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.problems.SeverityIcon;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** What is wrong with the selected node, each with the button that mends it. */
+/**
+ * What is wrong with the selected node, each with the button that mends it. Its room is always the
+ * same, whatever there is to say, so that no field moves under the mouse.
+ */
 final class FindingsBox extends JPanel {
   private static final long serialVersionUID = 1L;
 
+  /** The room: the count, and two findings with their buttons; more are scrolled to. */
+  private static final int LINES = 9;
+
   private final transient EnricherSession session;
+  private final JLabel title = new JLabel();
+  private final JPanel list =
+      new FittingPanel(new MigLayout("insets 0, wrap 2, hidemode 3", "[][grow,fill]"));
   private transient List<ElementFinding> shown = List.of();
 
   FindingsBox(EnricherSession session) {
-    super(new MigLayout("insets 0, wrap 2, hidemode 3", "[][grow,fill]"));
+    super(new MigLayout("insets 4 8 4 8, wrap 1, gapy 2", "[grow,fill]", "[][grow,fill]"));
     this.session = session;
-    getAccessibleContext().setAccessibleName("Problems of this node");
+    getAccessibleContext().setAccessibleName(Texts.of("keep.findings"));
+    title.setName("Findings");
+    add(title, "wmin 0");
+    JScrollPane scroll = new JScrollPane(list);
+    scroll.setBorder(null);
+    scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    scroll.getVerticalScrollBar().setUnitIncrement(16);
+    scroll
+        .getVerticalScrollBar()
+        .getAccessibleContext()
+        .setAccessibleName(Texts.of("keep.findings.scroll"));
+    add(scroll, "wmin 0, hmin 0");
+    setBorder(
+        BorderFactory.createMatteBorder(1, 0, 0, 0, UIManager.getColor("Separator.foreground")));
+    head();
+  }
+
+  @Override
+  public Dimension getPreferredSize() {
+    int line = title.getFontMetrics(title.getFont()).getHeight();
+    return new Dimension(0, LINES * line);
+  }
+
+  @Override
+  public Dimension getMinimumSize() {
+    return getPreferredSize();
+  }
+
+  private void head() {
+    title.setText(
+        shown.isEmpty()
+            ? Texts.of("keep.findings.none")
+            : Texts.of("keep.findings.some", shown.size(), DecimalText.grouped(shown.size())));
+    title.setEnabled(!shown.isEmpty());
   }
 
   /** Shows what is said of an element. */
@@ -33,13 +82,13 @@ final class FindingsBox extends JPanel {
       return;
     }
     shown = now;
-    removeAll();
+    head();
+    list.removeAll();
     for (int i = 0; i < now.size(); i++) {
       add(now.get(i), i);
     }
-    setVisible(!now.isEmpty());
-    revalidate();
-    repaint();
+    list.revalidate();
+    list.repaint();
   }
 
   private List<ElementFinding> findings(DocumentElement element) {
@@ -66,8 +115,8 @@ final class FindingsBox extends JPanel {
   }
 
   private void add(ElementFinding finding, int index) {
-    add(SeverityIcon.label(finding.severity()), "aligny top");
-    add(Labels.sentences(finding.message()), "wmin 0");
+    list.add(SeverityIcon.label(finding.severity()), "aligny top");
+    list.add(Labels.sentences(finding.message()), "wmin 0");
     finding
         .fix()
         .ifPresent(
@@ -78,7 +127,7 @@ final class FindingsBox extends JPanel {
                 mend.setMnemonic('X');
               }
               mend.addActionListener(event -> mend(index));
-              add(mend, "skip 1, growx 0, wmin 0");
+              list.add(mend, "skip 1, growx 0, wmin 0");
             });
   }
 

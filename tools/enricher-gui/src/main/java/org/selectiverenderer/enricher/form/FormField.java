@@ -48,7 +48,6 @@ final class FormField {
     this.source = source;
     this.described = marked.getAccessibleContext().getAccessibleDescription();
     complaint.setVisible(false);
-    complaint.putClientProperty("FlatLaf.styleClass", "small");
     follow();
   }
 
@@ -133,6 +132,13 @@ final class FormField {
   /** Nothing that is typed counts any more. */
   void close() {
     closed = true;
+  }
+
+  /** Says what is wrong with what the document has. */
+  void complain(String why) {
+    if (typed.get().equals(shown)) {
+      mark(Optional.of(why));
+    }
   }
 
   private void mark(Optional<String> wrong) {

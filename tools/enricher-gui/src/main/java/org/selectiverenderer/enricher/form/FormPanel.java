@@ -1,13 +1,11 @@
 package org.selectiverenderer.enricher.form;
 
-import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentListener;
@@ -15,6 +13,7 @@ import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -32,7 +31,9 @@ public final class FormPanel extends JPanel {
   private final transient SelectionListener onSelection = (element, origin) -> selected();
   private final transient DocumentListener onChange = change -> changed();
   private transient Consumer<DocumentElement> makeVersions = element -> {};
-  private final Body body = new Body();
+  private final transient FieldsForm.Choice allFields = new FieldsForm.Choice();
+  private final JPanel body =
+      new FittingPanel(new MigLayout("insets 8, wrap 1, hidemode 3", "[grow,fill]"));
   private final JLabel title = new JLabel();
   private final JLabel place = new JLabel();
   private final FindingsBox findings;
@@ -43,7 +44,7 @@ public final class FormPanel extends JPanel {
    * @param pictures of versions; stay with who made them
    */
   public FormPanel(EnricherSession session, VersionPictures pictures) {
-    super(new MigLayout("insets 0", "[grow,fill]", "[grow,fill]"));
+    super(new MigLayout("insets 0, wrap 1, hidemode 3, gapy 0", "[grow,fill]", "[grow,fill][]"));
     this.session = session;
     this.pictures = pictures;
     this.findings = new FindingsBox(session);
@@ -57,6 +58,7 @@ public final class FormPanel extends JPanel {
     scroll.getVerticalScrollBar().setUnitIncrement(16);
     scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the form");
     add(scroll, "wmin 0, hmin 0");
+    add(findings, "wmin 0");
     getAccessibleContext().setAccessibleName("Form of the selected node");
     session.addSelectionListener(onSelection);
     session.document().addListener(onChange);
@@ -101,18 +103,25 @@ public final class FormPanel extends JPanel {
     body.removeAll();
     body.add(title, "wmin 0");
     body.add(place, "wmin 0");
-    body.add(findings, "wmin 0");
     if (element != null) {
-      Form made = form(element);
+      Form made = BothForms.of(form(element), new FieldsForm(session, element, allFields));
       form = made;
       body.add(made.component(), "wmin 0");
     } else {
       body.add(Labels.sentences(hint()), "wmin 0");
     }
+    findings.setVisible(described());
     head();
     body.scrollRectToVisible(new Rectangle(0, 0, 1, 1));
     body.revalidate();
     body.repaint();
+  }
+
+  /** Whether the selected node is one that findings are about: their room comes with the form. */
+  private boolean described() {
+    return element != null
+        && (session.enrichment().switchNode(element).isPresent()
+            || session.enrichment().sensorNode(element).isPresent());
   }
 
   private String hint() {
@@ -145,13 +154,18 @@ public final class FormPanel extends JPanel {
 
   private void head() {
     DocumentElement of = element;
-    title.setText(of == null ? "Nothing is selected" : name(of));
+    title.setText(of == null ? nothing() : name(of));
     place.setText(
         of == null
             ? " "
             : "%s in line %d".formatted(of.name(), session.document().location(of.start()).line()));
     place.setToolTipText(place.getText());
     findings.show(Optional.ofNullable(of));
+  }
+
+  private String nothing() {
+    boolean waits = session.document().fault().isPresent();
+    return waits ? Texts.of("node.formsWait") : "Nothing is selected";
   }
 
   private static String name(DocumentElement of) {
@@ -164,40 +178,6 @@ public final class FormPanel extends JPanel {
     session.document().removeListener(onChange);
     if (form != null) {
       form.dispose();
-    }
-  }
-
-  /** As wide as there is room, as high as it needs. */
-  private static final class Body extends JPanel implements Scrollable {
-    private static final long serialVersionUID = 1L;
-
-    Body() {
-      super(new MigLayout("insets 8, wrap 1, hidemode 3", "[grow,fill]"));
-    }
-
-    @Override
-    public Dimension getPreferredScrollableViewportSize() {
-      return getPreferredSize();
-    }
-
-    @Override
-    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-      return getFontMetrics(getFont()).getHeight();
-    }
-
-    @Override
-    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-      return visible.height;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportWidth() {
-      return true;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportHeight() {
-      return false;
     }
   }
 }

@@ -1,10 +1,13 @@
 package org.selectiverenderer.enricher.form;
 
 import java.awt.Color;
+import java.awt.Dimension;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** The labels of forms. */
@@ -52,6 +55,29 @@ final class Labels {
         };
     label.getAccessibleContext().setAccessibleName("What is wrong");
     return label;
+  }
+
+  /**
+   * A line that is always there for what may be wrong in the controls above: nothing moves under
+   * the mouse when it is said.
+   */
+  static JPanel room(JLabel... complaints) {
+    JPanel line =
+        new JPanel(new MigLayout("insets 0, hidemode 3", "", "[]")) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public Dimension getPreferredSize() {
+            int height = complaints[0].getFontMetrics(complaints[0].getFont()).getHeight();
+            return new Dimension(super.getPreferredSize().width, height);
+          }
+        };
+    line.setOpaque(false);
+    for (JLabel complaint : complaints) {
+      complaint.putClientProperty("FlatLaf.styleClass", "small");
+      line.add(complaint, "wmin 0, h 100%!");
+    }
+    return line;
   }
 
   /** Sentences that are broken into lines as there is room. */

@@ -3,13 +3,17 @@ package org.selectiverenderer.enricher.form;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * Schemas as an author types them: names separated by commas. A name with a comma in it stands in
- * quotation marks.
+ * Schemas as an author types them: names separated by commas. A name that has a comma in it or
+ * begins with a quotation mark stands in quotation marks, each of its own twice, as in tables; any
+ * other quotation mark is a part of the name.
  */
 final class SchemaList {
+  private static final char MARK = '"';
+
   private SchemaList() {}
 
   /**
@@ -21,33 +25,66 @@ final class SchemaList {
 
   static Input<List<String>> parse(String text) {
     List<String> names = new ArrayList<>();
-    StringBuilder name = new StringBuilder();
-    boolean quoted = false;
-    for (int i = 0; i < text.length(); i++) {
-      char c = text.charAt(i);
-      if (c == '"') {
-        quoted = !quoted;
-      } else if (c == ',' && !quoted) {
-        add(name, names);
-      } else if (Character.isISOControl(c)) {
+    for (int from = 0; from <= text.length(); ) {
+      int to = end(text, from);
+      String part = text.substring(from, to).strip();
+      if (part.chars().anyMatch(Character::isISOControl)) {
         return new Input.Wrong<>("Names of schemas are on one line");
-      } else {
-        name.append(c);
       }
+      Optional<String> wrong = wrong(part);
+      if (wrong.isPresent()) {
+        return new Input.Wrong<>(wrong.get());
+      }
+      String name = plain(part).strip();
+      if (!name.isEmpty() && !names.contains(name)) {
+        names.add(name);
+      }
+      from = to + 1;
     }
-    if (quoted) {
-      return new Input.Wrong<>("A quotation mark is not closed");
-    }
-    add(name, names);
     return new Input.Valid<>(List.copyOf(names));
   }
 
-  private static void add(StringBuilder name, List<String> names) {
-    String stripped = name.toString().strip();
-    if (!stripped.isEmpty() && !names.contains(stripped)) {
-      names.add(stripped);
+  /**
+   * Where the part that begins there ends: at a comma outside of quotation marks, or at the end.
+   */
+  private static int end(String text, int from) {
+    int first = from;
+    while (first < text.length() && Character.isWhitespace(text.charAt(first))) {
+      first++;
     }
-    name.setLength(0);
+    int behind = first < text.length() && text.charAt(first) == MARK ? closed(text, first) : first;
+    int comma = text.indexOf(',', behind);
+    return comma < 0 ? text.length() : comma;
+  }
+
+  /** The offset behind the quotation that begins there; the text's end for one that is open. */
+  private static int closed(String text, int from) {
+    int close = text.indexOf(MARK, from + 1);
+    while (close >= 0 && text.startsWith("\"", close + 1)) {
+      close = text.indexOf(MARK, close + 2);
+    }
+    return close < 0 ? text.length() : close + 1;
+  }
+
+  private static Optional<String> wrong(String part) {
+    if (!part.startsWith("\"")) {
+      return Optional.empty();
+    }
+    int behind = closed(part, 0);
+    if (behind < part.length()) {
+      return Optional.of("Behind a name in quotation marks a comma follows");
+    }
+    boolean open = part.chars().filter(c -> c == MARK).count() % 2 == 1;
+    return open ? Optional.of("A quotation mark is not closed") : Optional.empty();
+  }
+
+  /** What stands in quotation marks, if anything does; the last one may lack. */
+  private static String plain(String part) {
+    if (!part.startsWith("\"")) {
+      return part;
+    }
+    boolean open = part.chars().filter(c -> c == MARK).count() % 2 == 1;
+    return part.substring(1, open ? part.length() : part.length() - 1).replace("\"\"", "\"");
   }
 
   static String format(List<String> names) {
@@ -55,7 +92,8 @@ final class SchemaList {
   }
 
   private static String quoted(String name) {
-    return name.indexOf(',') >= 0 ? '"' + name + '"' : name;
+    boolean plain = name.indexOf(',') < 0 && !name.startsWith("\"");
+    return plain ? name : MARK + name.replace("\"", "\"\"") + MARK;
   }
 
   /**
@@ -63,7 +101,8 @@ final class SchemaList {
    * that have it within; not those that the list has elsewhere.
    */
   static List<String> proposals(String text, int caret, List<String> known) {
-    String begun = text.substring(from(text, caret), caret).strip().toLowerCase(Locale.ROOT);
+    String begun =
+        plain(text.substring(from(text, caret), caret).strip()).strip().toLowerCase(Locale.ROOT);
     String others = text.substring(0, from(text, caret)) + "," + text.substring(to(text, caret));
     List<String> listed =
         parse(others) instanceof Input.Valid<List<String>> valid ? valid.value() : List.of();
@@ -86,12 +125,16 @@ final class SchemaList {
     return new Completed(before + text.substring(to(text, caret)), before.length());
   }
 
+  /** Where the part with the caret begins. */
   private static int from(String text, int caret) {
-    return text.lastIndexOf(',', caret - 1) + 1;
+    int from = 0;
+    for (int end = end(text, 0); end < caret; end = end(text, from)) {
+      from = end + 1;
+    }
+    return from;
   }
 
   private static int to(String text, int caret) {
-    int comma = text.indexOf(',', caret);
-    return comma < 0 ? text.length() : comma;
+    return Math.max(caret, end(text, from(text, caret)));
   }
 }

@@ -9,25 +9,40 @@ import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.document.enrichment.EnrichedSensor;
+import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
-/** The form of a ProximitySensor (thesis Fig 47): its schemas. */
+/** The form of a ProximitySensor (thesis Fig 47): its name, its schemas and where it is. */
 final class SensorForm implements Form {
   private final EnricherSession session;
   private final EnrichedSensor node;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
   private final List<FormField> fields = new ArrayList<>();
+  private final NodeCommands nodes;
+  private final BoxFields box;
+  private final boolean placed;
 
   SensorForm(EnricherSession session, EnrichedSensor node) {
     this.session = session;
     this.node = node;
+    NodeCommands nodes = new NodeCommands(session);
+    NameRow name = new NameRow(session, nodes, node.element());
+    box = new BoxFields(session, nodes, node.element());
+    placed = nodes.area(node.element()).isPresent();
+    this.nodes = nodes;
+    fields.add(name.field());
+    fields.addAll(box.fields());
+    panel.add(name.component(), "wmin 0");
     SensorEditing editing = new SensorEditing(session, node.element());
     add("On entering", "enterTimeSchema", 'N', HelpTopic.ENTER, editing::enter, editing::enter);
     add("On leaving", "exitTimeSchema", 'L', HelpTopic.EXIT, editing::exit, editing::exit);
+    panel.add(new JSeparator());
+    panel.add(box.component(), "wmin 0");
   }
 
   private void add(
@@ -48,7 +63,7 @@ final class SensorForm implements Form {
     JLabel complaint = Labels.complaint();
     panel.add(label);
     panel.add(schemas, "wmin 0");
-    panel.add(complaint, "wmin 0");
+    panel.add(Labels.room(complaint), "wmin 0, hmin pref");
     fields.add(FormField.of(schemas, complaint, new FormField.Source(read, write)));
   }
 
@@ -59,12 +74,14 @@ final class SensorForm implements Form {
 
   @Override
   public boolean fits() {
-    return session.enrichment().sensorNode(node.element()).isPresent();
+    return session.enrichment().sensorNode(node.element()).isPresent()
+        && nodes.area(node.element()).isPresent() == placed;
   }
 
   @Override
   public void follow() {
     fields.forEach(FormField::follow);
+    box.follow();
   }
 
   @Override

@@ -9,11 +9,13 @@ import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The form of a Switch: one choice under the other. */
+/** The form of a Switch: its name, what shows at the start, one choice under the other. */
 final class SwitchForm implements Form {
   /** Choices that are shown at once; more are shown when asked for. */
   private static final int PAGE = 20;
@@ -22,6 +24,8 @@ final class SwitchForm implements Form {
   private final VersionPictures pictures;
   private final DocumentElement element;
   private final int size;
+  private final NameRow name;
+  private final SwitchTools tools;
   private final List<ChoiceForm> choices = new ArrayList<>();
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]")) {
@@ -40,11 +44,15 @@ final class SwitchForm implements Form {
     this.pictures = pictures;
     this.element = node.element();
     this.size = node.choices().size();
+    NodeCommands nodes = new NodeCommands(session);
+    name = new NameRow(session, nodes, element);
+    tools = new SwitchTools(session, nodes, node);
+    name.add(
+        "area.switch.unwrap", "area.switch.unwrap.tip", "Unwrap", event -> tools.unwrap());
+    panel.add(name.component(), "wmin 0");
+    panel.add(tools.component(), "wmin 0");
     if (size == 0) {
-      panel.add(
-          Labels.sentences(
-              "This Switch has no choices. Add each version of the object as a child."),
-          "wmin 0");
+      panel.add(Labels.sentences(Texts.of("area.switch.empty")), "wmin 0");
     }
     panel.add(
         Labels.names("consistencyType", "degreeOfConsistency", "schemaBelonginess"), "wmin 0");
@@ -61,7 +69,9 @@ final class SwitchForm implements Form {
     panel.remove(more);
     int end = Math.min(size, choices.size() + PAGE);
     for (int i = choices.size(); i < end; i++) {
-      ChoiceForm choice = new ChoiceForm(session, pictures, node, node.choices().get(i));
+      ChoiceForm choice =
+          new ChoiceForm(
+              session, pictures, node, node.choices().get(i), tools.buttons(i, size));
       choices.add(choice);
       panel.add(new JSeparator());
       panel.add(choice.component(), "wmin 0");
@@ -100,16 +110,21 @@ final class SwitchForm implements Form {
 
   @Override
   public void follow() {
+    name.field().follow();
+    tools.field().follow();
     node().ifPresent(node -> choices.forEach(choice -> choice.follow(node)));
   }
 
   @Override
   public void commit() {
+    name.field().commit();
     choices.forEach(ChoiceForm::commit);
   }
 
   @Override
   public void dispose() {
+    name.field().close();
+    tools.field().close();
     choices.forEach(ChoiceForm::dispose);
   }
 }

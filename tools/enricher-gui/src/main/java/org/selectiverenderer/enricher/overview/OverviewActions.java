@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPopupMenu;
 import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.Degree;
 
 /** What can be done with the selected cells, by key and by menu. */
@@ -19,15 +20,22 @@ final class OverviewActions {
   private final OverviewTableModel model;
   private final CellClipboard cells;
   private final Consumer<String> say;
+  private final MetadataClipboard metadata;
   final KeyedAction high;
   final KeyedAction low;
   final KeyedAction clear;
   final KeyedAction sort;
 
   /**
+   * @param metadata of whole objects
    * @param say shows the author why something was not done
    */
-  OverviewActions(SchemaTable table, OverviewTableModel model, Consumer<String> say) {
+  OverviewActions(
+      SchemaTable table,
+      OverviewTableModel model,
+      MetadataClipboard metadata,
+      Consumer<String> say) {
+    this.metadata = metadata;
     this.table = table;
     this.model = model;
     this.cells = new CellClipboard(model);
@@ -53,6 +61,19 @@ final class OverviewActions {
     menu.add(new KeyedAction("Copy", "menu C", () -> copy(false)).in(table));
     menu.add(new KeyedAction("Copy with Names", "menu shift C", () -> copy(true)).in(table));
     menu.add(new KeyedAction("Paste", "menu V", this::paste).in(table));
+    menu.addSeparator();
+    menu.add(
+        new KeyedAction(
+                Texts.of("overview.copy"),
+                "ctrl alt C",
+                () -> metadata.copy(table.selectedElements()))
+            .in(table));
+    menu.add(
+        new KeyedAction(
+                Texts.of("overview.paste"),
+                "ctrl alt V",
+                () -> metadata.paste(table.selectedElements()))
+            .in(table));
     menu.addSeparator();
     menu.add(new KeyedAction("Select Column", "ctrl SPACE", this::selectColumn).in(table));
     menu.addSeparator();

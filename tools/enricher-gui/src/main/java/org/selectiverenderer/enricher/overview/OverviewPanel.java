@@ -16,6 +16,7 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -44,12 +45,14 @@ public final class OverviewPanel extends JPanel {
     this.model = new OverviewTableModel(session.enrichment(), this::make);
     this.table = new SchemaTable(model);
     this.findings = new SchemaFindings(e -> session.select(e, this), this::make);
-    OverviewActions actions = new OverviewActions(table, model, this::say);
+    OverviewActions actions =
+        new OverviewActions(table, model, new MetadataClipboard(session), this::say);
     add(tools(), "wrap");
     add(cellTools(actions), "wrap");
     add(table.scrolling(), "grow, wrap");
     add(findings, "grow, hidemode 3, wrap");
-    add(status);
+    add(status, "split 2, growx, wmin 0");
+    add(legend(), "growx 0");
     status.getAccessibleContext().setAccessibleName("Result of the last action");
     table
         .getSelectionModel()
@@ -107,6 +110,16 @@ public final class OverviewPanel extends JPanel {
     names.setEnabled(false);
     tools.add(names, "span, wmin 0");
     return tools;
+  }
+
+  private static JPanel legend() {
+    JPanel legend = new JPanel(new MigLayout("insets 0"));
+    legend.add(new JLabel(Texts.of("overview.legend")));
+    for (ConsistencySign sign : ConsistencySign.values()) {
+      JLabel label = new JLabel(sign.words(), sign.icon(), JLabel.LEADING);
+      legend.add(label);
+    }
+    return legend;
   }
 
   private static JButton button(KeyedAction action, String help) {

@@ -17,6 +17,7 @@ import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.SchemaNames;
 import org.selectiverenderer.document.enrichment.SchemaOverview;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Cell;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
@@ -146,6 +147,11 @@ final class OverviewTableModel extends AbstractTableModel {
     if (schema.isEmpty()) {
       throw new EditRefused("a schema needs a name of at least one letter");
     }
+    SchemaNames.complaint(schema)
+        .ifPresent(
+            why -> {
+              throw new EditRefused(why);
+            });
     if (columns.contains(schema)) {
       throw new EditRefused("there is already a column for " + schema);
     }
@@ -195,6 +201,11 @@ final class OverviewTableModel extends AbstractTableModel {
 
   private static Degree degree(EnrichedSwitch node, Cell cell) {
     return cell.degree().orElse(VersionLadder.degree(cell.choice(), node.choices().size()));
+  }
+
+  /** What a cell stands for. */
+  ConsistencySign sign(int row, int column) {
+    return ConsistencySign.of(overview.cell(rows.node(row), schema(column)));
   }
 
   /** What a cell's tooltip says. */

@@ -36,6 +36,7 @@ final class SchemaTable extends JTable {
     setCellSelectionEnabled(true);
     setSelectionMode(ListSelectionModel.MULTIPLE_INTERVAL_SELECTION);
     setDefaultEditor(String.class, new DegreeEditor());
+    setDefaultRenderer(String.class, new ConsistencyCell(model));
     setSurrendersFocusOnKeystroke(true);
     putClientProperty("terminateEditOnFocusLost", true);
     putClientProperty("JTable.autoStartsEdit", false); // letters are commands here
@@ -177,6 +178,15 @@ final class SchemaTable extends JTable {
       }
     }
     return cells;
+  }
+
+  /** The objects of the selected rows. */
+  List<DocumentElement> selectedElements() {
+    List<DocumentElement> elements = new ArrayList<>();
+    for (int row : getSelectedRows()) {
+      elements.add(model.node(row).element());
+    }
+    return elements;
   }
 
   /** The schema of the column that the cursor is in. */

@@ -41,6 +41,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
      * @param innermost whether Ctrl or Alt was down
      */
     void scene(int pixelX, int pixelY, boolean innermost);
+
+    /** The other button has selected something, or nothing, and wants its menu. */
+    void menu(MouseEvent event, int pixelX, int pixelY);
   }
 
   PictureHands(PictureView view, PreviewThread thread, Clicks clicks) {
@@ -76,6 +79,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   @Override
   public void mousePressed(MouseEvent event) {
+    if (event.isConsumed()) {
+      return; // a handle of an area has it
+    }
     view.requestFocusInWindow();
     pressX = event.getX();
     pressY = event.getY();
@@ -94,6 +100,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   @Override
   public void mouseDragged(MouseEvent event) {
+    if (event.isConsumed()) {
+      return;
+    }
     int dx = event.getX() - lastX;
     int dy = event.getY() - lastY;
     dragged |= Math.hypot(event.getX() - pressX, event.getY() - pressY) > STILL;
@@ -115,6 +124,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   @Override
   public void mouseReleased(MouseEvent event) {
+    if (event.isConsumed()) {
+      return;
+    }
     if (walking()) {
       MouseButton button = WalkKeys.button(event);
       int x = view.toPixels(event.getX());
@@ -133,6 +145,8 @@ final class PictureHands extends MouseAdapter implements KeyListener {
                       view.toPixels(event.getX()),
                       view.toPixels(event.getY()),
                       event.isControlDown() || event.isAltDown()));
+    } else if (!dragged && SwingUtilities.isRightMouseButton(event)) {
+      clicks.menu(event, view.toPixels(event.getX()), view.toPixels(event.getY()));
     }
   }
 

@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
@@ -41,6 +42,7 @@ final class PictureView extends JComponent implements Accessible {
 
   private transient @Nullable PreviewFrame frame;
   private transient List<Shown> shown = List.of();
+  private transient BiConsumer<Graphics2D, PreviewFrame> overlay = (graphics, picture) -> {};
 
   PictureView() {
     setFocusable(true);
@@ -54,6 +56,11 @@ final class PictureView extends JComponent implements Accessible {
     frame = newFrame;
     getAccessibleContext().setAccessibleDescription(String.join(". ", lines(newFrame)));
     repaint();
+  }
+
+  /** Paints over every picture. */
+  void overlay(BiConsumer<Graphics2D, PreviewFrame> painter) {
+    overlay = painter;
   }
 
   Optional<PreviewFrame> frame() {
@@ -132,6 +139,7 @@ final class PictureView extends JComponent implements Accessible {
           RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
       paintLabels(g2, frame, scale);
       paintLines(g2, lines(frame));
+      overlay.accept(g2, frame);
     }
     if (isFocusOwner()) {
       Color focus = UIManager.getColor("Component.focusColor");

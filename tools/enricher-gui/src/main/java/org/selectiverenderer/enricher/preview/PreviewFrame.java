@@ -3,12 +3,14 @@ package org.selectiverenderer.enricher.preview;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.schema.SensorSchemas;
 
 /**
  * A picture of the scene and what is to be said about it; a value.
  *
  * @param image in pixels of the screen
+ * @param camera that it is seen with
  * @param labels of the sensor boxes; none when they are not shown
  * @param polygons of the whole scene in its present versions
  * @param drawn polygons after culling
@@ -22,6 +24,7 @@ import org.selectiverenderer.schema.SensorSchemas;
  */
 record PreviewFrame(
     BufferedImage image,
+    Camera camera,
     List<Label> labels,
     long polygons,
     long drawn,
@@ -37,6 +40,7 @@ record PreviewFrame(
   PreviewFrame with(List<Label> otherLabels, long newRevision) {
     return new PreviewFrame(
         image,
+        camera,
         otherLabels,
         polygons,
         drawn,

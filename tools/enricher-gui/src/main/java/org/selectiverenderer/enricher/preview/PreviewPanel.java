@@ -1,14 +1,19 @@
 package org.selectiverenderer.enricher.preview;
 
 import org.selectiverenderer.enricher.text.Texts;
+import java.awt.Component;
+import java.awt.Point;
 import java.awt.event.ActionEvent;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.AbstractAction;
 import javax.swing.AbstractButton;
 import javax.swing.Action;
@@ -25,8 +30,11 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.enricher.area.SceneProbe;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -46,12 +54,17 @@ public final class PreviewPanel extends JPanel {
   private static final String KEYS = "preview.key.";
 
 
+  private transient BiConsumer<Component, Point> menu = (over, at) -> {};
   private final transient EnricherSession session;
   private final transient PreviewThread thread;
   private final transient SceneFeed feed;
   private final transient AsIfChooser asIf;
   private final transient SelectionListener onSelection = this::selected;
   private final transient AtomicReference<@Nullable PreviewFrame> arrived = new AtomicReference<>();
+  private final transient SceneProbe probe;
+  private final transient AreaHandles handles;
+  private transient Supplier<GridStep> grid = () -> GridStep.NONE;
+  private final JToolBar bar = new WrappingBar("Preview");
   private transient Consumer<PreviewFrame> onFrame = frame -> {};
   private final PictureView view = new PictureView();
   private final JLabel message = new JLabel(" ");
@@ -85,6 +98,19 @@ public final class PreviewPanel extends JPanel {
               }
             });
     asIf = new AsIfChooser(() -> session.enrichment().schemas(), this::showAsIf);
+    probe = new PreviewProbe(thread, this::anchors);
+    handles =
+        new AreaHandles(
+            view,
+            session,
+            () -> grid.get(),
+            (area, box) -> {
+              List<Anchor> sensor = anchors(area.element());
+              float[] centre = area.frame().ownCentre(box);
+              float[] size = area.frame().ownSize(box);
+              thread.tell(
+                  stage -> stage.scene().ifPresent(shown -> shown.box(sensor, centre, size)));
+            });
     new PictureHands(
         view,
         thread,
@@ -105,6 +131,22 @@ public final class PreviewPanel extends JPanel {
                         pixelY,
                         innermost,
                         meant -> SwingUtilities.invokeLater(() -> picked(meant))));
+          }
+
+          @Override
+          public void menu(MouseEvent event, int pixelX, int pixelY) {
+            Consumer<PreviewStage.Picked> meant =
+                found -> {
+                  picked(found);
+                  menu.accept(view, event.getPoint());
+                };
+            thread.tell(
+                stage ->
+                    stage.pick(
+                        pixelX,
+                        pixelY,
+                        false,
+                        found -> SwingUtilities.invokeLater(() -> meant.accept(found))));
           }
         });
     layOut();
@@ -156,7 +198,6 @@ public final class PreviewPanel extends JPanel {
   }
 
   private void layOut() {
-    JToolBar bar = new WrappingBar("Preview");
     bar.add(named(walk, "Walk in the scene as a user does (W); Escape ends it"));
     bar.add(named(asIfButton, "Show the scene as if the viewer were in schemas (I)"));
     bar.add(named(sensors, "Draw and label the boxes of the sensors (B)"));
@@ -266,6 +307,11 @@ public final class PreviewPanel extends JPanel {
     }
   }
 
+  /** What shows the menu of the selected node: over which component, where. */
+  public void onMenu(BiConsumer<Component, Point> shown) {
+    menu = shown;
+  }
+
   /** Keeps the last good picture and says why there is no newer one. */
   private void stale(String sentence) {
     progress.setVisible(false);
@@ -297,8 +343,15 @@ public final class PreviewPanel extends JPanel {
   }
 
   private void tellSelection() {
+    List<Anchor> anchors =
+        session.selection().map(this::anchors).orElse(List.of());
+    thread.ask(stage -> stage.select(anchors));
+  }
+
+  /** Of an element and those around it, the nearest first. */
+  private List<Anchor> anchors(DocumentElement of) {
     List<Anchor> anchors = new ArrayList<>();
-    Optional<DocumentElement> at = session.selection().filter(DocumentElement::attached);
+    Optional<DocumentElement> at = Optional.of(of).filter(DocumentElement::attached);
     while (at.isPresent()) {
       DocumentElement element = at.get();
       Location place = session.document().location(element.start());
@@ -309,7 +362,24 @@ public final class PreviewPanel extends JPanel {
               place.column()));
       at = element.parent();
     }
-    thread.ask(stage -> stage.select(anchors));
+    return anchors;
+  }
+
+  /** Answers what is asked of the running scene. */
+  public SceneProbe probe() {
+    return probe;
+  }
+
+  /** The grid that the handles of areas snap to. */
+  public void grid(Supplier<GridStep> setting) {
+    grid = setting;
+  }
+
+  /** Adds a button behind those that choose what is shown. */
+  public void addAction(String text, String tip, Runnable does) {
+    JButton added = button(text, tip, does);
+    added.setName(text);
+    bar.add(added, bar.getComponentIndex(wireframe) + 1);
   }
 
   /** Shows the scene as if the viewer were in these schemas, later ones overruling earlier ones. */
@@ -337,6 +407,7 @@ public final class PreviewPanel extends JPanel {
   /** Draws the sensors' boxes or not. */
   public void sensorsShown(boolean show) {
     sensors.setSelected(show);
+    handles.shown(show);
     thread.tell(stage -> stage.sensorsShown(show));
   }
 
@@ -381,6 +452,11 @@ public final class PreviewPanel extends JPanel {
   /** Loads the document anew, for instance because a file that it names has been written. */
   public void reload() {
     feed.now();
+  }
+
+  /** Where the picture drawn last was seen from; empty before the first. */
+  public Optional<Pose> pose() {
+    return thread.pose();
   }
 
   /** The component that shows the picture. */

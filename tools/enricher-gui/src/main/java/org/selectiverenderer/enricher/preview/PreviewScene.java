@@ -14,6 +14,7 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.ShownBounds;
+import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowser;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.Pose;
@@ -40,12 +41,14 @@ final class PreviewScene implements AutoCloseable {
   private double time;
   private long counted = -1;
   private long revision;
+  private final double startHeight;
 
   PreviewScene(LoadedPreview loaded) {
     this.loaded = loaded;
     revision = loaded.revision();
     world = loaded.world();
     world.step(0, (viewer, now, dt) -> {}); // The viewer is at the start from here on.
+    startHeight = world.viewer().position().y();
     nodes = new PreviewNodes(world);
     areas = new AreaBoxes(world, nodes);
     asIf = new AsIf(nodes.switches(), world.cascade());
@@ -155,6 +158,28 @@ final class PreviewScene implements AutoCloseable {
   /** Those in force by walking, else those looked at as if. */
   List<String> schemas() {
     return controller == null ? schemas : controller.activeSchemas();
+  }
+
+  /** The first shape in a direction, seen from a place; both in the world. */
+  Optional<RayCaster.Hit> hit(Vector3dc from, Vector3dc direction) {
+    return rays.cast(from, direction, Double.POSITIVE_INFINITY);
+  }
+
+  /** How high the eye is at the start viewpoint, or now where there is none. */
+  double startHeight() {
+    return startHeight;
+  }
+
+  /** Shows a sensor's box as an edit would make it, until the scene is loaded anew. */
+  void box(List<Anchor> sensor, float[] centre, float[] size) {
+    nodes
+        .find(sensor)
+        .filter(ProximitySensorNode.class::isInstance)
+        .ifPresent(
+            node -> {
+              world.cascade().send(node, node.type().indexOf("center"), centre);
+              world.cascade().send(node, node.type().indexOf("size"), size);
+            });
   }
 
   /** The first shape in a direction, seen from the viewer. */

@@ -159,6 +159,11 @@ final class PreviewStage implements AutoCloseable {
     orbit.place(pose, distance);
   }
 
+  /** Where the scene is seen from; empty while there is none. */
+  Optional<Pose> pose() {
+    return Optional.ofNullable(scene).map(PreviewScene::pose);
+  }
+
   /** The author's eye, for turning, shifting and coming nearer. */
   Orbit orbit() {
     return orbit;
@@ -217,6 +222,11 @@ final class PreviewStage implements AutoCloseable {
   void select(List<Anchor> anchors) {
     changed |= !anchors.equals(selection);
     selection = anchors;
+  }
+
+  /** What is shown now; for those who measure it, on this thread. */
+  Optional<PreviewScene> scene() {
+    return Optional.ofNullable(scene);
   }
 
   /** Brings what is selected into view. */
@@ -324,6 +334,7 @@ final class PreviewStage implements AutoCloseable {
         outlined.isEmpty()
             ? PreviewImages.of(picture.pixels())
             : PreviewImages.outlined(picture.pixels(), OUTLINE),
+        picture.camera(),
         labels(shown, picture.camera()),
         shown.world().instances().shownPolygons(),
         picture.drawn().triangles(),

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.preview;
 
+import java.util.Optional;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
@@ -7,6 +8,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.mark.MarkedView;
+import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
  * The thread {@code enricher-preview}: owns the GL context and the running scene, does what it is
@@ -36,6 +38,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
   private final Listener listener;
   private final Thread thread;
   private volatile boolean ended;
+  private volatile Optional<Pose> pose = Optional.empty();
 
   PreviewThread(Listener listener) {
     this.listener = listener;
@@ -71,6 +74,11 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
             refused.run();
           }
         });
+  }
+
+  /** Where the picture drawn last was seen from; empty before the first. Thread-safe. */
+  Optional<Pose> pose() {
+    return pose;
   }
 
   /** Hands a scene over, in place of one that has not been shown yet. Thread-safe. */
@@ -123,6 +131,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
         if (!ended) {
           long now = System.nanoTime();
           stage.frame((now - begun) * 1e-9, hurried).ifPresent(listener::drawn);
+          pose = stage.pose();
           begun = now;
           drawn = System.nanoTime();
         }

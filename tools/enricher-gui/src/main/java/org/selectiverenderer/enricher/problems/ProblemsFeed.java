@@ -68,7 +68,8 @@ final class ProblemsFeed {
     refreshed.run();
   }
 
-  private void check() {
+  /** Runs the checks without waiting for a pause. */
+  void check() {
     cancel();
     if (checks.isEmpty() || session.document().tree().isEmpty()) {
       return; // Of a text that is not well formed the fault is all there is to say.

@@ -262,6 +262,11 @@ public final class ProblemsPanel extends JPanel {
     onCounts.accept(counts);
   }
 
+  /** Checks anew: what the checks go by has changed, though the document has not. */
+  public void checkAgain() {
+    feed.check();
+  }
+
   /** Ends its checks. */
   public void dispose() {
     feed.dispose();

@@ -2,10 +2,14 @@ package org.selectiverenderer.enricher.problems;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.DocumentCheck;
 import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.validation.Finding;
@@ -19,14 +23,30 @@ import org.selectiverenderer.validation.run.Validator;
  * now. Each message ends with the rule in brackets, for {@code validate --explain}.
  */
 public final class ValidatorCheck implements DocumentCheck {
+  /** A limit that fits no scene of the run may be for another scene of the folder. */
+  private static final Set<String> OF_OTHER_SCENES = Set.of("SR503");
+
   private final Supplier<Path> file;
   private final RuleCatalogue rules;
-  private final ValidationSettings settings;
+  private final Settings settings;
+
+  /** Where the settings come from. */
+  @FunctionalInterface
+  public interface Settings {
+    /**
+     * The settings as they are now; asked in the background.
+     *
+     * @param problems hears what is wrong with them
+     * @return empty when they cannot be used; those as delivered count then
+     */
+    Optional<ValidationSettings> read(Problems problems) throws IOException;
+  }
 
   /**
    * @param file where the document is saved, against which its urls count; asked in the background
+   * @param settings of the project
    */
-  public ValidatorCheck(Supplier<Path> file, RuleCatalogue rules, ValidationSettings settings) {
+  public ValidatorCheck(Supplier<Path> file, RuleCatalogue rules, Settings settings) {
     this.file = file;
     this.rules = rules;
     this.settings = settings;
@@ -37,11 +57,16 @@ public final class ValidatorCheck implements DocumentCheck {
     Path path = file.get().toAbsolutePath();
     Path folder = path.getParent() == null ? path : path.getParent();
     SourceFile source = SourceFile.of(path, SourceFile.of(path, folder).name(), snapshot.bytes());
+    Problems own = new Problems();
     try {
-      return new Validator(rules, settings, folder)
+      ValidationSettings wanted =
+          settings.read(own).orElse(ValidationSettings.standard()).ignoring(OF_OTHER_SCENES);
+      List<Problem> found = new ArrayList<>(own.list());
+      new Validator(rules, wanted, folder)
           .validate(List.of(source)).findings().stream()
               .map(finding -> problem(finding, source.name(), snapshot.name()))
-              .toList();
+              .forEach(found::add);
+      return found;
     } catch (IOException e) {
       Location whole = Location.of(snapshot.name());
       return List.of(

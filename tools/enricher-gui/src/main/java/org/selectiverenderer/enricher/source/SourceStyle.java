@@ -34,6 +34,8 @@ final class SourceStyle {
     scroll.getGutter().setBackground(UIManager.getColor("Panel.background"));
     scroll.getGutter().setLineNumberFont(area.getFont());
     scroll.getGutter().setLineNumberColor(UIManager.getColor("Label.disabledForeground"));
+    scroll.getGutter().setFoldBackground(UIManager.getColor("TextArea.background"));
+    scroll.getGutter().setFoldIndicatorForeground(UIManager.getColor("Label.disabledForeground"));
     scroll.getGutter().setBorderColor(UIManager.getColor("Component.borderColor"));
   }
 
@@ -43,6 +45,10 @@ final class SourceStyle {
 
   static Color elementTag() {
     return mixed("TextArea.background", "Component.accentColor", 0.22);
+  }
+
+  static Color hit() {
+    return mixed("TextArea.background", "Actions.Yellow", 0.5);
   }
 
   private static Color mixed(String one, String other, double part) {

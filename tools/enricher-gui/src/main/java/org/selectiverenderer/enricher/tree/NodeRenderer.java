@@ -33,11 +33,12 @@ final class NodeRenderer extends DefaultTreeCellRenderer {
     super.getTreeCellRendererComponent(tree, value, selected, expanded, leaf, row, focused);
     if (value instanceof DocumentElement element) {
       setText(text(element));
+      setEnabled(element.attached());
       NodeIcon.Mark mark = mark(element);
       setIcon(new NodeIcon(NodeIcon.Kind.of(element.name()), mark));
       setToolTipText(
           switch (mark) {
-            case NONE -> describable(element) ? "Not enriched yet" : null;
+            case NONE -> describable(element) && element.attached() ? "Not enriched yet" : null;
             case ENRICHED -> "Has schema metadata";
             case FAULTY -> "Has a problem: see the list below";
           });

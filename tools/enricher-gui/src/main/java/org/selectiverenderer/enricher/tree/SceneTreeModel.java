@@ -28,6 +28,9 @@ final class SceneTreeModel implements TreeModel {
   private String search = "";
   private @Nullable List<DocumentElement> list;
 
+  /** The last that was well formed; its elements stand for nothing while the text is not. */
+  private @Nullable ElementTree last;
+
   public SceneTreeModel(SceneDocument document) {
     this.document = document;
     refresh();
@@ -60,8 +63,13 @@ final class SceneTreeModel implements TreeModel {
     }
   }
 
+  private Optional<ElementTree> tree() {
+    document.tree().ifPresent(now -> last = now);
+    return Optional.ofNullable(last);
+  }
+
   private List<DocumentElement> found() {
-    Optional<ElementTree> tree = document.tree();
+    Optional<ElementTree> tree = tree();
     if (tree.isEmpty()) {
       return List.of();
     }
@@ -132,7 +140,7 @@ final class SceneTreeModel implements TreeModel {
 
   @Override
   public Object getRoot() {
-    return document.tree().<Object>map(ElementTree::root).orElse(EMPTY);
+    return tree().<Object>map(ElementTree::root).orElse(EMPTY);
   }
 
   private List<DocumentElement> children(Object parent) {

@@ -8,6 +8,7 @@ import java.util.function.Predicate;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.Timer;
@@ -37,8 +38,9 @@ public final class SceneTreePanel {
   private final JTextField search = new JTextField();
   private final JComboBox<String> extent =
       new JComboBox<>(new String[] {"Switches and sensors", "Whole scene"});
+  private final JTextArea waiting = new JTextArea();
   private final JPanel panel =
-      new JPanel(new MigLayout("insets 6, gap 4, fill", "[grow]", "[][][grow]"));
+      new JPanel(new MigLayout("insets 6, gap 4, fill, hidemode 2", "[grow]", "[][][][grow]"));
   private final SelectionListener selecting = this::follow;
   private final org.selectiverenderer.document.DocumentListener changing = this::changed;
   private boolean following;
@@ -71,6 +73,15 @@ public final class SceneTreePanel {
     extent.addActionListener(event -> extentChosen());
     panel.add(search, "growx, wmin 0, wrap");
     panel.add(extent, "growx, wmin 0, wrap");
+    waiting.setName("treeWaits");
+    waiting.setEditable(false);
+    waiting.setFocusable(false);
+    waiting.setOpaque(false);
+    waiting.setLineWrap(true);
+    waiting.setWrapStyleWord(true);
+    waiting.setFont(search.getFont());
+    panel.add(waiting, "growx, wmin 0, wrap");
+    showWaiting();
     JScrollPane scroll = new JScrollPane(tree);
     scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the nodes");
     scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the nodes");
@@ -213,6 +224,11 @@ public final class SceneTreePanel {
   }
 
   private void changed(org.selectiverenderer.document.DocumentListener.Change change) {
+    showWaiting();
+    if (session.document().tree().isEmpty()) {
+      tree.repaint(); // as it was before, greyed
+      return;
+    }
     List<ElementPath> expanded = new ArrayList<>();
     var paths = tree.getExpandedDescendants(new TreePath(model.getRoot()));
     if (paths != null && !model.flat()) {
@@ -232,6 +248,17 @@ public final class SceneTreePanel {
                     each -> each.find(now).flatMap(model::path).ifPresent(tree::expandPath)));
     shown();
     tree.repaint();
+  }
+
+  private void showWaiting() {
+    waiting.setVisible(session.document().fault().isPresent());
+    session
+        .document()
+        .fault()
+        .ifPresent(
+            fault ->
+                waiting.setText(
+                    Texts.of("node.treeWaits", Integer.toString(fault.location().line()))));
   }
 
   /** Lets go of the session. */

@@ -4,8 +4,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
@@ -14,6 +17,7 @@ import org.selectiverenderer.document.versions.ObjectVersion;
 import org.selectiverenderer.document.versions.PlannedFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.polygon.model.ModelReader;
+import org.selectiverenderer.polygon.simplify.Goal;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
@@ -23,13 +27,41 @@ import org.selectiverenderer.x3d.read.X3dReader;
  *
  * @param edit empty if the object cannot get these versions; the problems say why
  * @param shapes of the versions in order, those that can be drawn
+ * @param existing how many versions the object has now, the original included; 0 for none
  */
 record ComputedVersions(
-    Optional<VersionsEdit> edit, List<Optional<ObjectShape>> shapes, List<Problem> problems) {
+    Optional<VersionsEdit> edit,
+    List<Optional<ObjectShape>> shapes,
+    List<Problem> problems,
+    int existing) {
+
+  /**
+   * The same as {@link #of}, to begin with: versions that the object has already stay as they are,
+   * whatever the request asks for.
+   */
+  static ComputedVersions first(
+      Snapshot snapshot, VersionsEdit.Request request, NodeCatalogue catalogue) throws IOException {
+    int existing = VersionsEdit.existing(snapshot, request, catalogue).size();
+    if (existing < 2) {
+      return of(snapshot, request, catalogue);
+    }
+    VersionsEdit.Request keeping =
+        new VersionsEdit.Request(
+            request.scene(),
+            request.access(),
+            request.object(),
+            Collections.nCopies(existing - 1, new Goal.VertexPercent(100)),
+            request.output(),
+            request.inlineFolder(),
+            IntStream.rangeClosed(2, existing).boxed().collect(Collectors.toSet()),
+            request.name());
+    return of(snapshot, keeping, catalogue);
+  }
 
   /** Works it out; takes a while, so not for the thread of the window. */
   static ComputedVersions of(
       Snapshot snapshot, VersionsEdit.Request request, NodeCatalogue catalogue) throws IOException {
+    int existing = VersionsEdit.existing(snapshot, request, catalogue).size();
     Problems problems = new Problems();
     Optional<VersionsEdit> edit = VersionsEdit.plan(snapshot, request, catalogue, problems);
     List<Optional<ObjectShape>> shapes = new ArrayList<>();
@@ -38,7 +70,7 @@ record ComputedVersions(
         shapes.add(shape(version.file(), edit.get(), catalogue, request));
       }
     }
-    return new ComputedVersions(edit, shapes, problems.list());
+    return new ComputedVersions(edit, shapes, problems.list(), existing);
   }
 
   /** Versions that are there already stay in their files; the others are only planned. */

@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.versions;
 
 import java.util.Locale;
 import java.util.Optional;
+import javax.swing.DefaultComboBoxModel;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -11,6 +12,7 @@ import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.versions.ObjectVersion;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** One version: its goal, its figures, its picture as a solid and as wires. */
 @SuppressWarnings("serial") // never written
@@ -24,7 +26,8 @@ final class VersionColumn extends JPanel {
   private final JLabel polygons = new JLabel();
   private final JLabel vertices = new JLabel();
   private final JLabel error = new JLabel();
-  private final JComboBox<VersionGoal.Kind> kind = new JComboBox<>(VersionGoal.Kind.values());
+  private final JComboBox<VersionGoal.Kind> kind =
+      new JComboBox<>(new VersionGoal.Kind[] {VersionGoal.Kind.PERCENT, VersionGoal.Kind.COUNT});
   private final JSlider slider = new JSlider(1, 100, 50);
   private final JSpinner spinner = new JSpinner(new SpinnerNumberModel(50.0, 0.1, 100.0, 1.0));
   private boolean following;
@@ -118,13 +121,16 @@ final class VersionColumn extends JPanel {
     ObjectShape shape = version.flatMap(v -> result.orElseThrow().shapes().get(index)).orElse(null);
     solid.show(shape, frame);
     wires.show(shape, frame);
-    boolean stale = !model.current() && index > 0;
+    boolean stale = !model.current() && index > 0 && !current().keeps();
     polygons.setText(text(version.map(v -> DecimalText.grouped(v.polygons())), stale));
     vertices.setText(text(version.map(v -> DecimalText.grouped(v.vertices())), stale));
     error.setText(text(version.map(this::error), stale));
   }
 
   private String error(ObjectVersion version) {
+    if (Double.isNaN(version.error())) {
+      return Texts.of("versions.unmeasured");
+    }
     String share = String.format(Locale.ROOT, "%.2f %% of its size", 100 * version.error());
     return version.met() ? share : share + "; the nearest that its form allows";
   }
@@ -134,7 +140,17 @@ final class VersionColumn extends JPanel {
   }
 
   private void showGoal(VersionGoal goal) {
-    boolean percent = goal.kind() == VersionGoal.Kind.PERCENT;
+    boolean percent = goal.kind() != VersionGoal.Kind.COUNT;
+    boolean there = model.existing() > index;
+    if (there != (kind.getItemCount() == VersionGoal.Kind.values().length)) {
+      kind.setModel(
+          new DefaultComboBoxModel<>(
+              there
+                  ? VersionGoal.Kind.values()
+                  : new VersionGoal.Kind[] {VersionGoal.Kind.PERCENT, VersionGoal.Kind.COUNT}));
+    }
+    slider.setEnabled(!goal.keeps());
+    spinner.setEnabled(!goal.keeps());
     int most = percent ? 100 : Math.max(VersionGoal.FEWEST, model.maxVertex());
     kind.setEnabled(model.maxVertex() > 0); // a count needs to know of how many
     kind.setSelectedItem(goal.kind());

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.versions;
 
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.polygon.simplify.Goal;
 
 /**
@@ -10,18 +11,20 @@ import org.selectiverenderer.polygon.simplify.Goal;
 record VersionGoal(Kind kind, double value) {
   /** The parameters of the thesis (2.2.4). */
   enum Kind {
-    PERCENT("Vert Percent"),
-    COUNT("Vert Count");
+    PERCENT("versions.percent"),
+    COUNT("versions.count"),
+    /** The version that is there stays as it is; the value is what it has, in percent. */
+    KEEP("versions.keep");
 
-    private final String label;
+    private final String text;
 
-    Kind(String label) {
-      this.label = label;
+    Kind(String text) {
+      this.text = text;
     }
 
     @Override
     public String toString() {
-      return label;
+      return Texts.of(text);
     }
   }
 
@@ -34,10 +37,20 @@ record VersionGoal(Kind kind, double value) {
     return new VersionGoal(Kind.PERCENT, percent);
   }
 
+  boolean keeps() {
+    return kind == Kind.KEEP;
+  }
+
   /** The same goal said the other way, of an original with so many vertices. */
   VersionGoal as(Kind other, int maxVertex) {
     if (other == kind) {
       return this;
+    }
+    if (other == Kind.KEEP) {
+      return new VersionGoal(other, as(Kind.PERCENT, maxVertex).value());
+    }
+    if (kind == Kind.KEEP) {
+      return percent(value).as(other, maxVertex);
     }
     return other == Kind.COUNT
         ? new VersionGoal(other, Math.round(maxVertex * value / 100)).within(maxVertex)
@@ -47,14 +60,14 @@ record VersionGoal(Kind kind, double value) {
 
   /** The same goal within what the original can give. */
   VersionGoal within(int maxVertex) {
-    double most = kind == Kind.PERCENT ? 100 : Math.max(FEWEST, maxVertex);
-    double least = kind == Kind.PERCENT ? LEAST_PERCENT : FEWEST;
+    double most = kind == Kind.COUNT ? Math.max(FEWEST, maxVertex) : 100;
+    double least = kind == Kind.COUNT ? FEWEST : LEAST_PERCENT;
     return new VersionGoal(kind, Math.max(least, Math.min(most, value)));
   }
 
   Goal goal() {
-    return kind == Kind.PERCENT
-        ? new Goal.VertexPercent(value)
-        : new Goal.Vertices((int) Math.round(value));
+    return kind == Kind.COUNT
+        ? new Goal.Vertices((int) Math.round(value))
+        : new Goal.VertexPercent(value);
   }
 }

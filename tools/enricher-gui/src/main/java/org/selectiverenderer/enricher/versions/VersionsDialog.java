@@ -17,14 +17,17 @@ import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
+import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.base.problem.Problem;
-import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.versions.PlannedFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.experiment.window.PackedWindow;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -46,11 +49,13 @@ public final class VersionsDialog extends JDialog {
   private final JList<String> problems = new JList<>();
   private final JScrollPane problemPane = new JScrollPane(problems);
   private final JProgressBar progress = new JProgressBar();
+  private final JLabel doing = new JLabel(Texts.of("versions.computing"));
+  private final JTextField name = new JTextField(14);
   private final JButton stop = new JButton("Stop");
   private final JButton more = new JButton("Add Version");
   private final JButton fewer = new JButton("Remove Version");
   private final JButton apply = new JButton("Make Versions");
-  private final DocumentListener changes;
+  private final org.selectiverenderer.document.DocumentListener changes;
 
   /**
    * @param object the object, or an element in it
@@ -90,7 +95,7 @@ public final class VersionsDialog extends JDialog {
   }
 
   private JPanel choice() {
-    JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][]unrel[][]push"));
+    JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][]unrel[][]unrel[][]push"));
     JComboBox<String> objects =
         new JComboBox<>(VersionsModel.objects(session.document()).toArray(String[]::new));
     objects.setPrototypeDisplayValue("Transform_OfSomeObject");
@@ -106,13 +111,40 @@ public final class VersionsDialog extends JDialog {
     fewer.addActionListener(e -> model.removeLast());
     panel.add(label);
     panel.add(objects);
+    JLabel nameLabel = new JLabel(Texts.of("versions.name"));
+    nameLabel.setDisplayedMnemonic('F');
+    nameLabel.setLabelFor(name);
+    name.setName("Name of the files");
+    name.getAccessibleContext().setAccessibleName(Texts.of("versions.name.described"));
+    name.setToolTipText(Texts.of("versions.name.described"));
+    name.getDocument().addDocumentListener(new Typing(() -> model.name(name.getText())));
+    panel.add(nameLabel);
+    panel.add(name);
     panel.add(more);
     panel.add(fewer);
     return panel;
   }
 
+  /** Hears of every letter. */
+  private record Typing(Runnable changed) implements DocumentListener {
+    @Override
+    public void insertUpdate(DocumentEvent event) {
+      changed.run();
+    }
+
+    @Override
+    public void removeUpdate(DocumentEvent event) {
+      changed.run();
+    }
+
+    @Override
+    public void changedUpdate(DocumentEvent event) {
+      changed.run();
+    }
+  }
+
   private JPanel buttons() {
-    JPanel panel = new JPanel(new MigLayout("insets 0, fillx, hidemode 2", "[][]push[][]"));
+    JPanel panel = new JPanel(new MigLayout("insets 0, fillx, hidemode 2", "[][][]push[][]"));
     progress.setIndeterminate(true);
     progress.getAccessibleContext().setAccessibleName("Computing the versions");
     stop.setMnemonic('S');
@@ -125,6 +157,7 @@ public final class VersionsDialog extends JDialog {
     JButton cancel = new JButton("Cancel");
     cancel.addActionListener(e -> dispose());
     apply.addActionListener(e -> apply());
+    panel.add(doing);
     panel.add(progress);
     panel.add(stop);
     panel.add(apply, "tag ok");
@@ -150,6 +183,10 @@ public final class VersionsDialog extends JDialog {
     shown.forEach(VersionColumn::refresh);
     boolean busy = !model.current() && work.busy();
     progress.setVisible(busy);
+    doing.setVisible(busy);
+    if (!name.getText().strip().equals(model.name())) {
+      name.setText(model.name()); // of another object
+    }
     stop.setVisible(busy);
     more.setEnabled(model.goals().size() < VersionsModel.MOST);
     fewer.setEnabled(model.goals().size() > 1);
@@ -157,7 +194,7 @@ public final class VersionsDialog extends JDialog {
     List<Problem> found = model.result().map(ComputedVersions::problems).orElse(List.of());
     problems.setListData(found.stream().map(Problem::toString).toArray(String[]::new));
     problemPane.setVisible(!found.isEmpty());
-    summary.setText(busy ? "Computing the versions\u2026" : summary());
+    summary.setText(busy ? " " : summary());
     revalidate();
   }
 
@@ -179,6 +216,9 @@ public final class VersionsDialog extends JDialog {
       return model.object().isEmpty()
           ? "Choose an object. An object without a DEF name needs a name first."
           : "There are no versions of %s to make; see the problems.".formatted(model.object());
+    }
+    if (edit.get().isEmpty()) {
+      return Texts.of("versions.same");
     }
     List<String> files =
         edit.get().files().stream()
@@ -216,19 +256,21 @@ public final class VersionsDialog extends JDialog {
     }
   }
 
-  /** Files that are there already go for good, as undoing concerns the scene only. */
+  /** Files that are there already are replaced only when the author has seen which. */
   private boolean replacing(VersionsEdit edit) {
     List<String> there =
         edit.files().stream()
             .filter(file -> file.state() == PlannedFile.State.CHANGED)
             .map(file -> String.valueOf(file.file().getFileName()))
             .toList();
+    boolean byHand = edit.files().stream().anyMatch(PlannedFile::byHand);
     return there.isEmpty()
         || JOptionPane.showConfirmDialog(
                 this,
-                "%s will be replaced; undo does not restore the present content."
-                    .formatted(String.join(", ", there)),
-                "Replace Files?",
+                Texts.of(
+                    byHand ? "versions.replace.hand" : "versions.replace",
+                    String.join(", ", there)),
+                Texts.of("versions.replace.title"),
                 JOptionPane.OK_CANCEL_OPTION,
                 JOptionPane.WARNING_MESSAGE)
             == JOptionPane.OK_OPTION;

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -22,7 +24,13 @@ final class VersionsModel {
   private final List<VersionGoal> goals = new ArrayList<>(List.of(VersionGoal.percent(50)));
   private Optional<ComputedVersions> result = Optional.empty();
   private String object;
+  private String name = "";
   private int maxVertex;
+  private int existing;
+
+  /** Whether it is not known yet which versions the object has. */
+  private boolean beginning = true;
+
   private long wanted = 1;
   private long worked;
 
@@ -73,9 +81,42 @@ final class VersionsModel {
       object = other;
       goals.replaceAll(goal -> goal.as(VersionGoal.Kind.PERCENT, maxVertex));
       maxVertex = 0;
+      existing = 0;
+      beginning = true;
+      name = "";
       result = Optional.empty();
       changed();
     }
+  }
+
+  /** What the files that are made are named after; empty for the name that they have anyway. */
+  String name() {
+    return name;
+  }
+
+  void name(String other) {
+    if (!other.strip().equals(name)) {
+      name = other.strip();
+      changed();
+    }
+  }
+
+  /** How many versions the object has in the scene; 0 for none. */
+  int existing() {
+    return existing;
+  }
+
+  /** Whether it is to be found out first which versions there are. */
+  boolean beginning() {
+    return beginning;
+  }
+
+  /** The numbers of versions that stay as they are. */
+  Set<Integer> kept() {
+    return IntStream.range(0, goals.size())
+        .filter(i -> goals.get(i).keeps())
+        .mapToObj(i -> i + 2)
+        .collect(Collectors.toSet());
   }
 
   /** The goals of versions 2, 3 and so on. */
@@ -95,6 +136,9 @@ final class VersionsModel {
   void add() {
     if (goals.size() < MOST) {
       VersionGoal last = goals.get(goals.size() - 1);
+      if (last.keeps()) {
+        last = last.as(VersionGoal.Kind.PERCENT, maxVertex);
+      }
       goals.add(
           new VersionGoal(last.kind(), Math.max(1, Math.floor(last.value() / 2)))
               .within(Math.max(maxVertex, VersionGoal.FEWEST)));
@@ -131,8 +175,28 @@ final class VersionsModel {
       worked = number;
       result = Optional.of(computed);
       maxVertex = computed.maxVertex() > 0 ? computed.maxVertex() : maxVertex;
+      existing = computed.existing();
+      if (beginning) {
+        begin(computed);
+      }
       listeners.forEach(Runnable::run);
     }
+  }
+
+  /** Versions that are there are kept, until the author wants others. */
+  private void begin(ComputedVersions computed) {
+    beginning = false;
+    if (existing < 2) {
+      return;
+    }
+    goals.clear();
+    for (int i = 1; i < existing; i++) {
+      double vertices =
+          i < computed.versions().size() ? computed.versions().get(i).vertices() : maxVertex;
+      double percent = Math.round(1000 * vertices / Math.max(1, maxVertex)) / 10.0;
+      goals.add(new VersionGoal(VersionGoal.Kind.KEEP, percent).within(maxVertex));
+    }
+    worked = wanted; // what is shown is what these goals come to
   }
 
   Optional<ComputedVersions> result() {
@@ -150,6 +214,7 @@ final class VersionsModel {
   }
 
   boolean applicable() {
-    return current() && result.flatMap(ComputedVersions::edit).isPresent();
+    return current()
+        && result.flatMap(ComputedVersions::edit).filter(edit -> !edit.isEmpty()).isPresent();
   }
 }

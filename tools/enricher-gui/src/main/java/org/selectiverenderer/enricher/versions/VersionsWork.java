@@ -57,13 +57,19 @@ final class VersionsWork {
                 model.object(),
                 model.goals().stream().<Goal>map(VersionGoal::goal).toList(),
                 FOLDER)
-            .allowing(session.access());
+            .allowing(session.access())
+            .keeping(model.kept())
+            .named(model.name());
+    boolean beginning = model.beginning();
     task =
         session
             .tasks()
             .run(
                 "Computing versions of " + model.object(),
-                () -> ComputedVersions.of(snapshot, request, session.catalogue()),
+                () ->
+                    beginning
+                        ? ComputedVersions.first(snapshot, request, session.catalogue())
+                        : ComputedVersions.of(snapshot, request, session.catalogue()),
                 computed -> done(number, () -> model.take(number, computed)),
                 failure -> done(number, () -> failed.accept(sentence(failure))));
   }

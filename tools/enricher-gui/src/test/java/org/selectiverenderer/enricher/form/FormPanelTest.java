@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.form;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.accessibility.Accessible;
 import javax.swing.AbstractButton;
+import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -72,6 +74,61 @@ class FormPanelTest {
   }
 
   @Test
+  void anyFieldOfANodeIsEditedMarkedAndGivenItsDefaultBack() throws Exception {
+    try (FormWindow window = open(false)) {
+      Swing.edt(
+          () ->
+              window.session.select(
+                  window
+                      .session
+                      .document()
+                      .tree()
+                      .orElseThrow()
+                      .named("Low")
+                      .orElseThrow()
+                      .children()
+                      .get(0)
+                      .children()
+                      .get(0),
+                  this));
+      JTextComponent colour = (JTextComponent) window.named("field diffuseColor");
+      window.fill(colour, "1 0 2");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(outline(colour)).isEqualTo("error");
+      assertThat(window.text("Low")).contains("diffuseColor='0 1 0'");
+      window.fill(colour, "1 0 0");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(outline(colour)).isNull();
+      assertThat(window.text("Low")).contains("diffuseColor='1 0 0'");
+      Swing.edt(() -> ((JCheckBox) window.named("allFields")).doClick());
+      window.fill(window.named("field transparency"), "0.5");
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(window.text("Low"))
+          .contains("<Material diffuseColor='1 0 0' transparency='0.5'/>");
+      window.screenshot("form-fields", 1);
+      Swing.edt(() -> ((AbstractButton) window.named("reset transparency")).doClick());
+      assertThat(window.text("Low")).contains("<Material diffuseColor='1 0 0'/>");
+      assertThat(Swing.get(() -> window.session.document().history().names())).hasSize(3);
+    }
+  }
+
+  @Test
+  void allSchemasAreListedOnCtrlSpaceInAnEmptyField() throws Exception {
+    try (FormWindow window = open(false)) {
+      window.select("Switch_Bin");
+      SchemasField schemas = (SchemasField) window.named("Schemas of choice 0");
+      window.click(schemas);
+      window.robot.keyPress(KeyEvent.VK_CONTROL);
+      window.press(KeyEvent.VK_SPACE);
+      window.robot.keyRelease(KeyEvent.VK_CONTROL);
+      window.settle();
+      assertThat(Swing.get(schemas::proposing)).isTrue();
+      window.press(KeyEvent.VK_ENTER);
+      assertThat(shown(schemas)).isEqualTo("DeskSchema");
+    }
+  }
+
+  @Test
   void whatIsFilledInIsWrittenUndoneAndShownForAnother() throws Exception {
     try (FormWindow window = open(false)) {
       window.select("Switch_Bin");
@@ -122,6 +179,30 @@ class FormPanelTest {
       assertThat(window.text("Sofa")).contains("enterTimeSchema", "\"sofa\"");
       assertThat(window.named("On leaving")).isSameAs(leaving);
       assertThat(Swing.get(leaving::isFocusOwner)).isTrue();
+    }
+  }
+
+  @Test
+  void noFieldMovesUnderTheMouseWhenThereIsSomethingToSay() throws Exception {
+    try (FormWindow window = open(false)) {
+      window.select("Switch_Bin");
+      Component schemas = window.named("Schemas of choice 1");
+      Swing.edt(() -> {});
+      Point before = Swing.get(schemas::getLocationOnScreen);
+      Component degree = window.named("Degree of choice 0");
+      window.fill(editor(degree), "2");
+      window.click(schemas);
+      assertThat(outline(degree)).isEqualTo("error");
+      assertThat(Swing.get(schemas::getLocationOnScreen)).isEqualTo(before);
+      assertThat(Swing.get(schemas::isFocusOwner)).isTrue();
+      window.fill(editor(degree), "0.5");
+      JComboBox<?> type = (JComboBox<?>) window.named("Type of choice 0");
+      Swing.edt(() -> type.setSelectedItem("consistent"));
+      JLabel said = (JLabel) window.named("Findings");
+      window.settle();
+      assertThat(Swing.get(said::getText)).contains("problem");
+      window.screenshot("form-findings", 1);
+      assertThat(Swing.get(schemas::getLocationOnScreen)).isEqualTo(before);
     }
   }
 

@@ -19,6 +19,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
@@ -59,7 +60,10 @@ final class FormWindow implements AutoCloseable {
     form = get(() -> new FormPanel(session, pictures));
     help = get(() -> new HelpPanel(session));
     ValidatorCheck validator =
-        new ValidatorCheck(file::path, RuleCatalogue.standard(), ValidationSettings.standard());
+        new ValidatorCheck(
+            file::path,
+            RuleCatalogue.standard(),
+            problems -> Optional.of(ValidationSettings.standard()));
     problems = get(() -> new ProblemsPanel(session, List.of(validator)));
     window = get(this::window);
     robot = new Robot();

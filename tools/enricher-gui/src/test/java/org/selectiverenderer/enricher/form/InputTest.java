@@ -38,6 +38,45 @@ class InputTest {
     assertThat(SchemaList.parse("A, \"B")).isInstanceOf(Input.Wrong.class);
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "5\" desk",
+        "desk \"big\"",
+        "\"quoted\"",
+        "\"",
+        "\"\"",
+        "a\", \"b",
+        "O'Neill's",
+        "a\\b",
+        "<&>",
+        "a, \"b\"",
+      })
+  void aNameIsReadAsItIsShown(String name) {
+    assertThat(SchemaList.parse(SchemaList.format(List.of("Before", name, "Behind"))))
+        .isEqualTo(new Input.Valid<>(List.of("Before", name, "Behind")));
+    SchemaList.Completed completed = SchemaList.complete("Before, ", 8, name);
+    assertThat(SchemaList.parse(completed.text()))
+        .isEqualTo(new Input.Valid<>(List.of("Before", name)));
+  }
+
+  @Test
+  void aQuotationMarkWithinANameIsPartOfIt() {
+    assertThat(SchemaList.parse("5\" desk, the \"big\" one"))
+        .isEqualTo(new Input.Valid<>(List.of("5\" desk", "the \"big\" one")));
+    assertThat(SchemaList.parse("\"big\" one"))
+        .isInstanceOfSatisfying(
+            Input.Wrong.class, wrong -> assertThat(wrong.why()).contains("a comma follows"));
+  }
+
+  @Test
+  void aCommaInQuotationMarksDoesNotEndTheNameAtTheCaret() {
+    assertThat(SchemaList.complete("A, \"C, De", 9, "C, Desk"))
+        .isEqualTo(new SchemaList.Completed("A, \"C, Desk\"", 12));
+    assertThat(SchemaList.proposals("\"C, De", 6, List.of("C, Desk", "Desk")))
+        .containsExactly("C, Desk");
+  }
+
   @Test
   void theNameAtTheCaretIsCompleted() {
     String text = "DeskSchema, of, X";

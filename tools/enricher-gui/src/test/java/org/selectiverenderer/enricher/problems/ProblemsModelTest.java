@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Location;
@@ -161,7 +162,7 @@ class ProblemsModelTest {
         new ValidatorCheck(
             () -> folder.resolve("never-saved.x3d"),
             RuleCatalogue.standard(),
-            ValidationSettings.standard());
+            problems -> Optional.of(ValidationSettings.standard()));
     List<Problem> problems = check.check(document.snapshot());
     assertThat(problems)
         .anySatisfy(

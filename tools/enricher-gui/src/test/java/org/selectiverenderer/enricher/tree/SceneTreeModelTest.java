@@ -45,11 +45,23 @@ class SceneTreeModelTest {
   }
 
   @Test
-  void aBrokenTextHasAnEmptyTree() throws IOException {
+  void aBrokenTextKeepsTheLastGoodTree() throws IOException {
     SceneDocument document = scene();
     SceneTreeModel model = new SceneTreeModel(document);
+    Object before = model.getRoot();
     document.type(0, 0, "<");
     model.refresh();
+    assertThat(model.getRoot()).isSameAs(before);
+    assertThat(model.getChildCount(model.getRoot())).isEqualTo(2);
+    document.history().undo();
+    model.refresh();
+    assertThat(model.getRoot()).isNotSameAs(before);
+  }
+
+  @Test
+  void aTextThatNeverWasWellFormedHasAnEmptyTree() throws IOException {
+    SceneDocument document = Sessions.with(folder, "<Group>").document();
+    SceneTreeModel model = new SceneTreeModel(document);
     assertThat(model.getChildCount(model.getRoot())).isZero();
   }
 

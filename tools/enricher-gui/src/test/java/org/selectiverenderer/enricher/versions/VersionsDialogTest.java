@@ -4,16 +4,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /** Versions of an object are made by hand: a slider, a look, one step, undone. */
@@ -70,6 +74,55 @@ class VersionsDialogTest {
     assertThat(session.document().history().names()).containsExactly("Make versions of Ball");
     session.document().history().undo();
     assertThat(session.document().text().toString()).isEqualTo(before);
+    assertThat(folder.resolve("inlineNodes")).as("undone with its files").doesNotExist();
+    session.document().history().redo();
+    assertThat(folder.resolve("inlineNodes/Ball_v3.x3d")).exists();
+  }
+
+  @Test
+  void versionsThatAreThereAreShownAndStay() throws IOException {
+    Sessions.theme(false);
+    String byHand = "<X3D version='4.0'><Scene><Shape><Box/></Shape></Scene></X3D>";
+    Files.writeString(folder.resolve("Ball_v1.x3d"), byHand.replace("Box", "Sphere"));
+    Path second = Files.writeString(folder.resolve("Ball_v2.x3d"), byHand);
+    EnricherSession session =
+        Sessions.with(
+            folder,
+            "<Switch DEF='Ball'><Inline url='\"Ball_v1.x3d\"'/><Inline url='\"Ball_v2.x3d\"'/>"
+                + "</Switch>");
+    Hands hands = new Hands();
+    VersionsDialog dialog =
+        Hands.onEdt(
+            () ->
+                new VersionsDialog(
+                    null,
+                    session,
+                    session.document().tree().orElseThrow().named("Ball").orElseThrow()));
+    hands.show(dialog);
+    JComboBox<?> goal = Hands.named(dialog, "Goal of version 2", JComboBox.class);
+    hands.await("what is there", () -> goal.getSelectedItem() == VersionGoal.Kind.KEEP);
+    JButton make = Hands.named(dialog, "Make Versions", JButton.class);
+    assertThat(Hands.onEdt(make::isEnabled)).as("nothing to make").isFalse();
+    assertThat(polygons(dialog, 2)).isEqualTo(12);
+    Hands.onEdt(
+        () -> {
+          goal.setSelectedItem(VersionGoal.Kind.PERCENT);
+          return null;
+        });
+    JTextField name = Hands.named(dialog, Texts.of("versions.name.described"), JTextField.class);
+    Hands.onEdt(
+        () -> {
+          name.setText("Round");
+          return null;
+        });
+    hands.await("another version", make::isEnabled);
+    Hands.picture(dialog.getContentPane(), "versions-kept", 1);
+    hands.click(make);
+    hands.await("the end", () -> !dialog.isShowing());
+    assertThat(second).hasContent(byHand);
+    assertThat(session.document().text().toString()).contains("Round_v2.x3d");
+    session.document().history().undo();
+    assertThat(folder.resolve("Round_v2.x3d")).doesNotExist();
   }
 
   private static int polygons(VersionsDialog dialog, int version) {

@@ -51,6 +51,40 @@ class VersionsModelTest {
   }
 
   @Test
+  void versionsThatAreThereAreKeptUntilTheAuthorWantsOthers() throws IOException {
+    SceneDocument document = document();
+    compute().edit().orElseThrow().apply(document);
+    Path second = folder.resolve("inlineNodes/Ball_v2.x3d");
+    String byHand = "<X3D version='4.0'><Scene><Shape><Box/></Shape></Scene></X3D>";
+    Files.writeString(second, byHand);
+    VersionsEdit.Request request =
+        new VersionsEdit.Request(
+            folder.resolve("ball.x3d"), "Ball", List.of(new Goal.VertexPercent(50)), "inlineNodes");
+    NodeCatalogue catalogue = NodeCatalogue.load();
+    model.take(model.wanted(), ComputedVersions.first(document.snapshot(), request, catalogue));
+    assertThat(model.kept()).containsExactly(2);
+    assertThat(model.current()).isTrue();
+    assertThat(model.applicable()).as("nothing to do").isFalse();
+    assertThat(model.result().orElseThrow().versions().get(1).polygons()).isEqualTo(12);
+    model.add();
+    assertThat(model.kept()).containsExactly(2);
+    assertThat(model.goals().get(1).keeps()).isFalse();
+    ComputedVersions more =
+        ComputedVersions.of(
+            document.snapshot(),
+            new VersionsEdit.Request(
+                    folder.resolve("ball.x3d"),
+                    "Ball",
+                    model.goals().stream().<Goal>map(VersionGoal::goal).toList(),
+                    "inlineNodes")
+                .keeping(model.kept()),
+            catalogue);
+    more.edit().orElseThrow().apply(document);
+    assertThat(second).hasContent(byHand);
+    assertThat(folder.resolve("inlineNodes/Ball_v3.x3d")).exists();
+  }
+
+  @Test
   void aResultOfOlderGoalsIsShownButNotApplied() throws IOException {
     long number = model.wanted();
     ComputedVersions computed = compute();

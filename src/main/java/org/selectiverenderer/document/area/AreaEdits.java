@@ -1,0 +1,197 @@
+package org.selectiverenderer.document.area;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.nodes.NodeEdits;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.TextChange;
+
+/**
+ * Makes edits of where a document's areas are. Each is for the document as it is now and is made by
+ * {@link SceneDocument#perform}; an edit that would change nothing is empty. All throw {@link
+ * EditRefused} with a sentence for the author where an edit cannot be made.
+ */
+public final class AreaEdits {
+  private static final List<String> STATEMENTS = List.of("ROUTE", "IMPORT", "EXPORT");
+  private static final double SAME = 1e-6;
+
+  private final SceneDocument document;
+  private final Enrichment enrichment;
+  private final NodeEdits nodes;
+
+  public AreaEdits(Enrichment enrichment) {
+    this.enrichment = enrichment;
+    this.document = enrichment.document();
+    this.nodes = new NodeEdits(document);
+  }
+
+  /**
+   * Adds an area: a ProximitySensor in the scene's own frame, behind the areas that are there.
+   *
+   * @param name its DEF, which no other node has
+   */
+  public Edit add(String name, AreaBox box) {
+    sound(box);
+    nodes.check(name);
+    DocumentElement scene = scene();
+    Layout layout = document.layout();
+    char quote = layout.quote(scene.children().isEmpty() ? scene : scene.children().get(0));
+    String line =
+        "<ProximitySensor"
+            + Layout.written("DEF", name, quote)
+            + Layout.written("center", text(box.centre(), new float[3], box.size()), quote)
+            + Layout.written("size", text(box.size(), new float[3], box.size()), quote)
+            + "/>";
+    return new Edit("Add the area " + name, List.of(inserted(scene, line)));
+  }
+
+  /** What stands where the viewer walks: the Scene, or the Layer of it that is active. */
+  private DocumentElement scene() {
+    DocumentElement root = document.tree().map(tree -> tree.root()).orElseThrow(this::broken);
+    DocumentElement scene =
+        root.children().stream()
+            .filter(child -> child.name().equals("Scene"))
+            .findFirst()
+            .orElseThrow(
+                () -> new EditRefused("the file has no Scene, in which an area could stand"));
+    for (DocumentElement set : scene.children()) {
+      if (set.name().equals("LayerSet")) {
+        return activeLayer(set).orElse(scene);
+      }
+    }
+    return scene;
+  }
+
+  private EditRefused broken() {
+    return new EditRefused(
+        document
+                .fault()
+                .map(fault -> fault.location() + ": " + fault.message())
+                .orElse(document.name())
+            + "; correct it in the source view first");
+  }
+
+  private static Optional<DocumentElement> activeLayer(DocumentElement set) {
+    String active = set.text("activeLayer").orElse("0").strip();
+    List<DocumentElement> layers =
+        set.children().stream()
+            .filter(child -> child.name().toLowerCase(Locale.ROOT).endsWith("layer"))
+            .toList();
+    for (int i = 0; i < layers.size(); i++) {
+      if (String.valueOf(i + 1).equals(active) && layers.get(i).name().equals("Layer")) {
+        return Optional.of(layers.get(i));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Behind the last child with an area in it, else behind all nodes, in front of the routes. */
+  private TextChange inserted(DocumentElement scene, String line) {
+    Layout layout = document.layout();
+    Optional<DocumentElement> after = Optional.empty();
+    for (DocumentElement child : scene.children()) {
+      if (holdsArea(child)) {
+        after = Optional.of(child);
+      }
+    }
+    if (after.isEmpty()) {
+      after =
+          scene.children().stream()
+              .filter(child -> !STATEMENTS.contains(child.name()))
+              .reduce((one, other) -> other);
+    }
+    return after
+        .map(child -> layout.insertAfter(child, List.of(line)))
+        .orElseGet(() -> layout.insertFirst(scene, List.of(line)));
+  }
+
+  private boolean holdsArea(DocumentElement child) {
+    return enrichment.sensors().stream()
+        .anyMatch(
+            sensor ->
+                child.contains(sensor.element()) && AreaFrame.of(sensor.element()).isPresent());
+  }
+
+  /**
+   * Puts an area's box elsewhere: changes {@code center} and {@code size} of its sensor, nothing
+   * else.
+   *
+   * @param name of the step, such as {@code Move Desk}
+   */
+  public Edit place(Area area, AreaBox box, String name) {
+    sound(box);
+    DocumentElement sensor = area.element();
+    Vector3d centre = vector(area.frame().ownCentre(box));
+    Vector3d size = vector(area.frame().ownSize(box));
+    List<TextChange> changes = new ArrayList<>();
+    float[] oldCentre = Areas.centre(sensor);
+    float[] oldSize = Areas.size(sensor);
+    if (differs(centre, oldCentre, size)) {
+      changes.add(document.layout().attribute(sensor, "center", text(centre, oldCentre, size)));
+    }
+    if (differs(size, oldSize, size)) {
+      changes.add(document.layout().attribute(sensor, "size", text(size, oldSize, size)));
+    }
+    return new Edit(name, changes);
+  }
+
+  /** Puts a copy of an area with its schemas beside it: another part of the same area. */
+  public Edit copy(Area area, String name, Vector3dc shift) {
+    List<TextChange> moved = place(area, area.box().movedBy(shift), "").changes();
+    return new Edit(
+        "Copy " + area.name(), List.of(nodes.copied(area.element(), name, moved)));
+  }
+
+  private static Vector3d vector(float[] of) {
+    return new Vector3d(of[0], of[1], of[2]);
+  }
+
+  private static void sound(AreaBox box) {
+    if (!box.sound()) {
+      throw new EditRefused("an area is larger than 0 in width, height and depth");
+    }
+  }
+
+  private static boolean differs(Vector3dc wanted, float[] old, Vector3dc size) {
+    for (int i = 0; i < 3; i++) {
+      if (!same(wanted.get(i), old[i], size)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether a number is what is written already, given how large the area is. */
+  private static boolean same(double wanted, float old, Vector3dc size) {
+    double unit = Math.min(size.x(), Math.min(size.y(), size.z()));
+    return Math.abs(wanted - old) <= SAME * Math.max(unit, Math.abs((double) old));
+  }
+
+  /**
+   * Numbers as an author writes them: to a thousandth of the smallest side or better; what has not
+   * changed as it was.
+   */
+  private static String text(Vector3dc wanted, float[] old, Vector3dc size) {
+    double least = Math.min(size.x(), Math.min(size.y(), size.z()));
+    int decimals = (int) Math.max(4, Math.min(9, 3 - Math.floor(Math.log10(least))));
+    StringBuilder text = new StringBuilder();
+    for (int i = 0; i < 3; i++) {
+      text.append(i == 0 ? "" : " ")
+          .append(
+              same(wanted.get(i), old[i], size)
+                  ? DecimalText.shortest(old[i])
+                  : DecimalText.rounded(wanted.get(i), decimals));
+    }
+    return text.toString();
+  }
+}

@@ -1,0 +1,137 @@
+package org.selectiverenderer.document.area;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.selectiverenderer.document.enrichment.EnrichedSensor;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.polygon.count.SensorBox;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
+
+/** The areas of a document as it is now. */
+public final class Areas {
+  /** Places on each side of a box at which it is asked whether a turned one is there too. */
+  private static final int SAMPLES = 48;
+
+  private Areas() {}
+
+  /** All areas whose place the text gives, in document order. */
+  public static List<Area> of(Enrichment enrichment) {
+    List<Area> areas = new ArrayList<>();
+    enrichment.sensors().forEach(sensor -> of(enrichment, sensor).ifPresent(areas::add));
+    return areas;
+  }
+
+  /** The area that a sensor is; empty where the text does not give its place. */
+  public static Optional<Area> of(Enrichment enrichment, EnrichedSensor sensor) {
+    DocumentElement element = sensor.element();
+    ElementTree tree = enrichment.document().tree().orElseThrow();
+    return AreaFrame.of(element)
+        .map(
+            frame -> {
+              float[] centre = centre(element);
+              float[] size = size(element);
+              return new Area(
+                  element,
+                  sensor.name(),
+                  sensor.schemas(),
+                  frame,
+                  frame.toScene(centre, size),
+                  SensorBox.of(centre, size, frame.world()),
+                  elsewhere(element, tree));
+            });
+  }
+
+  static float[] centre(DocumentElement sensor) {
+    return AreaFrame.numbers(sensor, "center", FieldType.SFVec3f, 0, 0, 0);
+  }
+
+  static float[] size(DocumentElement sensor) {
+    return AreaFrame.numbers(sensor, "size", FieldType.SFVec3f, 0, 0, 0);
+  }
+
+  private static List<String> elsewhere(DocumentElement element, ElementTree tree) {
+    List<String> names = new ArrayList<>();
+    for (Optional<DocumentElement> at = Optional.of(element);
+        at.isPresent();
+        at = at.get().parent()) {
+      at.get().def().filter(tree::used).ifPresent(names::add);
+    }
+    return names;
+  }
+
+  /** The other sensors that activate just the same: parts of one area. */
+  public static List<Area> parts(Area area, List<Area> all) {
+    return all.stream()
+        .filter(other -> other.element() != area.element())
+        .filter(other -> area.enriched() && other.schemas().equals(area.schemas()))
+        .toList();
+  }
+
+  /**
+   * What two areas share.
+   *
+   * @param volume in cubic units of the scene; of turned areas about right
+   * @param within whether all of the area lies in the other one
+   * @param around whether all of the other one lies in the area
+   */
+  public record Overlap(Area other, double volume, boolean within, boolean around) {}
+
+  /** The areas that lie over an area, parts of the same area left out. */
+  public static List<Overlap> overlaps(Area area, List<Area> all) {
+    List<Area> parts = parts(area, all);
+    List<Overlap> found = new ArrayList<>();
+    for (Area other : all) {
+      if (other.element() != area.element() && !parts.contains(other)) {
+        overlap(area, other).ifPresent(found::add);
+      }
+    }
+    return found;
+  }
+
+  private static Optional<Overlap> overlap(Area area, Area other) {
+    if (area.solid().isEmpty() || other.solid().isEmpty()) {
+      return Optional.empty();
+    }
+    SensorBox one = area.solid().get();
+    SensorBox two = other.solid().get();
+    if (!SensorBox.share(List.of(one, two))) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Overlap(other, volume(area, other), two.contains(one), one.contains(two)));
+  }
+
+  private static double volume(Area area, Area other) {
+    Bounds a = area.solid().orElseThrow().bounds();
+    Bounds b = other.solid().orElseThrow().bounds();
+    Bounds both =
+        new Bounds(
+            Math.max(a.minX(), b.minX()),
+            Math.max(a.minY(), b.minY()),
+            Math.max(a.minZ(), b.minZ()),
+            Math.min(a.maxX(), b.maxX()),
+            Math.min(a.maxY(), b.maxY()),
+            Math.min(a.maxZ(), b.maxZ()));
+    if (!area.frame().turned() && !other.frame().turned()) {
+      return both.volume();
+    }
+    int inside = 0;
+    for (int i = 0; i < SAMPLES * SAMPLES * SAMPLES; i++) {
+      Vector3d at =
+          new Vector3d(i % SAMPLES, i / SAMPLES % SAMPLES, i / (SAMPLES * SAMPLES))
+              .add(0.5, 0.5, 0.5)
+              .div(SAMPLES)
+              .mul(both.width(), both.height(), both.depth())
+              .add(both.min());
+      if (area.solid().get().contains(at) && other.solid().get().contains(at)) {
+        inside++;
+      }
+    }
+    return both.volume() * inside / (SAMPLES * SAMPLES * SAMPLES);
+  }
+}

@@ -1,0 +1,112 @@
+package org.selectiverenderer.document.hand;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.x3d.source.TextChange;
+
+/**
+ * Takes a part of the text out of the scene by a comment, and back. Comments within become {@code
+ * <!~~ ~~>} meanwhile, since comments do not nest (XML 1.0, 2.5).
+ */
+public final class Commenting {
+  private static final String OPEN = "<!--";
+  private static final String CLOSE = "-->";
+
+  private Commenting() {}
+
+  /**
+   * Makes a comment of a range, or text of the comment that it stands in.
+   *
+   * @param from offset of the first character; white space at both ends stays outside
+   * @param to offset behind the last one
+   * @param name of the step
+   * @throws EditRefused if there is nothing to comment, or two hyphens stand in it, which a comment
+   *     may not have
+   */
+  public static Edit toggle(CharSequence text, int from, int to, String name) {
+    int start = from;
+    int end = to;
+    while (start < end && text.charAt(start) <= ' ') {
+      start++;
+    }
+    while (end > start && text.charAt(end - 1) <= ' ') {
+      end--;
+    }
+    int open = openBefore(text, start);
+    if (open >= 0) {
+      return opened(text, open, name);
+    }
+    if (start == end) {
+      throw new EditRefused("There is nothing to make a comment of on this line");
+    }
+    return new Edit(name, closed(text, start, end));
+  }
+
+  /** Where the comment begins that a place stands in; -1 for none. */
+  static int openBefore(CharSequence text, int at) {
+    for (int i = Math.min(at, text.length() - OPEN.length()); i >= 0; i--) {
+      if (stands(text, i, OPEN)) {
+        return i;
+      }
+      if (i + CLOSE.length() <= at && stands(text, i, CLOSE)) {
+        return -1;
+      }
+    }
+    return -1;
+  }
+
+  private static boolean stands(CharSequence text, int at, String word) {
+    for (int i = 0; i < word.length(); i++) {
+      if (at + i >= text.length() || text.charAt(at + i) != word.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static Edit opened(CharSequence text, int open, String name) {
+    int close = open + OPEN.length();
+    while (close < text.length() && !stands(text, close, CLOSE)) {
+      close++;
+    }
+    if (close == text.length()) {
+      throw new EditRefused("The comment does not end; put --> behind it");
+    }
+    int from = open + OPEN.length();
+    int to = close;
+    from += from < to && text.charAt(from) == ' ' ? 1 : 0;
+    to -= to > from && text.charAt(to - 1) == ' ' ? 1 : 0;
+    List<TextChange> changes = new ArrayList<>();
+    changes.add(TextChange.remove(open, from));
+    for (int i = from; i < to; i++) {
+      if (stands(text, i, "<!~~")) {
+        changes.add(new TextChange(i, i + 4, OPEN));
+      } else if (stands(text, i, "~~>")) {
+        changes.add(new TextChange(i, i + 3, CLOSE));
+      }
+    }
+    changes.add(TextChange.remove(to, close + CLOSE.length()));
+    return new Edit(name, changes);
+  }
+
+  private static List<TextChange> closed(CharSequence text, int start, int end) {
+    List<TextChange> changes = new ArrayList<>();
+    changes.add(TextChange.insert(start, OPEN + " "));
+    for (int i = start; i < end; i++) {
+      if (stands(text, i, OPEN)) {
+        changes.add(new TextChange(i, i + 4, "<!~~"));
+        i += 3;
+      } else if (stands(text, i, CLOSE)) {
+        changes.add(new TextChange(i, i + 3, "~~>"));
+        i += 2;
+      } else if (stands(text, i, "--")) {
+        throw new EditRefused(
+            "Two hyphens in a row stand here, which a comment may not have; write them otherwise");
+      }
+    }
+    changes.add(TextChange.insert(end, " " + CLOSE));
+    return changes;
+  }
+}

@@ -1,0 +1,232 @@
+package org.selectiverenderer.document.hand;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.x3d.catalogue.Containment;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.catalogue.NodeType;
+import org.selectiverenderer.x3d.field.FieldType;
+
+/**
+ * What may be typed at a place of a text: elements that fit where it is, attributes that the
+ * element has not yet, values of a field, names given by DEF.
+ */
+public final class Completion {
+  /** The statements that may stand in an element that is no node (ISO/IEC 19776-1, 4.3). */
+  private static final Map<String, List<String>> STATEMENTS =
+      Map.of(
+          "X3D", List.of("head", "Scene"),
+          "head", List.of("component", "unit", "meta"),
+          "Scene",
+              List.of(
+                  "ROUTE",
+                  "ProtoDeclare",
+                  "ExternProtoDeclare",
+                  "ProtoInstance",
+                  "IMPORT",
+                  "EXPORT"),
+          "ProtoDeclare", List.of("ProtoInterface", "ProtoBody"),
+          "ProtoInterface", List.of("field"),
+          "ProtoBody", List.of("ROUTE", "ProtoInstance"),
+          "ExternProtoDeclare", List.of("field"),
+          "ProtoInstance", List.of("fieldValue"),
+          "IS", List.of("connect"));
+
+  private static final Map<String, List<String>> ATTRIBUTES =
+      Map.ofEntries(
+          Map.entry("X3D", List.of("profile", "version")),
+          Map.entry("component", List.of("name", "level")),
+          Map.entry("unit", List.of("category", "name", "conversionFactor")),
+          Map.entry("meta", List.of("name", "content")),
+          Map.entry("ROUTE", List.of("fromNode", "fromField", "toNode", "toField")),
+          Map.entry("ProtoDeclare", List.of("name", "appinfo", "documentation")),
+          Map.entry("ExternProtoDeclare", List.of("name", "url", "appinfo", "documentation")),
+          Map.entry("ProtoInstance", List.of("name", "DEF", "USE", "containerField")),
+          Map.entry("field", List.of("name", "type", "accessType", "value", "appinfo")),
+          Map.entry("fieldValue", List.of("name", "value")),
+          Map.entry("connect", List.of("nodeField", "protoField")),
+          Map.entry("IMPORT", List.of("inlineDEF", "importedDEF", "AS")),
+          Map.entry("EXPORT", List.of("localDEF", "AS")));
+
+  private final CharSequence text;
+  private final NodeCatalogue catalogue;
+  private final CaretPlace place;
+  private final int caret;
+
+  /**
+   * What may be typed at a place.
+   *
+   * @param from offset of what a proposal replaces, up to the place
+   * @param proposals those that begin as the word there, then those that have it within
+   */
+  public record Proposals(int from, List<Proposal> proposals) {}
+
+  private Completion(CharSequence text, int caret, NodeCatalogue catalogue) {
+    this.text = text;
+    this.caret = caret;
+    this.catalogue = catalogue;
+    this.place = CaretPlace.at(text, caret);
+  }
+
+  /** What may be typed at an offset. */
+  public static Proposals at(CharSequence text, int caret, NodeCatalogue catalogue) {
+    return new Completion(text, caret, catalogue).proposals();
+  }
+
+  private Proposals proposals() {
+    List<Proposal> all =
+        switch (place.kind()) {
+          case CONTENT -> elements("<");
+          case NAME -> elements("");
+          case END -> endTag();
+          case ATTRIBUTE -> attributes();
+          case VALUE -> values();
+          case NOTHING -> List.of();
+        };
+    int from = place.kind() == CaretPlace.Kind.VALUE ? wordInValue() : place.from();
+    String begun =
+        text.subSequence(from, caret).toString().replace("\"", "").toLowerCase(Locale.ROOT);
+    List<Proposal> first = new ArrayList<>();
+    List<Proposal> second = new ArrayList<>();
+    for (Proposal each : all) {
+      String word = each.word().toLowerCase(Locale.ROOT);
+      if (word.contains(begun)) {
+        (word.startsWith(begun) ? first : second).add(each);
+      }
+    }
+    first.addAll(second);
+    return new Proposals(from, first);
+  }
+
+  /** Values of lists are proposed one by one; a string of an MFString with its quotation marks. */
+  private int wordInValue() {
+    boolean list = field().map(FieldDefinition::type).filter(FieldType::multiple).isPresent();
+    int from = caret;
+    while (from > place.from() && (!list || text.charAt(from - 1) > ' ')) {
+      from--;
+    }
+    return from;
+  }
+
+  private List<Proposal> elements(String open) {
+    NodeType parent = catalogue.find(place.element()).orElse(null);
+    boolean known = parent != null || STATEMENTS.containsKey(place.element());
+    Stream<String> statements =
+        place.element().isEmpty()
+            ? Stream.of("X3D")
+            : STATEMENTS.getOrDefault(place.element(), List.of()).stream();
+    Stream<NodeType> nodes =
+        place.element().isEmpty()
+            ? Stream.empty()
+            : catalogue.all().stream().filter(type -> !known || fits(parent, type));
+    return Stream.concat(
+            nodes.map(type -> element(type.name(), open, type.component())),
+            statements.map(name -> element(name, open, "")))
+        .toList();
+  }
+
+  private boolean fits(@Nullable NodeType parent, NodeType child) {
+    return switch (place.element()) {
+      case "Scene", "ProtoBody" -> child.is("X3DChildNode") || place.element().equals("ProtoBody");
+      default -> parent != null && !Containment.fitting(parent, child).isEmpty();
+    };
+  }
+
+  private static Proposal element(String name, String open, String about) {
+    return new Proposal(name, open + name, open.length() + name.length(), about);
+  }
+
+  private List<Proposal> endTag() {
+    String name = place.element();
+    return name.isEmpty()
+        ? List.of()
+        : List.of(new Proposal(name, name + ">", name.length() + 1, ""));
+  }
+
+  private List<Proposal> attributes() {
+    Optional<NodeType> type = catalogue.find(place.element());
+    Stream<Proposal> fields =
+        type.stream()
+            .flatMap(of -> of.fields().stream())
+            .filter(field -> field.access().initialisable() && !field.type().isNode())
+            .map(field -> attribute(field.name(), about(field)));
+    Stream<String> others =
+        type.isPresent()
+            ? Stream.of("DEF", "USE", "containerField", "class")
+            : ATTRIBUTES.getOrDefault(place.element(), List.of()).stream();
+    return Stream.concat(fields, others.map(name -> attribute(name, "")))
+        .filter(each -> !place.given().containsKey(each.word()))
+        .toList();
+  }
+
+  private static String about(FieldDefinition field) {
+    boolean told = !field.defaultText().isEmpty() && !field.defaultText().equals("NULL");
+    return told ? field.type() + ", " + field.defaultText() : field.type().toString();
+  }
+
+  private Proposal attribute(String name, String about) {
+    char quote = Quotes.near(text, caret);
+    return new Proposal(name, name + "=" + quote + quote, name.length() + 2, about);
+  }
+
+  private Optional<FieldDefinition> field() {
+    return catalogue.find(place.element()).flatMap(type -> type.field(place.attribute()));
+  }
+
+  private List<Proposal> values() {
+    String attribute = place.attribute();
+    if (attribute.equals("USE")) {
+      return names(place.element());
+    }
+    if (place.element().equals("ROUTE")) {
+      return routed(attribute);
+    }
+    if (attribute.equals("containerField")) {
+      return catalogue.find(place.element()).stream()
+          .map(type -> Proposal.of(type.containerField(), ""))
+          .toList();
+    }
+    return field().map(this::values).orElse(List.of());
+  }
+
+  private List<Proposal> values(FieldDefinition field) {
+    if (field.type().kind() == FieldType.Kind.BOOLEAN) {
+      return Stream.of("true", "false").map(word -> Proposal.of(word, "")).toList();
+    }
+    return field.values().stream().map(this::allowed).toList();
+  }
+
+  /** The catalogue has strings of a list with their quotation marks. */
+  private Proposal allowed(String value) {
+    String written = place.quote() == '"' ? value.replace("\"", "&quot;") : value;
+    return new Proposal(value.replace("\"", ""), written, written.length(), "");
+  }
+
+  /** The names given to elements of a type; all names for an empty one. */
+  private List<Proposal> names(String element) {
+    return DefList.of(text).entrySet().stream()
+        .filter(each -> element.isEmpty() || each.getValue().equals(element))
+        .map(each -> Proposal.of(each.getKey(), each.getValue()))
+        .toList();
+  }
+
+  private List<Proposal> routed(String attribute) {
+    boolean from = attribute.startsWith("from");
+    if (attribute.endsWith("Node")) {
+      return names("");
+    }
+    String node = place.given().getOrDefault(from ? "fromNode" : "toNode", "");
+    String type = DefList.of(text).getOrDefault(node, "");
+    return catalogue.find(type).stream()
+        .flatMap(of -> of.fields().stream())
+        .filter(field -> from ? field.access().sendsEvents() : field.access().acceptsEvents())
+        .map(field -> Proposal.of(field.name(), field.type().toString()))
+        .toList();
+  }
+}

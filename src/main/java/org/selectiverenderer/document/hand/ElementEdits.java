@@ -1,0 +1,166 @@
+package org.selectiverenderer.document.hand;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.FreeNames;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
+import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.WrittenAttribute;
+
+/**
+ * Takes elements out of a document and puts others in: what cut, paste and delete of a node mean.
+ */
+public final class ElementEdits {
+  private static final Set<String> ROUTED = Set.of("fromNode", "toNode");
+  private static final Set<String> KEPT = Set.of("X3D", "Scene");
+
+  private final SceneDocument document;
+
+  public ElementEdits(SceneDocument document) {
+    this.document = document;
+  }
+
+  /** Whether an element may be taken out: all but those that every scene has. */
+  public static boolean removable(DocumentElement element) {
+    return element.parent().isPresent() && !KEPT.contains(element.name());
+  }
+
+  /**
+   * Takes an element out, and the ROUTEs from and to what is in it.
+   *
+   * @param name of the step
+   * @throws EditRefused if a node elsewhere stands for one in it by USE, or every scene has it
+   */
+  public Edit remove(DocumentElement element, String name) {
+    if (!removable(element)) {
+      throw new EditRefused("Every scene has the element " + element.name());
+    }
+    Set<String> names = new HashSet<>();
+    element.visit(each -> each.def().ifPresent(names::add));
+    List<DocumentElement> removed = new ArrayList<>(List.of(element));
+    ElementTree tree = tree();
+    tree.root()
+        .visit(
+            each -> {
+              boolean outside = !element.contains(each);
+              if (outside && each.use().filter(names::contains).isPresent()) {
+                throw new EditRefused(
+                    "The node in line %d stands for %s by USE; take that out first"
+                        .formatted(document.location(each.start()).line(), each.use().get()));
+              }
+              if (outside && each.name().equals("ROUTE") && routes(each, names)) {
+                removed.add(each);
+              }
+            });
+    removed.sort(Comparator.comparingInt(DocumentElement::start));
+    return new Edit(name, removed.stream().map(document.layout()::remove).toList());
+  }
+
+  private ElementTree tree() {
+    return document
+        .tree()
+        .orElseThrow(() -> new EditRefused("The text is not well formed; correct it first"));
+  }
+
+  private boolean routes(DocumentElement route, Set<String> names) {
+    return document.tag(route).attributes().stream()
+        .anyMatch(each -> ROUTED.contains(each.name()) && names.contains(each.value()));
+  }
+
+  /**
+   * Puts an element behind another one, or into the scene behind all others. Names that are taken
+   * are given a number.
+   *
+   * @param where the element that it comes behind; into it where it is one that every scene has
+   * @param text of the element
+   * @param name of the step
+   * @throws EditRefused if the text is no well formed element
+   */
+  public Edit paste(DocumentElement where, String text, String name) {
+    List<String> lines = lines(renamed(text.strip()));
+    boolean into = KEPT.contains(where.name());
+    DocumentElement scene =
+        where.name().equals("X3D")
+            ? where.children().stream()
+                .filter(child -> child.name().equals("Scene"))
+                .findFirst()
+                .orElse(where)
+            : where;
+    TextChange change =
+        into
+            ? document.layout().insertLast(scene, lines)
+            : document.layout().insertAfter(where, lines);
+    return new Edit(name, List.of(change));
+  }
+
+  private String renamed(String text) {
+    SceneDocument pasted;
+    try {
+      pasted = SceneDocument.of("clipboard", text.getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw new EditRefused("The clipboard holds no element: " + e.getMessage());
+    }
+    ElementTree tree =
+        pasted
+            .tree()
+            .orElseThrow(
+                () ->
+                    new EditRefused(
+                        "The clipboard holds no well formed element"
+                            + pasted.fault().map(fault -> ": " + fault.message()).orElse("")));
+    FreeNames free = new FreeNames(tree());
+    Map<String, String> names = new HashMap<>();
+    tree.root()
+        .visit(each -> each.def().ifPresent(def -> names.computeIfAbsent(def, free::unused)));
+    List<TextChange> changes = new ArrayList<>();
+    tree.root()
+        .visit(
+            each -> {
+              for (WrittenAttribute written : pasted.tag(each).attributes()) {
+                String now = names.get(written.value());
+                boolean naming =
+                    Set.of("DEF", "USE").contains(written.name())
+                        || ROUTED.contains(written.name()) && each.name().equals("ROUTE");
+                if (naming && now != null && !now.equals(written.value())) {
+                  changes.add(new TextChange(written.valueFrom(), written.valueTo(), now));
+                }
+              }
+            });
+    return TextChange.applied(changes, text).toString();
+  }
+
+  /** Lines without the indentation that those behind the first have in common. */
+  private static List<String> lines(String text) {
+    String[] lines = text.split("\r\n|\r|\n", -1);
+    int common = Integer.MAX_VALUE;
+    for (int i = 1; i < lines.length; i++) {
+      if (!lines[i].isBlank()) {
+        common = Math.min(common, indentation(lines[i]));
+      }
+    }
+    List<String> cut = new ArrayList<>(List.of(lines[0]));
+    for (int i = 1; i < lines.length; i++) {
+      cut.add(lines[i].substring(Math.min(common, indentation(lines[i]))));
+    }
+    return cut;
+  }
+
+  private static int indentation(String line) {
+    int at = 0;
+    while (at < line.length() && (line.charAt(at) == ' ' || line.charAt(at) == '\t')) {
+      at++;
+    }
+    return at;
+  }
+}

@@ -1,0 +1,155 @@
+package org.selectiverenderer.document.hand;
+
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.FieldLimits;
+import org.selectiverenderer.x3d.field.FieldParser;
+import org.selectiverenderer.x3d.field.FieldType;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
+import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.WrittenAttribute;
+
+/** Writes single fields of elements: each edit changes the bytes of one attribute. */
+public final class FieldEdits {
+  private final SceneDocument document;
+
+  public FieldEdits(SceneDocument document) {
+    this.document = document;
+  }
+
+  /**
+   * What is wrong with a value: a sentence; empty if it may be written.
+   *
+   * @param text the value as an attribute means it, references replaced
+   */
+  public Optional<String> wrong(DocumentElement element, NodeField field, String text) {
+    if (field.readOnly().isPresent()) {
+      return field.readOnly();
+    }
+    return switch (field.name()) {
+      case "DEF" -> wrongName(element, text);
+      case "USE" -> wrongUse(element, text);
+      default -> field.definition().flatMap(of -> wrongValue(element, of, text));
+    };
+  }
+
+  private Optional<String> wrongValue(DocumentElement element, FieldDefinition field, String text) {
+    FieldParser.Parsed parsed = new FieldParser().parse(field.type(), text);
+    Optional<String> flaw =
+        parsed.flaws().stream()
+            .filter(each -> each.severity() == Problem.Severity.ERROR)
+            .findFirst()
+            .map(each -> sentence(each.message()));
+    Object value = parsed.value();
+    if (flaw.isPresent() || value == null) {
+      return flaw.or(() -> Optional.of("This is no value of type " + field.type() + "."));
+    }
+    Optional<FieldLimits.Beyond> beyond =
+        field.type().kind() == FieldType.Kind.STRING
+            ? Optional.empty()
+            : FieldLimits.beyond(field, value);
+    return beyond
+        .map(of -> of.value() + " is not allowed: it " + of.bound() + ".")
+        .or(() -> wrongWord(element, field, value));
+  }
+
+  private static Optional<String> wrongWord(
+      DocumentElement element, FieldDefinition field, Object value) {
+    boolean closed = !field.values().isEmpty() && !FieldLimits.open(element.name(), field);
+    if (!closed) {
+      return Optional.empty();
+    }
+    List<String> given =
+        value instanceof String[] strings
+            ? List.of(strings)
+            : value instanceof String string ? List.of(string) : List.of();
+    return given.stream()
+        .filter(word -> !word.isEmpty() && !FieldLimits.words(field).contains(word))
+        .findFirst()
+        .map(
+            word ->
+                word
+                    + " is none of the words that may stand here: "
+                    + String.join(", ", FieldLimits.words(field)));
+  }
+
+  /** What the parser says, which goes on with what a reader does about it. */
+  private static String sentence(String message) {
+    int semicolon = message.indexOf(';');
+    String first = semicolon < 0 ? message : message.substring(0, semicolon);
+    return first.isEmpty() ? message : Character.toUpperCase(first.charAt(0)) + first.substring(1);
+  }
+
+  private Optional<String> wrongName(DocumentElement element, String name) {
+    if (name.equals(element.def().orElse(""))) {
+      return Optional.empty();
+    }
+    Optional<ElementTree> tree = document.tree();
+    boolean used =
+        element.def().isPresent() && tree.filter(t -> t.used(element.def().get())).isPresent();
+    if (used) {
+      return Optional.of(
+          "Other nodes stand for this one by USE='"
+              + element.def().get()
+              + "'; replace the name everywhere in the source.");
+    }
+    if (name.isEmpty()) {
+      return Optional.empty();
+    }
+    if (tree.flatMap(t -> t.named(name)).isPresent()) {
+      return Optional.of("Another node has this name already.");
+    }
+    // X3D 4.0, 4.4.2.2, as ClassicVRML writes names down.
+    boolean legal =
+        name.chars().noneMatch(c -> c <= ' ' || "\"'#+,.[]\\{}:<>&".indexOf(c) >= 0)
+            && !Character.isDigit(name.charAt(0))
+            && name.charAt(0) != '-';
+    return legal
+        ? Optional.empty()
+        : Optional.of("A name has no spaces, quotes or signs, and begins with a letter.");
+  }
+
+  private Optional<String> wrongUse(DocumentElement element, String name) {
+    Optional<DocumentElement> of = document.tree().flatMap(tree -> tree.named(name));
+    if (of.isEmpty()) {
+      return Optional.of("No node has this name.");
+    }
+    return of.get().name().equals(element.name())
+        ? Optional.empty()
+        : Optional.of("The node of this name is of type " + of.get().name() + ".");
+  }
+
+  /**
+   * Gives a field another value.
+   *
+   * @param value as the attribute is to mean it
+   */
+  public Edit set(DocumentElement element, String name, String value) {
+    boolean same = document.attribute(element, name).filter(value::equals).isPresent();
+    return new Edit(
+        "Set " + name + " of " + element,
+        same ? List.of() : List.of(document.layout().attribute(element, name, value)));
+  }
+
+  /** Takes an attribute out, so that the default holds; nothing if it is not there. */
+  public Edit unset(DocumentElement element, String name) {
+    List<TextChange> changes =
+        document.tag(element).attribute(name).stream().map(this::removed).toList();
+    return new Edit("Reset " + name + " of " + element, changes);
+  }
+
+  /** The attribute with the white space before it. */
+  private TextChange removed(WrittenAttribute written) {
+    CharSequence text = document.text();
+    int from = written.from();
+    while (text.charAt(from - 1) <= ' ') {
+      from--;
+    }
+    return TextChange.remove(from, written.valueTo() + 1);
+  }
+}

@@ -1,0 +1,237 @@
+package org.selectiverenderer.document.switches;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.document.Layout;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.enrichment.ChoiceValues;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch.ChoiceNode;
+import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.document.enrichment.EnrichmentEdits;
+import org.selectiverenderer.document.enrichment.EnrichmentEdits.SwitchWish;
+import org.selectiverenderer.document.nodes.NodeEdits;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.write.ValueText;
+
+/**
+ * Makes edits of Switches and their choices. Each is for the document as it is now and is made by
+ * {@link SceneDocument#perform}; an edit that would change nothing is empty. All throw {@link
+ * EditRefused} with a sentence for the author where an edit cannot be made.
+ */
+public final class SwitchEdits {
+  private final SceneDocument document;
+  private final EnrichmentEdits metadata;
+  private final NodeCatalogue catalogue;
+  private final NodeEdits nodes;
+
+  public SwitchEdits(Enrichment enrichment, NodeCatalogue catalogue) {
+    this.document = enrichment.document();
+    this.metadata = new EnrichmentEdits(enrichment);
+    this.catalogue = catalogue;
+    this.nodes = new NodeEdits(document);
+  }
+
+  /** Puts a node into a new Switch in its place, which shows it. */
+  public Edit wrap(DocumentElement node, String name) {
+    child(node);
+    nodes.check(name);
+    Layout layout = document.layout();
+    char quote = layout.quote(node);
+    String open =
+        "<Switch"
+            + Layout.written("DEF", name, quote)
+            + Layout.written("whichChoice", "0", quote)
+            + ">";
+    String text;
+    if (layout.onItsOwnLine(node)) {
+      String outer = layout.endOfLine(node) + layout.indentation(node);
+      String step = layout.step(node);
+      text =
+          open
+              + outer
+              + step
+              + Reindent.deeper(document.text(node), step)
+              + outer
+              + "</Switch>";
+    } else {
+      text = open + document.text(node) + "</Switch>";
+    }
+    return new Edit(
+        "Make the Switch " + name, List.of(new TextChange(node.start(), node.end(), text)));
+  }
+
+  /** A name for the Switch of a node: of its own or what it stands for, else of its kind. */
+  public String proposedName(DocumentElement node) {
+    String name = node.def().or(node::use).orElse(node.name());
+    String object = name.replaceFirst("^(Transform|Group|Inline|Shape)_", "");
+    return nodes.free("Switch_" + object);
+  }
+
+  private void child(DocumentElement node) {
+    boolean shown =
+        node.name().equals("ProtoInstance")
+            || catalogue.find(node.name()).filter(type -> type.is("X3DChildNode")).isPresent();
+    boolean place =
+        node.parent()
+            .filter(
+                parent ->
+                    parent.name().equals("Scene")
+                        || catalogue
+                            .find(parent.name())
+                            .filter(type -> type.field("children").isPresent())
+                            .isPresent())
+            .isPresent();
+    boolean field = node.text("containerField").filter(at -> !at.equals("children")).isPresent();
+    if (!shown || !place || field) {
+      throw new EditRefused(
+          "a Switch takes the place of something that is shown by itself; choose a Transform, Group,"
+              + " Shape or Inline, not "
+              + node.name());
+    }
+  }
+
+  /** Puts the choice that shows at the start, else the first one, in the place of its Switch. */
+  public Edit unwrap(EnrichedSwitch node) {
+    if (node.choices().isEmpty()) {
+      throw new EditRefused(node.name() + " has no choice that could take its place; delete it");
+    }
+    DocumentElement element = node.element();
+    int shown = node.whichChoice() < 0 ? 0 : Math.min(node.whichChoice(), node.choices().size() - 1);
+    DocumentElement kept = node.choices().get(shown).element();
+    List<TextChange> changes = new ArrayList<>();
+    if (element.def().isPresent()) {
+      changes.addAll(ownReferences(element));
+    }
+    for (ChoiceNode choice : node.choices()) {
+      if (choice.index() != shown) {
+        // Only what would stand for nothing afterwards is looked for.
+        changes.addAll(nodes.released(choice.element()));
+      }
+    }
+    Layout layout = document.layout();
+    String text = document.text(kept);
+    boolean laid = layout.onItsOwnLine(kept);
+    String step =
+        laid && layout.indentation(kept).startsWith(layout.indentation(element))
+            ? layout.indentation(kept).substring(layout.indentation(element).length())
+            : "";
+    changes.add(
+        new TextChange(element.start(), element.end(), Reindent.shallower(text, step)));
+    return new Edit(
+        "Unwrap " + node.name(),
+        changes.stream().distinct().filter(change -> outside(change, element)).toList());
+  }
+
+  private static boolean outside(TextChange change, DocumentElement element) {
+    boolean whole = change.from() == element.start() && change.to() == element.end();
+    return whole || change.to() <= element.start() || change.from() >= element.end();
+  }
+
+  /** What speaks of the Switch itself goes; not what speaks of the choice that stays. */
+  private List<TextChange> ownReferences(DocumentElement element) {
+    return nodes.releasedItself(element);
+  }
+
+  /** Shows a choice at the start of the scene; -1 for none. */
+  public Edit show(EnrichedSwitch node, int choice) {
+    List<TextChange> changes =
+        choice == node.whichChoice()
+            ? List.of()
+            : List.of(document.layout().attribute(node.element(), "whichChoice", "" + choice));
+    return new Edit("Show choice %d of %s".formatted(choice, node.name()), changes);
+  }
+
+  /** Adds a choice that shows nothing. */
+  public Edit addEmpty(EnrichedSwitch node) {
+    return added(node, "Add an empty choice to " + node.name(), "<Group/>");
+  }
+
+  /**
+   * Adds a choice that is another file.
+   *
+   * @param url as the scene names it, relative to its own folder
+   */
+  public Edit addInline(EnrichedSwitch node, String url) {
+    char quote = document.layout().quote(node.element());
+    String name =
+        nodes.free("Inline_%s_v%d".formatted(node.object(), node.choices().size() + 1));
+    return added(
+        node,
+        "Add a choice to " + node.name(),
+        "<Inline"
+            + Layout.written("DEF", name, quote)
+            + Layout.written("url", ValueText.strings(url), quote == '"' ? '\'' : quote)
+            + "/>");
+  }
+
+  /** Adds a copy of a choice behind all, with new names for all that is named in it. */
+  public Edit addCopy(EnrichedSwitch node, int index) {
+    DocumentElement from = node.choices().get(index).element();
+    DocumentElement last = last(node);
+    TextChange copy =
+        nodes.copied(from, nodes.free(from.def().orElse(node.object() + "_v")), List.of());
+    List<TextChange> changes = new ArrayList<>(metadata.choiceAdded(node));
+    changes.add(new TextChange(last.end(), last.end(), copy.text()));
+    return new Edit("Copy choice %d of %s".formatted(index, node.name()), changes);
+  }
+
+  private static DocumentElement last(EnrichedSwitch node) {
+    return node.choices().get(node.choices().size() - 1).element();
+  }
+
+  private Edit added(EnrichedSwitch node, String name, String line) {
+    Layout layout = document.layout();
+    List<TextChange> changes = new ArrayList<>();
+    if (node.choices().isEmpty()) {
+      changes.add(layout.insertLast(node.element(), List.of(line)));
+    } else {
+      changes.addAll(metadata.choiceAdded(node));
+      changes.add(layout.insertAfter(last(node), List.of(line)));
+    }
+    return new Edit(name, changes);
+  }
+
+  /** Takes a choice out, with what the metadata says of it. */
+  public Edit remove(EnrichedSwitch node, int index) {
+    List<TextChange> changes =
+        new ArrayList<>(nodes.removal(node.choices().get(index).element()));
+    changes.addAll(metadata.choiceRemoved(node, index));
+    int shown = node.whichChoice();
+    int left = node.choices().size() - 1;
+    int then = shown > index || shown == left ? shown - 1 : shown;
+    if (then != shown) {
+      changes.add(document.layout().attribute(node.element(), "whichChoice", "" + then));
+    }
+    return new Edit("Delete choice %d of %s".formatted(index, node.name()), changes);
+  }
+
+  /** Has two choices change places, with what the metadata says of them. */
+  public Edit swap(EnrichedSwitch node, int one, int other) {
+    int first = Math.min(one, other);
+    int second = Math.max(one, other);
+    if (first == second) {
+      return new Edit("", List.of());
+    }
+    DocumentElement a = node.choices().get(first).element();
+    DocumentElement b = node.choices().get(second).element();
+    List<ChoiceValues> values = new ArrayList<>(node.values());
+    values.set(first, node.values().get(second));
+    values.set(second, node.values().get(first));
+    List<TextChange> changes = new ArrayList<>();
+    changes.addAll(
+        metadata.all("", List.of(new SwitchWish(node, values)), List.of()).changes());
+    changes.add(new TextChange(a.start(), a.end(), document.text(b)));
+    changes.add(new TextChange(b.start(), b.end(), document.text(a)));
+    int shown = node.whichChoice();
+    if (shown == first || shown == second) {
+      int then = shown == first ? second : first;
+      changes.add(document.layout().attribute(node.element(), "whichChoice", "" + then));
+    }
+    return new Edit("Move choice %d of %s".formatted(one, node.name()), changes);
+  }
+}

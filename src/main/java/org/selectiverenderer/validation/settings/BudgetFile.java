@@ -1,0 +1,127 @@
+package org.selectiverenderer.validation.settings;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.files.WholeFile;
+import org.selectiverenderer.base.json.JsonListText;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.validation.Budget;
+import org.selectiverenderer.validation.ValidationSettings;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+
+/**
+ * Changes the budgets of a settings file. All else in it, comments and blanks too, stays as its
+ * author wrote it; a file with faults is not touched.
+ */
+public final class BudgetFile {
+  private static final String KEY = "budgets";
+  private static final String NEW = "{}\n";
+
+  private final Path file;
+  private final RuleCatalogue rules;
+
+  /**
+   * @param file which need not be there yet
+   * @param rules that it may name
+   */
+  public BudgetFile(Path file, RuleCatalogue rules) {
+    this.file = file;
+    this.rules = rules;
+  }
+
+  /**
+   * Reads the settings; the standard ones where there is no file.
+   *
+   * @return empty when it has faults, which are then in {@code problems}
+   * @throws IOException if it cannot be read at all
+   */
+  public Optional<ValidationSettings> read(Problems problems) throws IOException {
+    return Files.exists(file)
+        ? new ValidationSettingsFile(file, rules).read(problems)
+        : Optional.of(ValidationSettings.standard());
+  }
+
+  /**
+   * Sets the polygons of a part and state, for which there may be a budget already.
+   *
+   * @throws IOException with a message of one line if the file has faults or cannot be written
+   */
+  public void put(Budget wanted) throws IOException {
+    change(
+        wanted,
+        (list, at) ->
+            at < 0
+                ? list.added(json(wanted))
+                : list.with(at, "polygons", Long.toString(wanted.polygons())));
+  }
+
+  /**
+   * Takes away the budget of a part and state, if there is one.
+   *
+   * @param unwanted whose polygons do not count
+   * @throws IOException with a message of one line if the file has faults or cannot be written
+   */
+  public void remove(Budget unwanted) throws IOException {
+    change(unwanted, (list, at) -> at < 0 ? null : list.without(at));
+  }
+
+  private interface Change {
+    /**
+     * @param at index of the budget in the list; -1 for none
+     * @return null for no change
+     */
+    @org.jspecify.annotations.Nullable
+    String of(JsonListText list, int at);
+  }
+
+  private void change(Budget budget, Change change) throws IOException {
+    Problems problems = new Problems();
+    Optional<ValidationSettings> settings = read(problems);
+    if (settings.isEmpty()) {
+      throw new IOException(
+          problems.list().get(0) + "; correct the settings file first, nothing is written");
+    }
+    String before = Files.exists(file) ? Files.readString(file, StandardCharsets.UTF_8) : NEW;
+    String after =
+        change.of(new JsonListText(before, KEY), index(settings.get().budgets(), budget));
+    if (after != null && !after.equals(before)) {
+      WholeFile.replace(file, after.getBytes(StandardCharsets.UTF_8));
+    }
+  }
+
+  private static int index(List<Budget> budgets, Budget wanted) {
+    for (int i = 0; i < budgets.size(); i++) {
+      if (same(budgets.get(i), wanted)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  /** Whether two budgets are for the same part and state. */
+  public static boolean same(Budget one, Budget other) {
+    return one.scope().equals(other.scope())
+        && new HashSet<>(one.schemas()).equals(new HashSet<>(other.schemas()));
+  }
+
+  private static String json(Budget budget) {
+    List<String> members = new ArrayList<>();
+    if (!budget.scope().isEmpty()) {
+      members.add("\"scope\": " + JsonTree.of(budget.scope()));
+    }
+    if (!budget.schemas().isEmpty()) {
+      List<String> schemas =
+          budget.schemas().stream().map(schema -> JsonTree.of(schema).toString()).toList();
+      members.add("\"schemas\": [" + String.join(", ", schemas) + "]");
+    }
+    members.add("\"polygons\": " + budget.polygons());
+    return "{" + String.join(", ", members) + "}";
+  }
+}

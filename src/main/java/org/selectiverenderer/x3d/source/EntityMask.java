@@ -1,0 +1,111 @@
+package org.selectiverenderer.x3d.source;
+
+import org.selectiverenderer.x3d.source.DocumentFault.Kind;
+
+/**
+ * A text whose attributes have letters where they refer to entities, as many as there were
+ * characters: a parser that expands none can read it, and all offsets stay. References in content
+ * stay too; the parser tells of them.
+ */
+final class EntityMask {
+  private final CharSequence text;
+  private final Entities entities;
+  private final char[] masked;
+  private long grown;
+
+  private EntityMask(CharSequence text, Entities entities) {
+    this.text = text;
+    this.entities = entities;
+    this.masked = new char[text.length()];
+    for (int i = 0; i < masked.length; i++) {
+      masked[i] = text.charAt(i);
+    }
+  }
+
+  /**
+   * The text to parse.
+   *
+   * @param shift what is added to offsets to make them those of the source
+   * @throws XmlFault if the references stand for more than a scene may have
+   */
+  static SourceText of(SourceText text, Entities entities, ElementSource source, int shift)
+      throws XmlFault {
+    EntityMask mask = new EntityMask(text, entities);
+    int from = shift == 0 && text.length() >= entities.end() ? entities.end() : 0;
+    mask.fill(from, source, shift);
+    return SourceText.of(new String(mask.masked));
+  }
+
+  private void fill(int from, ElementSource source, int shift) throws XmlFault {
+    int i = from;
+    while (i < masked.length) {
+      if (masked[i] != '<') {
+        i++;
+      } else if (starts(i, "<!--")) {
+        i = behind(i, "-->");
+      } else if (starts(i, "<![CDATA[")) {
+        i = behind(i, "]]>");
+      } else if (starts(i, "<?")) {
+        i = behind(i, "?>");
+      } else {
+        i = tag(i, source, shift);
+      }
+    }
+  }
+
+  private int tag(int open, ElementSource source, int shift) throws XmlFault {
+    char quote = 0;
+    for (int i = open; i < masked.length; i++) {
+      char c = masked[i];
+      if (quote == 0 && c == '>') {
+        return i + 1;
+      }
+      if (quote == 0) {
+        quote = c == '"' || c == '\'' ? c : 0;
+      } else if (c == quote) {
+        quote = 0;
+      } else if (c == '&') {
+        i = reference(i, source, shift);
+      }
+    }
+    return masked.length;
+  }
+
+  private int reference(int at, ElementSource source, int shift) throws XmlFault {
+    String name = Entities.name(text, at, text.length());
+    if (entities.find(name).isEmpty()) {
+      return at;
+    }
+    grown += entities.value(name).map(String::length).orElse(0);
+    if (grown > Entities.MOST) {
+      String why =
+          "the entities of the DOCTYPE stand for more than "
+              + Entities.MOST
+              + " characters, which is not plausible for a scene";
+      throw new XmlFault(
+          new DocumentFault(Kind.LIMIT, source.location(Math.max(0, at + shift)), why));
+    }
+    int end = at + name.length() + 2;
+    for (int i = at; i < end; i++) {
+      masked[i] = '_';
+    }
+    return end - 1;
+  }
+
+  private boolean starts(int at, String word) {
+    for (int i = 0; i < word.length(); i++) {
+      if (at + i >= masked.length || masked[at + i] != word.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private int behind(int from, String word) {
+    int i = from;
+    while (i < masked.length && !starts(i, word)) {
+      i++;
+    }
+    return Math.min(masked.length, i + word.length());
+  }
+}

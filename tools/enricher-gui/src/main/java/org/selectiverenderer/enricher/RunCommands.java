@@ -1,0 +1,137 @@
+package org.selectiverenderer.enricher;
+
+import java.awt.Window;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.selectiverenderer.enricher.run.InlineTarget;
+import org.selectiverenderer.enricher.run.Launcher;
+import org.selectiverenderer.enricher.run.RunChoice;
+import org.selectiverenderer.enricher.run.RunDialog;
+import org.selectiverenderer.enricher.run.RunMessages;
+import org.selectiverenderer.enricher.run.SceneRuns;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** Running the open scene, and going to the files that it inlines and back. */
+final class RunCommands {
+  private final Window owner;
+  private final Supplier<Optional<Workbench>> bench;
+  private final BiConsumer<Path, Runnable> open;
+  private final Consumer<String> say;
+  private final RunMessages messages;
+  private final SceneRuns runs;
+  private final Deque<Path> way = new ArrayDeque<>();
+  private RunChoice choice = RunChoice.USUAL;
+
+  /**
+   * @param bench of the open scene; empty for none
+   * @param open opens a scene in place of the one that is open, and tells when it is there
+   * @param say shows a sentence
+   */
+  RunCommands(
+      Window owner,
+      Supplier<Optional<Workbench>> bench,
+      BiConsumer<Path, Runnable> open,
+      Consumer<String> say) {
+    this.owner = owner;
+    this.bench = bench;
+    this.open = open;
+    this.say = say;
+    messages = new RunMessages(owner);
+    runs = new SceneRuns(messages::add, say);
+  }
+
+  /** Runs the scene as the time before. */
+  void run() {
+    bench
+        .get()
+        .ifPresent(
+            scene -> {
+              scene.commit();
+              runs.run(scene.session(), choice, scene.here());
+            });
+  }
+
+  /** Asks how, and runs the scene so. */
+  void runAs() {
+    if (bench.get().isPresent()) {
+      RunDialog.ask(owner, choice)
+          .ifPresent(
+              chosen -> {
+                choice = chosen;
+                run();
+              });
+    }
+  }
+
+  void showMessages() {
+    messages.show();
+  }
+
+  /** Opens the file of the selected Inline in place of the scene. */
+  void openInline() {
+    bench
+        .get()
+        .map(Workbench::session)
+        .ifPresent(
+            session ->
+                target(session)
+                    .ifPresent(
+                        file -> {
+                          Path from = session.file().path();
+                          open.accept(file, () -> way.push(from));
+                        }));
+  }
+
+  /** Opens it in an enricher of its own. */
+  void openInlineInWindow() {
+    bench
+        .get()
+        .map(Workbench::session)
+        .flatMap(this::target)
+        .ifPresent(
+            file -> {
+              try {
+                Launcher.enrich(file);
+              } catch (IOException e) {
+                say.accept(Texts.of("run.failed", String.valueOf(e.getMessage())));
+              }
+            });
+  }
+
+  private Optional<Path> target(EnricherSession session) {
+    Optional<DocumentElement> element = session.selection();
+    if (element.isEmpty()) {
+      say.accept(Texts.of("run.noinline"));
+      return Optional.empty();
+    }
+    InlineTarget.Answer answer = InlineTarget.of(session, element.get());
+    if (answer.file().isEmpty()) {
+      say.accept(answer.reason());
+    }
+    return answer.file();
+  }
+
+  /** The scene that an inlined file was opened from; empty for none. */
+  Optional<Path> from() {
+    return Optional.ofNullable(way.peek());
+  }
+
+  /** Opens it again. */
+  void back() {
+    from().ifPresent(file -> open.accept(file, way::poll));
+  }
+
+  /** Ends all runs. */
+  void dispose() {
+    runs.close();
+    messages.dispose();
+  }
+}

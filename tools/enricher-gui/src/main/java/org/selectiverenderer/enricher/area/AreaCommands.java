@@ -1,0 +1,108 @@
+package org.selectiverenderer.enricher.area;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.selectiverenderer.document.area.AreaBox;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** What makes new areas and Switches, from the menus, the keys and the views. */
+public final class AreaCommands {
+  private static final String SENSOR = "ProximitySensor";
+
+  private final EnricherSession session;
+  private final SceneProbe probe;
+  private final NameQuestion question;
+  private final NodeCommands nodes;
+
+  /**
+   * @param probe of the running scene
+   * @param question how names are asked for
+   */
+  public AreaCommands(EnricherSession session, SceneProbe probe, NameQuestion question) {
+    this.session = session;
+    this.probe = probe;
+    this.question = question;
+    this.nodes = new NodeCommands(session);
+  }
+
+  public NodeCommands nodes() {
+    return nodes;
+  }
+
+  public SceneProbe probe() {
+    return probe;
+  }
+
+  private Optional<DocumentElement> selected() {
+    return session.selection().filter(DocumentElement::attached);
+  }
+
+  /**
+   * Adds an area around what is selected, or around the room that the author looks from when
+   * nothing or an area is.
+   */
+  public void addAroundSelection() {
+    Optional<DocumentElement> around =
+        selected().filter(element -> !element.name().equals(SENSOR));
+    Consumer<Optional<Bounds>> answer =
+        bounds ->
+            bounds.ifPresentOrElse(
+                found -> add(AreaBox.of(found)),
+                () -> session.message(Texts.of("area.add.nothing")));
+    if (around.isPresent()) {
+      probe.around(around.get(), answer);
+    } else {
+      probe.room(answer);
+    }
+  }
+
+  /**
+   * Adds an area after asking for its name.
+   *
+   * @return whether the author wanted it
+   */
+  public boolean add(AreaBox box) {
+    return question
+        .ask(Texts.of("area.add.title"), nodes.free("Area"), nodes::complaint)
+        .map(name -> nodes.add(name, box, this))
+        .orElse(false);
+  }
+
+  /** Wraps what is selected in a Switch, after asking for its name. */
+  public void makeSwitch() {
+    Optional<DocumentElement> node = selected();
+    if (node.isEmpty()) {
+      session.message(Texts.of("area.switch.nothing"));
+      return;
+    }
+    question
+        .ask(
+            Texts.of("area.switch.title"),
+            nodes.switches().proposedName(node.get()),
+            nodes::complaint)
+        .ifPresent(name -> nodes.wrap(node.get(), name, this));
+  }
+
+  /** Asks for another name of what is selected. */
+  public void rename() {
+    withSelected(node -> nodes.rename(node, question));
+  }
+
+  /** Copies what is selected. */
+  public void copy() {
+    withSelected(node -> nodes.copy(node, this));
+  }
+
+  /** Takes out what is selected. */
+  public void delete() {
+    withSelected(nodes::delete);
+  }
+
+  private void withSelected(Consumer<DocumentElement> work) {
+    selected()
+        .ifPresentOrElse(work, () -> session.message(Texts.of("area.nothing")));
+  }
+}

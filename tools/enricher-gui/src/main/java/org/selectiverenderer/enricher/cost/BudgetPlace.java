@@ -1,0 +1,79 @@
+package org.selectiverenderer.enricher.cost;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.enricher.settings.EnricherSettings;
+import org.selectiverenderer.validation.ValidationSettings;
+import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.validation.settings.BudgetFile;
+
+/**
+ * Which settings file of the validator counts for a scene: the one that the author has chosen for
+ * the scene's folder, else the nearest of the usual name, else one of that name beside the scene,
+ * which is made with its first limit. Safe for use by several threads.
+ */
+public final class BudgetPlace {
+  /** The usual name. */
+  public static final String NAME = ".selective-renderer-validate.json";
+
+  private static final String KEY = "validate-settings ";
+
+  private final Supplier<Path> scene;
+  private final EnricherSettings settings;
+  private volatile @Nullable Path chosen;
+
+  /**
+   * @param scene where the document is saved
+   */
+  public BudgetPlace(Supplier<Path> scene, EnricherSettings settings) {
+    this.scene = scene;
+    this.settings = settings;
+    String before = settings.word(KEY + folder(), "");
+    chosen = before.isEmpty() ? null : Path.of(before);
+  }
+
+  private Path folder() {
+    Path path = scene.get().toAbsolutePath().normalize();
+    return path.getParent() == null ? path : path.getParent();
+  }
+
+  /** The file, which need not be there. */
+  public Path file() {
+    Path wanted = chosen;
+    if (wanted != null) {
+      return wanted;
+    }
+    Path folder = folder();
+    for (Path up = folder; up != null; up = up.getParent()) {
+      if (Files.isRegularFile(up.resolve(NAME))) {
+        return up.resolve(NAME);
+      }
+    }
+    return folder.resolve(NAME);
+  }
+
+  /** Takes another file for the scenes of this folder, which is remembered. */
+  void choose(Path file) {
+    chosen = file.toAbsolutePath().normalize();
+    settings.put(KEY + folder(), chosen);
+  }
+
+  BudgetFile budgets() {
+    return new BudgetFile(file(), RuleCatalogue.standard());
+  }
+
+  /**
+   * The settings as they are now.
+   *
+   * @return empty when the file has faults, which are then in {@code problems}
+   * @throws IOException if it cannot be read at all
+   */
+  public Optional<ValidationSettings> settings(Problems problems) throws IOException {
+    return budgets().read(problems);
+  }
+}

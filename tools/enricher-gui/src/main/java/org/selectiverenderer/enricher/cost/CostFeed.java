@@ -1,0 +1,149 @@
+package org.selectiverenderer.enricher.cost;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import javax.swing.Timer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.enricher.task.TaskProgress;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.polygon.count.SceneCounter;
+import org.selectiverenderer.validation.Budget;
+import org.selectiverenderer.validation.ValidationSettings;
+
+/**
+ * Counts the document as it is now, saved or not, after every pause in editing. For the event
+ * dispatch thread; counts in a task of the session.
+ */
+final class CostFeed {
+  /** Milliseconds without an edit before the scene is counted anew. */
+  private static final int PAUSE = 500;
+
+  /**
+   * What has been found.
+   *
+   * @param rows none where nobody wants to know: nothing is looked at and no limit is set
+   * @param fault of the settings file, a sentence
+   */
+  record Found(Optional<List<CostRow>> rows, Optional<String> fault) {}
+
+  private final EnricherSession session;
+  private final BudgetPlace place;
+  private final Consumer<Found> listener;
+  private final SceneCounter counter = new SceneCounter();
+  private final DocumentListener onChange = change -> changed();
+  private final Timer pause = new Timer(PAUSE, event -> now());
+  private boolean seen;
+  private boolean stale = true;
+  private @Nullable Task task;
+
+  CostFeed(EnricherSession session, BudgetPlace place, Consumer<Found> listener) {
+    this.session = session;
+    this.place = place;
+    this.listener = listener;
+    pause.setRepeats(false);
+    session.document().addListener(onChange);
+  }
+
+  private void changed() {
+    stale = true;
+    cancel();
+    pause.restart();
+  }
+
+  /** Says whether somebody looks. */
+  void seen(boolean now) {
+    seen = now;
+    if (seen && stale && task == null) {
+      now();
+    }
+  }
+
+  /** Files that the scene names may be others now, though nothing tells it by their times. */
+  void forget() {
+    counter.forget();
+    now();
+  }
+
+  /** Whether a count is under way. */
+  boolean counting() {
+    return task != null;
+  }
+
+  /** Counts without waiting for a pause. */
+  void now() {
+    cancel();
+    if (session.document().tree().isEmpty()) {
+      return; // Of a text that is not well formed the last count stays.
+    }
+    Snapshot snapshot = session.document().snapshot();
+    Path file = session.file().path().toAbsolutePath();
+    boolean wanted = seen;
+    task =
+        session
+            .tasks()
+            .run(
+                Texts.of("cost.counting"),
+                progress -> count(snapshot, file, wanted, progress),
+                this::found,
+                this::failed);
+  }
+
+  private Found count(Snapshot snapshot, Path file, boolean wanted, TaskProgress progress)
+      throws IOException {
+    Problems problems = new Problems();
+    Optional<ValidationSettings> settings = place.settings(problems);
+    Optional<String> fault = problems.list().stream().map(Problem::toString).findFirst();
+    List<Budget> budgets = settings.map(ValidationSettings::budgets).orElse(List.of());
+    if (!wanted && budgets.isEmpty()) {
+      return new Found(Optional.empty(), fault);
+    }
+    progress.check();
+    SceneCounter.Counted counted =
+        counter.count(
+            file,
+            snapshot.name(),
+            snapshot.bytes(),
+            settings.map(s -> s.access().and(session.access())).orElse(session.access()));
+    progress.check();
+    return new Found(Optional.of(CostRow.of(counted, budgets)), fault);
+  }
+
+  private void found(Found found) {
+    task = null;
+    stale = found.rows().isEmpty();
+    listener.accept(found);
+    if (stale && seen) {
+      now();
+    }
+  }
+
+  private void failed(Exception e) {
+    task = null;
+    Throwable cause = e instanceof ExecutionException && e.getCause() != null ? e.getCause() : e;
+    String why = cause.getMessage() == null ? cause.toString() : cause.getMessage();
+    listener.accept(new Found(Optional.empty(), Optional.of(Texts.of("cost.failed", why))));
+  }
+
+  private void cancel() {
+    if (task != null) {
+      task.cancel();
+      task = null;
+    }
+  }
+
+  void dispose() {
+    pause.stop();
+    cancel();
+    session.document().removeListener(onChange);
+  }
+}

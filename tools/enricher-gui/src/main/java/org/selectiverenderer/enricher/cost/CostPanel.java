@@ -1,0 +1,346 @@
+package org.selectiverenderer.enricher.cost;
+
+import java.awt.Component;
+import java.awt.event.MouseEvent;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.SwingConstants;
+import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableModel;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.polygon.count.StateShares;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * What the scene costs: polygons of its parts in their states against limits, and what each object
+ * has of the chosen state. For the event dispatch thread.
+ */
+public final class CostPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+  private static final double HALF = 0.55;
+
+  private final transient EnricherSession session;
+  private final transient BudgetPlace place;
+  private final transient Runnable settingsChanged;
+  private final transient CostFeed feed;
+  private final transient SelectionListener selecting = this::selected;
+  private final StatesModel states = new StatesModel(this::limit);
+  private final ObjectsModel objects = new ObjectsModel();
+  private final JTable statesTable = table(states, "cost.statesname");
+  private final JTable objectsTable = table(objects, "cost.objectsname");
+  private final JLabel fixed = new JLabel(" ");
+  private final JLabel file = new JLabel(" ");
+  private transient List<CostRow> before = List.of();
+  private transient Optional<CostRow> chosen = Optional.empty();
+  private boolean following;
+
+  /**
+   * @param settingsChanged hears that the settings file has other limits, or is another one
+   */
+  public CostPanel(EnricherSession session, BudgetPlace place, Runnable settingsChanged) {
+    super(new MigLayout("insets 4 8 4 8, fill", "[grow,fill]", "[grow,fill][]"));
+    this.session = session;
+    this.place = place;
+    this.settingsChanged = settingsChanged;
+    setName("cost");
+    getAccessibleContext().setAccessibleName(Texts.of("cost.name"));
+    dressStates();
+    dressObjects();
+    JSplitPane split =
+        new JSplitPane(
+            JSplitPane.HORIZONTAL_SPLIT,
+            true,
+            new JScrollPane(statesTable),
+            new JScrollPane(objectsTable));
+    split.setResizeWeight(HALF);
+    split.setBorder(null);
+    split.getAccessibleContext().setAccessibleName(Texts.of("cost.border"));
+    JButton choose = new JButton(Texts.of("cost.choose"));
+    choose.setName("cost.choose");
+    choose.setToolTipText(Texts.of("cost.choosetip", BudgetPlace.NAME));
+    choose.addActionListener(event -> choose());
+    JPanel foot = new JPanel(new MigLayout("insets 0", "[][grow,fill][]"));
+    fixed.getAccessibleContext().setAccessibleName(Texts.of("cost.fixedname"));
+    foot.add(choose);
+    foot.add(file, "wmin 0");
+    foot.add(fixed, "wmin 0");
+    add(split, "wmin 0, hmin 0, wrap");
+    add(foot, "wmin 0");
+    session.addSelectionListener(selecting);
+    feed = new CostFeed(session, place, this::found);
+    addHierarchyListener(event -> feed.seen(isShowing()));
+    tellFile(Optional.empty());
+    feed.now();
+  }
+
+  private static JTable table(TableModel model, String name) {
+    JTable table = new WholeTexts(model);
+    table.getAccessibleContext().setAccessibleName(Texts.of(name));
+    table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    table.getTableHeader().setReorderingAllowed(false);
+    table.setFillsViewportHeight(true);
+    table.setRowHeight(Math.round(table.getFontMetrics(table.getFont()).getHeight() * 1.4f));
+    for (String key : List.of("F8", "F6")) {
+      table
+          .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+          .put(KeyStroke.getKeyStroke(key), "none"); // the window's
+    }
+    return table;
+  }
+
+  /** Tells in a tooltip what a narrow column cuts off. */
+  private static final class WholeTexts extends JTable {
+    private static final long serialVersionUID = 1L;
+
+    WholeTexts(TableModel model) {
+      super(model);
+    }
+
+    @Override
+    public @Nullable String getToolTipText(MouseEvent event) {
+      String own = super.getToolTipText(event);
+      int row = rowAtPoint(event.getPoint());
+      int column = columnAtPoint(event.getPoint());
+      return own == null && row >= 0 && getValueAt(row, column) instanceof String text ? text : own;
+    }
+  }
+
+  /**
+   * @param letters negative for columns that do not get narrower
+   */
+  private static void widths(JTable table, int... letters) {
+    int letter = table.getFontMetrics(table.getFont()).charWidth('n');
+    for (int i = 0; i < letters.length; i++) {
+      int width = Math.abs(letters[i]) * letter;
+      table.getColumnModel().getColumn(i).setPreferredWidth(width);
+      if (letters[i] < 0) {
+        table.getColumnModel().getColumn(i).setMinWidth(width);
+      }
+    }
+  }
+
+  private static void right(JTable table, int... columns) {
+    for (int column : columns) {
+      DefaultTableCellRenderer right = new DefaultTableCellRenderer();
+      right.setHorizontalAlignment(SwingConstants.TRAILING);
+      table.getColumnModel().getColumn(column).setCellRenderer(right);
+    }
+  }
+
+  private void dressStates() {
+    widths(statesTable, 10, 24, -10, -8, -9, 20);
+    right(statesTable, StatesModel.POLYGONS, StatesModel.PERCENT);
+    LimitCell limits = new LimitCell();
+    limits.setHorizontalAlignment(SwingConstants.TRAILING);
+    statesTable.getColumnModel().getColumn(StatesModel.LIMIT).setCellRenderer(limits);
+    statesTable.getColumnModel().getColumn(StatesModel.LIMIT).setCellEditor(new LimitEditor());
+    statesTable.getColumnModel().getColumn(StatesModel.BAR).setCellRenderer(new BudgetBar());
+    statesTable.putClientProperty("terminateEditOnFocusLost", true);
+    statesTable
+        .getSelectionModel()
+        .addListSelectionListener(
+            event -> {
+              if (!event.getValueIsAdjusting()) {
+                showObjects();
+              }
+            });
+  }
+
+  /** Says in each limit's cell what it is for, where one can be set. */
+  private final class LimitCell extends DefaultTableCellRenderer {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+      super.getTableCellRendererComponent(table, value, selected, focused, row, column);
+      boolean can = states.row(row).limitable();
+      setToolTipText(Texts.of(can ? "cost.limittip" : "cost.nolimit"));
+      if (can && states.row(row).limit().isEmpty()) {
+        setText("\u2026"); // here one can be written
+      }
+      return this;
+    }
+  }
+
+  private void dressObjects() {
+    widths(objectsTable, 22, -9, -8, 9, 18);
+    right(objectsTable, ObjectsModel.POLYGONS, ObjectsModel.POLYGONS + 1);
+    objectsTable
+        .getSelectionModel()
+        .addListSelectionListener(
+            event -> {
+              int row = objectsTable.getSelectedRow();
+              if (!event.getValueIsAdjusting() && !following && row >= 0) {
+                select(objects.row(row).name());
+              }
+            });
+  }
+
+  private void select(String object) {
+    Optional<EnrichedSwitch> node =
+        session.enrichment().switches().stream()
+            .filter(each -> each.name().equals(object))
+            .findFirst();
+    node.ifPresentOrElse(
+        found -> session.select(found.element(), this),
+        () -> session.message(Texts.of("cost.elsewhere", object)));
+  }
+
+  private void selected(Optional<DocumentElement> element, Object origin) {
+    if (origin != this) {
+      follow();
+    }
+  }
+
+  /** Marks the object that is selected elsewhere. */
+  private void follow() {
+    int row =
+        session
+            .selection()
+            .flatMap(element -> session.enrichment().switchNode(element))
+            .map(node -> objects.row(node.name()))
+            .orElse(-1);
+    following = true;
+    try {
+      if (row < 0) {
+        objectsTable.clearSelection();
+      } else {
+        objectsTable.setRowSelectionInterval(row, row);
+        objectsTable.scrollRectToVisible(objectsTable.getCellRect(row, 0, true));
+      }
+    } finally {
+      following = false;
+    }
+  }
+
+  private void found(CostFeed.Found found) {
+    found.rows().ifPresent(this::show);
+    tellFile(found.fault());
+  }
+
+  private void show(List<CostRow> rows) {
+    if (statesTable.isEditing()) {
+      statesTable.getCellEditor().cancelCellEditing();
+    }
+    states.rows(rows);
+    warn(rows);
+    before = rows;
+    int row = 0;
+    for (int i = 0; i < rows.size(); i++) {
+      CostRow each = rows.get(i);
+      boolean usual = chosen.isEmpty() && each.kind() == CostRow.Kind.LOADED;
+      if (usual || chosen.filter(each::same).isPresent()) {
+        row = i;
+        break;
+      }
+    }
+    if (!rows.isEmpty()) {
+      statesTable.setRowSelectionInterval(row, row);
+    }
+    showObjects();
+  }
+
+  /** Tells the first limit that held before and holds no more. */
+  private void warn(List<CostRow> rows) {
+    for (CostRow row : rows) {
+      boolean held = before.stream().anyMatch(old -> old.same(row) && !old.broken());
+      if (row.broken() && held) {
+        session.message(CostWords.warning(row, row.status().orElseThrow()));
+        return;
+      }
+    }
+  }
+
+  private void showObjects() {
+    int row = statesTable.getSelectedRow();
+    if (row >= 0) {
+      chosen = Optional.of(states.row(row));
+    }
+    Optional<StateShares> shares = chosen.flatMap(CostRow::shares);
+    following = true;
+    objects.show(shares);
+    following = false;
+    fixed.setText(
+        shares
+            .map(found -> Texts.of("cost.fixed", DecimalText.grouped(found.fixed())))
+            .orElse(chosen.isPresent() ? Texts.of("cost.noshares") : " "));
+    follow();
+  }
+
+  private void tellFile(Optional<String> fault) {
+    String text =
+        fault.orElseGet(() -> Texts.of("cost.file", String.valueOf(place.file().getFileName())));
+    file.setText((fault.isPresent() ? "\u26a0 " : "") + text);
+    file.setToolTipText(fault.orElseGet(() -> place.file().toString()));
+  }
+
+  /** Writes a limit to the settings file, or takes it away, and counts anew. */
+  private void limit(CostRow row, Optional<Long> most) {
+    session
+        .tasks()
+        .runToEnd(
+            Texts.of("cost.writing"),
+            () -> {
+              if (most.isPresent()) {
+                place.budgets().put(row.budget(most.get()));
+              } else {
+                place.budgets().remove(row.budget(0));
+              }
+              return place.file();
+            },
+            written -> settingsAreOther(),
+            failed -> session.message(String.valueOf(failed.getMessage())));
+  }
+
+  private void settingsAreOther() {
+    feed.now();
+    settingsChanged.run();
+  }
+
+  private void choose() {
+    JFileChooser chooser = new JFileChooser(place.file().getParent().toFile());
+    chooser.setDialogTitle(Texts.of("cost.chooser"));
+    chooser.setFileHidingEnabled(false);
+    chooser.setSelectedFile(new File(place.file().toString()));
+    if (chooser.showDialog(this, Texts.of("cost.use")) == JFileChooser.APPROVE_OPTION) {
+      use(chooser.getSelectedFile().toPath());
+    }
+  }
+
+  /** Takes another settings file. */
+  void use(Path other) {
+    place.choose(other);
+    tellFile(Optional.empty());
+    settingsAreOther();
+  }
+
+  /** Counts anew: files that the scene names may be others now. */
+  public void lookAtFilesAgain() {
+    feed.forget();
+  }
+
+  /** Ends its counting. */
+  public void dispose() {
+    session.removeSelectionListener(selecting);
+    feed.dispose();
+  }
+}

@@ -1,0 +1,170 @@
+package org.selectiverenderer.enricher.cost;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.polygon.count.SceneCounter.Counted;
+import org.selectiverenderer.polygon.count.SceneModel;
+import org.selectiverenderer.polygon.count.SceneStatistics;
+import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
+import org.selectiverenderer.polygon.count.StateShares;
+import org.selectiverenderer.validation.Budget;
+import org.selectiverenderer.validation.budget.BudgetStatus;
+import org.selectiverenderer.validation.settings.BudgetFile;
+
+/**
+ * A part of the scene in a state; a value.
+ *
+ * @param scope DEF of the group; empty for the whole scene
+ * @param schemas of the state; none of all polygons and of the worst state
+ * @param percent of all polygons of the part; negative where that is not known
+ * @param limit as the settings file has it
+ * @param status of the limit
+ * @param limitable whether a limit can be set for just this
+ * @param shares what the polygons come from
+ */
+record CostRow(
+    String scope,
+    Kind kind,
+    List<String> schemas,
+    long polygons,
+    double percent,
+    Optional<Budget> limit,
+    Optional<BudgetStatus> status,
+    boolean limitable,
+    Optional<StateShares> shares) {
+  /** Which state. */
+  enum Kind {
+    /** All objects at their most detailed. */
+    ALL,
+    LOADED,
+    STATE,
+    /** The most that a viewer can cause, whichever way. */
+    WORST
+  }
+
+  /** The budget that this would have. */
+  Budget budget(long most) {
+    return new Budget(scope, schemas, most);
+  }
+
+  boolean broken() {
+    return status.filter(BudgetStatus::broken).isPresent();
+  }
+
+  /** Whether this is the same part and state, with other numbers. */
+  boolean same(CostRow other) {
+    return kind == other.kind && scope.equals(other.scope) && schemas.equals(other.schemas);
+  }
+
+  /** The rows of a scene: part by part all, as loaded, its states, the worst; limits of others. */
+  static List<CostRow> of(Counted counted, List<Budget> budgets) {
+    Making making = new Making(counted.model(), new ArrayList<>(budgets));
+    for (ScopeCount scope : counted.statistics().scopes()) {
+      making.scope(
+          scope,
+          counted.states().stream().filter(state -> state.scope().equals(scope.scope())).toList());
+    }
+    making.rest();
+    return List.copyOf(making.rows);
+  }
+
+  private record Making(SceneModel model, List<Budget> left, List<CostRow> rows) {
+    Making(SceneModel model, List<Budget> budgets) {
+      this(model, budgets, new ArrayList<>());
+    }
+
+    void scope(ScopeCount count, List<StateShares> states) {
+      String scope = count.scope().equals(SceneStatistics.WHOLE_SCENE) ? "" : count.scope();
+      Optional<StateShares> none = Optional.empty();
+      if (count.high() > 0) {
+        add(scope, Kind.ALL, List.of(), count.high(), 100, none);
+      }
+      for (StateShares state : states) {
+        Kind kind = state == states.get(0) ? Kind.LOADED : Kind.STATE;
+        add(scope, kind, state.schemas(), state.polygons(), state.percent(), Optional.of(state));
+      }
+      worst(scope, count.high(), states);
+    }
+
+    private void worst(String scope, long high, List<StateShares> states) {
+      model.states(scope).stream()
+          .max(Comparator.comparingLong(SceneModel.State::polygons))
+          .ifPresent(
+              worst -> {
+                Optional<StateShares> shares =
+                    states.stream().filter(state -> state.polygons() == worst.polygons()).findAny();
+                double percent = high == 0 ? 0 : 100.0 * worst.polygons() / high;
+                add(scope, Kind.WORST, List.of(), worst.polygons(), percent, shares);
+              });
+    }
+
+    private void add(
+        String scope,
+        Kind kind,
+        List<String> schemas,
+        long polygons,
+        double percent,
+        Optional<StateShares> shares) {
+      Budget wanted = new Budget(scope, schemas, 0);
+      boolean limitable =
+          kind != Kind.ALL
+              && (kind == Kind.WORST || !schemas.isEmpty())
+              && BudgetStatus.of(wanted, model)
+                  .filter(status -> !status.worst().schemas().isEmpty() || kind != Kind.STATE)
+                  .isPresent();
+      Optional<Budget> limit =
+          limitable
+              ? left.stream().filter(budget -> BudgetFile.same(budget, wanted)).findFirst()
+              : Optional.empty();
+      limit.ifPresent(left::remove);
+      rows.add(
+          new CostRow(
+              scope,
+              kind,
+              schemas,
+              polygons,
+              percent,
+              limit,
+              limit.flatMap(budget -> BudgetStatus.of(budget, model)),
+              limitable,
+              shares));
+    }
+
+    /** The whole scene, if it is no part by itself, and what else has limits. */
+    void rest() {
+      if (rows.stream().noneMatch(row -> row.scope().isEmpty())) {
+        worst("", 0, List.of());
+        CostRow whole = rows.remove(rows.size() - 1);
+        rows.add(whole.withoutPercent());
+      }
+      for (Budget budget : List.copyOf(left)) {
+        BudgetStatus.of(budget, model)
+            .filter(status -> new HashSet<>(rows).stream().noneMatch(row -> row.limit(budget)))
+            .ifPresent(
+                status ->
+                    rows.add(
+                        new CostRow(
+                            budget.scope(),
+                            budget.schemas().isEmpty() ? Kind.WORST : Kind.STATE,
+                            budget.schemas(),
+                            status.worst().polygons(),
+                            -1,
+                            Optional.of(budget),
+                            Optional.of(status),
+                            true,
+                            Optional.empty())));
+      }
+    }
+  }
+
+  private boolean limit(Budget budget) {
+    return limit.equals(Optional.of(budget));
+  }
+
+  private CostRow withoutPercent() {
+    return new CostRow(scope, kind, schemas, polygons, -1, limit, status, limitable, shares);
+  }
+}

@@ -1,0 +1,58 @@
+package org.selectiverenderer.enricher.cost;
+
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.validation.budget.BudgetStatus;
+
+/** What is said of rows. */
+final class CostWords {
+  private CostWords() {}
+
+  static String scope(CostRow row) {
+    return row.scope().isEmpty() ? Texts.of("cost.whole") : row.scope();
+  }
+
+  static String state(CostRow row) {
+    String names = names(row.schemas());
+    return switch (row.kind()) {
+      case ALL -> Texts.of("cost.all");
+      case LOADED -> names.isEmpty() ? Texts.of("cost.loaded") : Texts.of("cost.loadedin", names);
+      case STATE -> names.isEmpty() ? Texts.of("cost.outside") : names;
+      case WORST -> Texts.of("cost.worst");
+    };
+  }
+
+  private static String names(List<String> schemas) {
+    return String.join(", ", schemas);
+  }
+
+  static String percent(CostRow row) {
+    return row.percent() < 0 ? "" : DecimalText.fixed(row.percent(), 1) + " %";
+  }
+
+  /** How the row stands to its limit; empty where there is none. */
+  static Optional<String> verdict(CostRow row) {
+    return row.status()
+        .map(
+            status ->
+                status.broken()
+                    ? Texts.of("cost.over", DecimalText.grouped(status.over()))
+                    : Texts.of(
+                        "cost.left",
+                        DecimalText.grouped(
+                            status.budget().polygons() - status.worst().polygons())));
+  }
+
+  /** A sentence for the status bar about a limit that holds no more. */
+  static String warning(CostRow row, BudgetStatus status) {
+    return Texts.of(
+        "cost.broken",
+        scope(row),
+        state(row),
+        DecimalText.grouped(status.worst().polygons()),
+        DecimalText.grouped(status.over()),
+        DecimalText.grouped(status.budget().polygons()));
+  }
+}

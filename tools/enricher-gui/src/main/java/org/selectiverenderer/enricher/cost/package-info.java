@@ -1,0 +1,26 @@
+/**
+ * What the scene costs, below the table of schemas: polygons of each part of the scene in each
+ * state that the areas bring about, against limits that the author sets; and what each object has
+ * of them.
+ *
+ * <p>Nothing is counted here: {@link org.selectiverenderer.polygon.count.SceneCounter} counts as
+ * {@code polygons} does and keeps the files that have not changed, {@link
+ * org.selectiverenderer.validation.budget.BudgetStatus} compares as {@code validate} does, and the
+ * limits are the {@code budgets} of the validator's settings file, which {@link
+ * org.selectiverenderer.validation.settings.BudgetFile} changes in place.
+ *
+ * <p>The flow: an edit of the document, a pause, {@code CostFeed} takes a snapshot to a task of the
+ * session, where settings are read and polygons counted; the task's {@code CostRow}s are values and
+ * go to {@code CostPanel} on the event dispatch thread. While nobody sees the panel and no limit is
+ * set nothing is counted. A limit that held and holds no more is said in the status bar; the
+ * validator's own finding (SR501) is in the list of problems, since {@code BudgetPlace} gives both
+ * the same settings.
+ *
+ * <p>In: the session, the settings file. Out: the settings file, selections. Uses {@code
+ * enricher.session}, {@code enricher.settings}, {@code enricher.table}, {@code enricher.text},
+ * {@code polygon.count}, {@code validation}, {@code base}.
+ */
+@NullMarked
+package org.selectiverenderer.enricher.cost;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,199 @@
+package org.selectiverenderer.enricher.form;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.document.area.Area;
+import org.selectiverenderer.document.area.AreaBox;
+import org.selectiverenderer.document.area.Areas;
+import org.selectiverenderer.enricher.area.NodeCommands;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * Where an area is: centre and size in the scene, whatever it stands in, and which other areas it
+ * lies over or belongs together with.
+ */
+final class BoxFields {
+  private static final String[] AXES = {"X", "Y", "Z"};
+
+  private final EnricherSession session;
+  private final NodeCommands nodes;
+  private final DocumentElement element;
+  private final JPanel panel =
+      new JPanel(
+          new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][grow,fill][grow,fill]"));
+  private final List<FormField> fields = new ArrayList<>();
+  private final JTextArea frame = Labels.sentences("");
+  private final JTextArea relations = Labels.sentences("");
+
+  BoxFields(EnricherSession session, NodeCommands nodes, DocumentElement element) {
+    this.session = session;
+    this.nodes = nodes;
+    this.element = element;
+    if (nodes.area(element).isPresent()) {
+      panel.add(new JLabel(), "");
+      for (String axis : AXES) {
+        panel.add(new JLabel(axis), "align center, growx 0");
+      }
+      row(
+          "area.centre",
+          "Centre ",
+          (box, k) -> box.centre().get(k),
+          (box, k) -> value -> new AreaBox(with(box.centre(), k, value), box.size()),
+          "move");
+      row(
+          "area.size",
+          "Size ",
+          (box, k) -> box.size().get(k),
+          (box, k) -> value -> new AreaBox(box.centre(), with(box.size(), k, value)),
+          "resize");
+    }
+    frame.putClientProperty("FlatLaf.styleClass", "small");
+    panel.add(frame, "spanx 4, wmin 0, growx");
+    panel.add(relations, "spanx 4, wmin 0, growx");
+    relations.setName("Other areas");
+    follow();
+  }
+
+  private interface Changed {
+    AreaBox to(double value);
+  }
+
+  private static Vector3d with(Vector3dc of, int axis, double value) {
+    return new Vector3d(of).setComponent(axis, value);
+  }
+
+  private void row(
+      String title,
+      String name,
+      BiFunction<AreaBox, Integer, Double> read,
+      BiFunction<AreaBox, Integer, Changed> write,
+      String verb) {
+    List<JLabel> complaints = new ArrayList<>();
+    panel.add(new JLabel(Texts.of(title)));
+    for (int axis = 0; axis < 3; axis++) {
+      int k = axis;
+      JTextField text = new JTextField(5);
+      text.setName(name + AXES[k]);
+      String spoken =
+          verb.equals("move")
+              ? Texts.of("area.box.centre", AXES[k])
+              : Texts.of("area.box.size." + k);
+      text.getAccessibleContext().setAccessibleName(spoken);
+      text.setToolTipText(spoken + ". " + Texts.of("area.box.metres"));
+      text.setEditable(session.document().locked().isEmpty());
+      JLabel complaint = Labels.complaint();
+      complaints.add(complaint);
+      panel.add(text, "wmin 0");
+      fields.add(
+          FormField.of(
+              text,
+              complaint,
+              new FormField.Source(
+                  () -> shown(box -> read.apply(box, k)),
+                  typed -> write(typed, verb, box -> write.apply(box, k)))));
+    }
+    complaints.forEach(complaint -> panel.add(complaint, "spanx 4, wmin 0"));
+  }
+
+  private String shown(ToDoubleFunction<AreaBox> value) {
+    return nodes
+        .area(element)
+        .map(area -> DecimalText.rounded(value.applyAsDouble(area.box()), 3))
+        .orElse("");
+  }
+
+  private interface Change {
+    Changed of(AreaBox box);
+  }
+
+  private Optional<String> write(String typed, String verb, Change change) {
+    Input<Double> input = NumberInput.parse(typed);
+    if (input instanceof Input.Wrong<Double> wrong) {
+      return Optional.of(wrong.why());
+    }
+    Optional<Area> area = nodes.area(element);
+    if (area.isEmpty()) {
+      return Optional.empty();
+    }
+    AreaBox box = change.of(area.get().box()).to(((Input.Valid<Double>) input).value());
+    if (!box.sound()) {
+      return Optional.of(Texts.of("area.box.positive"));
+    }
+    nodes.place(element, box, verb);
+    return Optional.empty();
+  }
+
+  List<FormField> fields() {
+    return fields;
+  }
+
+  JPanel component() {
+    return panel;
+  }
+
+  /** Says what the numbers are and what else is there. */
+  void follow() {
+    Optional<Area> area = nodes.area(element);
+    say(frame, area.map(BoxFields::about).orElseGet(this::unknown));
+    say(relations, area.map(this::relations).orElse(""));
+  }
+
+  private static void say(JTextArea where, String text) {
+    if (!where.getText().equals(text)) {
+      where.setText(text);
+      where.setVisible(!text.isEmpty());
+      where.getAccessibleContext().setAccessibleName(text);
+    }
+  }
+
+  private String unknown() {
+    return Texts.of("area.box.unknown", element.parent().map(String::valueOf).orElse(""));
+  }
+
+  private static String about(Area area) {
+    List<String> lines = new ArrayList<>();
+    lines.add(Texts.of("area.box.metres"));
+    if (!area.frame().transforms().isEmpty()) {
+      String around =
+          area.frame().transforms().stream().map(String::valueOf).collect(Collectors.joining(", "));
+      lines.add(Texts.of(area.frame().turned() ? "area.box.turned" : "area.box.under", around));
+    }
+    if (!area.elsewhere().isEmpty()) {
+      lines.add(Texts.of("area.box.shared", String.join(", ", area.elsewhere())));
+    }
+    return String.join(". ", lines) + ".";
+  }
+
+  private String relations(Area area) {
+    List<Area> all = Areas.of(session.enrichment());
+    List<String> lines = new ArrayList<>();
+    Areas.parts(area, all).forEach(part -> lines.add(Texts.of("area.part", part.name())));
+    List<Areas.Overlap> overlaps = Areas.overlaps(area, all);
+    for (Areas.Overlap overlap : overlaps) {
+      String key = overlap.within() ? "within" : overlap.around() ? "around" : "part";
+      lines.add(
+          Texts.of(
+              "area.overlap." + key,
+              overlap.other().name(),
+              DecimalText.fixed(overlap.volume(), 2)));
+    }
+    if (!overlaps.isEmpty()) {
+      lines.add(Texts.of("area.overlap.what"));
+    }
+    return String.join("\n", lines);
+  }
+}

@@ -1,0 +1,166 @@
+package org.selectiverenderer.enricher.form;
+
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.hand.FieldEdits;
+import org.selectiverenderer.document.hand.NodeField;
+import org.selectiverenderer.document.hand.NodeFields;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** One field of a node: its name, what edits it, and what gives it its default back. */
+final class FieldRow {
+  private final EnricherSession session;
+  private final DocumentElement element;
+  private final FieldEdits edits;
+  private final JLabel label;
+  private final JLabel complaint = Labels.complaint();
+  private final JButton reset = new JButton("\u00d7");
+  private final JComponent control;
+  private final @Nullable FormField typed;
+  private @Nullable JCheckBox check;
+  private @Nullable ColorSwatch swatch;
+  private NodeField field;
+  private boolean busy;
+
+  FieldRow(EnricherSession session, DocumentElement element, NodeField field) {
+    this.session = session;
+    this.element = element;
+    this.field = field;
+    this.edits = new FieldEdits(session.document());
+    boolean free = session.document().locked().isEmpty() && field.readOnly().isEmpty();
+    FormField.Source source = new FormField.Source(this::read, this::write);
+    switch (field.kind()) {
+      case BOOLEAN -> {
+        JCheckBox box = new JCheckBox();
+        box.addActionListener(event -> write(Boolean.toString(box.isSelected())));
+        box.setEnabled(free);
+        check = box;
+        control = box;
+        typed = null;
+      }
+      case CHOICE -> {
+        JComboBox<String> box = new JComboBox<>(field.choices().toArray(String[]::new));
+        box.setEditable(true);
+        box.setEnabled(free);
+        typed = FormField.of(box, complaint, source);
+        control = box;
+      }
+      default -> {
+        JTextField text = new JTextField();
+        text.putClientProperty("JTextField.placeholderText", field.defaultText());
+        text.setEditable(free);
+        typed = FormField.of(text, complaint, source);
+        control = text;
+        if (field.kind() == NodeField.Kind.COLOR) {
+          ColorSwatch colour = new ColorSwatch(field.name(), this::read, this::write);
+          colour.setEnabled(free);
+          text.putClientProperty("JTextField.trailingComponent", colour);
+          swatch = colour;
+        }
+      }
+    }
+    String why = field.readOnly().orElse(field.about());
+    control.setName("field " + field.name());
+    control.setToolTipText(why.isEmpty() ? null : why);
+    control.getAccessibleContext().setAccessibleName(field.name());
+    label = Labels.of(field.name(), control);
+    label.setToolTipText(control.getToolTipText());
+    reset.setName("reset " + field.name());
+    reset.setToolTipText(Texts.of("fields.reset", field.name()));
+    reset.getAccessibleContext().setAccessibleName(Texts.of("fields.reset", field.name()));
+    reset.putClientProperty("JButton.buttonType", "borderless");
+    reset.addActionListener(event -> unset());
+    follow();
+  }
+
+  void addTo(JPanel rows) {
+    rows.add(label);
+    rows.add(control, "wmin 0");
+    rows.add(reset, "w 26!, wrap");
+    rows.add(complaint, "skip 1, span 2, wmin 0, wrap");
+  }
+
+  private String read() {
+    return field.written().orElse("");
+  }
+
+  /** An emptied text of a field with a default is that default again. */
+  private Optional<String> write(String text) {
+    if (busy || text.equals(read())) {
+      return Optional.empty();
+    }
+    boolean emptied = text.isBlank() && !field.name().equals("USE");
+    if (emptied) {
+      unset();
+      return Optional.empty();
+    }
+    Optional<String> wrong = edits.wrong(element, field, text);
+    if (wrong.isEmpty()) {
+      session.attempt(() -> session.document().perform(edits.set(element, field.name(), text)));
+    }
+    return wrong;
+  }
+
+  private void unset() {
+    Optional<String> wrong =
+        field.name().equals("DEF") ? edits.wrong(element, field, "") : field.readOnly();
+    if (wrong.isPresent()) {
+      session.message(wrong.get());
+    } else {
+      session.attempt(() -> session.document().perform(edits.unset(element, field.name())));
+    }
+  }
+
+  /** Shows what the document says, and marks what is wrong there. */
+  void follow() {
+    NodeFields.of(session.document(), session.catalogue(), element).stream()
+        .filter(now -> now.name().equals(field.name()))
+        .findFirst()
+        .ifPresent(now -> field = now);
+    boolean free = session.document().locked().isEmpty() && field.readOnly().isEmpty();
+    reset.setVisible(free && field.written().isPresent());
+    busy = true;
+    try {
+      JCheckBox box = check;
+      if (box != null) {
+        box.setSelected(field.written().orElse(field.defaultText()).strip().equals("true"));
+      }
+      FormField text = typed;
+      if (text != null) {
+        text.follow();
+        field
+            .written()
+            .filter(now -> field.readOnly().isEmpty())
+            .flatMap(now -> edits.wrong(element, field, now))
+            .ifPresent(text::complain);
+      }
+      ColorSwatch colour = swatch;
+      if (colour != null) {
+        colour.repaint();
+      }
+    } finally {
+      busy = false;
+    }
+  }
+
+  void commit() {
+    if (typed != null) {
+      typed.commit();
+    }
+  }
+
+  void close() {
+    if (typed != null) {
+      typed.close();
+    }
+  }
+}

@@ -1,0 +1,116 @@
+package org.selectiverenderer.enricher.form;
+
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSeparator;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.document.hand.NodeField;
+import org.selectiverenderer.document.hand.NodeFields;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/**
+ * The fields of any node: those that are written, and on request all that it may have, with types,
+ * defaults and ranges of the catalogue. Each change is one edit of one attribute.
+ */
+final class FieldsForm implements Form {
+  private final EnricherSession session;
+  private final DocumentElement element;
+  private final JPanel rows =
+      new JPanel(new MigLayout("insets 0, gapy 3, hidemode 3", "[][grow,fill][]"));
+  private final JCheckBox all = new JCheckBox(Texts.of("fields.all"));
+  private final JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0, wrap 1", "[grow,fill]"));
+  private final Choice choice;
+  private List<FieldRow> shown = List.of();
+  private List<String> names = List.of();
+
+  /** Whether all fields are wanted; outlives the form of one node. */
+  static final class Choice {
+    private boolean all;
+  }
+
+  FieldsForm(EnricherSession session, DocumentElement element, Choice choice) {
+    this.session = session;
+    this.element = element;
+    this.choice = choice;
+    JLabel title = new JLabel(Texts.of("fields.title"));
+    title.putClientProperty("FlatLaf.styleClass", "h4");
+    all.setName("allFields");
+    all.setSelected(choice.all);
+    all.addActionListener(
+        event -> {
+          choice.all = all.isSelected();
+          build();
+        });
+    JPanel head = new JPanel(new MigLayout("insets 0", "[grow][]"));
+    head.add(title);
+    head.add(all);
+    panel.add(new JSeparator());
+    panel.add(head);
+    panel.add(rows, "wmin 0");
+    build();
+  }
+
+  private List<NodeField> wanted() {
+    return NodeFields.of(session.document(), session.catalogue(), element).stream()
+        .filter(field -> choice.all || field.written().isPresent())
+        .toList();
+  }
+
+  private static List<String> names(List<NodeField> fields) {
+    return fields.stream().map(NodeField::name).sorted().toList();
+  }
+
+  private void build() {
+    dispose();
+    rows.removeAll();
+    List<NodeField> fields = wanted();
+    names = names(fields);
+    List<FieldRow> made = new ArrayList<>();
+    for (NodeField field : fields) {
+      FieldRow row = new FieldRow(session, element, field);
+      row.addTo(rows);
+      made.add(row);
+    }
+    if (fields.isEmpty()) {
+      rows.add(Labels.sentences(Texts.of("fields.none")), "span, wmin 0");
+    }
+    shown = made;
+    rows.revalidate();
+    rows.repaint();
+  }
+
+  @Override
+  public JComponent component() {
+    return panel;
+  }
+
+  @Override
+  public boolean fits() {
+    return element.attached();
+  }
+
+  @Override
+  public void follow() {
+    if (names(wanted()).equals(names)) {
+      shown.forEach(FieldRow::follow);
+    } else {
+      build();
+    }
+  }
+
+  @Override
+  public void commit() {
+    List.copyOf(shown).forEach(FieldRow::commit);
+  }
+
+  @Override
+  public void dispose() {
+    shown.forEach(FieldRow::close);
+  }
+}

@@ -1,0 +1,66 @@
+package org.selectiverenderer.enricher.form;
+
+import java.awt.event.ActionListener;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.area.NodeCommands;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** The name of an area or an object, and what is done with it as a whole: copy, delete. */
+final class NameRow {
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
+  private final JPanel buttons = new JPanel(new MigLayout("insets 0, gapx 4", ""));
+  private final FormField field;
+  private final boolean writable;
+
+  NameRow(EnricherSession session, NodeCommands nodes, DocumentElement element) {
+    writable = session.document().locked().isEmpty();
+    JTextField name = new JTextField();
+    name.setName("Node name");
+    name.setEditable(writable);
+    JLabel label = Labels.of(Texts.of("area.name"), name);
+    JLabel complaint = Labels.complaint();
+    panel.add(label);
+    panel.add(name, "wmin 0");
+    panel.add(complaint, "wmin 0");
+    panel.add(buttons, "wmin 0");
+    field =
+        FormField.of(
+            name,
+            complaint,
+            new FormField.Source(
+                () -> element.def().orElse(""),
+                text ->
+                    text.isBlank() && element.def().isEmpty()
+                        ? Optional.empty()
+                        : nodes.rename(element, text)));
+    add("area.copy", "area.copy.tip", "Copy node", event -> nodes.copy(element, this));
+    add("area.delete", "area.delete.tip", "Delete node", event -> nodes.delete(element));
+  }
+
+  /** A button more, with texts of these keys. */
+  void add(String text, String tip, String name, ActionListener does) {
+    JButton button = new JButton(Texts.of(text).replace("&", ""));
+    button.setToolTipText(Texts.of(tip));
+    button.getAccessibleContext().setAccessibleDescription(Texts.of(tip));
+    button.setName(name);
+    button.setEnabled(writable);
+    button.addActionListener(does);
+    buttons.add(button);
+  }
+
+  JPanel component() {
+    return panel;
+  }
+
+  FormField field() {
+    return field;
+  }
+}

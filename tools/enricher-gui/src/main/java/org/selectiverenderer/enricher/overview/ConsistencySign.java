@@ -1,0 +1,108 @@
+package org.selectiverenderer.enricher.overview;
+
+import com.formdev.flatlaf.icons.FlatAbstractIcon;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Optional;
+import org.selectiverenderer.document.enrichment.SchemaOverview.Cell;
+import org.selectiverenderer.enricher.table.SignColors;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.schema.ConsistencyType;
+
+/** What a cell says of an object and a schema, told by a sign of its own as well as by colour. */
+enum ConsistencySign {
+  /** A filled disc. */
+  CONSISTENT(Optional.of(SignColors.CALM)),
+  /** An empty diamond. */
+  INCONSISTENT(Optional.of(SignColors.ALERT)),
+  /** An empty square: part of any place, such as a wall. */
+  FRAME(Optional.of(SignColors.NEUTRAL)),
+  /** A ring of dashes: the object belongs to the schema, but the type is not set. */
+  UNTYPED(Optional.of(SignColors.NEUTRAL)),
+  /** A short line: the object does not belong to the schema. */
+  NONE(Optional.empty());
+
+  private static final int SIZE = 12;
+
+  private final Optional<Color> colour;
+
+  ConsistencySign(Optional<Color> colour) {
+    this.colour = colour;
+  }
+
+  static ConsistencySign of(Optional<Cell> cell) {
+    if (cell.isEmpty()) {
+      return NONE;
+    }
+    return cell.get().type().map(ConsistencySign::of).orElse(UNTYPED);
+  }
+
+  private static ConsistencySign of(ConsistencyType type) {
+    return switch (type) {
+      case CONSISTENT -> CONSISTENT;
+      case INCONSISTENT -> INCONSISTENT;
+      case FRAME -> FRAME;
+    };
+  }
+
+  /** As an author reads it. */
+  String words() {
+    return switch (this) {
+      case CONSISTENT -> Texts.of("overview.consistent");
+      case INCONSISTENT -> Texts.of("overview.inconsistent");
+      case FRAME -> Texts.of("overview.frame");
+      case UNTYPED -> Texts.of("overview.untyped");
+      case NONE -> Texts.of("overview.none");
+    };
+  }
+
+  /** The ground of a cell on the ground of its table. */
+  Color ground(Color plain) {
+    return colour.map(tint -> SignColors.tint(plain, tint)).orElse(plain);
+  }
+
+  FlatAbstractIcon icon() {
+    return new Icon(this);
+  }
+
+  private static final class Icon extends FlatAbstractIcon {
+    private final ConsistencySign sign;
+
+    Icon(ConsistencySign sign) {
+      super(SIZE, SIZE, null);
+      this.sign = sign;
+    }
+
+    @Override
+    protected void paintIcon(Component component, Graphics2D g) {
+      g.setColor(component.getForeground());
+      g.setStroke(new BasicStroke(1.6f));
+      switch (sign) {
+        case CONSISTENT -> g.fill(new Ellipse2D.Double(2, 2, 8, 8));
+        case INCONSISTENT -> {
+          Path2D diamond = new Path2D.Double();
+          diamond.moveTo(6, 1.5);
+          diamond.lineTo(10.5, 6);
+          diamond.lineTo(6, 10.5);
+          diamond.lineTo(1.5, 6);
+          diamond.closePath();
+          g.draw(diamond);
+        }
+        case FRAME -> g.draw(new Rectangle2D.Double(2.5, 2.5, 7, 7));
+        case UNTYPED -> {
+          g.setStroke(
+              new BasicStroke(
+                  1.4f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, new float[] {2, 2}, 0));
+          g.draw(new Ellipse2D.Double(2, 2, 8, 8));
+        }
+        case NONE -> g.draw(new Line2D.Double(4, 6, 8, 6));
+      }
+    }
+  }
+}

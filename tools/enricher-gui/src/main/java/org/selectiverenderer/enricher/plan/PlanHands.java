@@ -1,0 +1,269 @@
+package org.selectiverenderer.enricher.plan;
+
+import java.awt.Cursor;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.awt.geom.Rectangle2D;
+import java.util.Optional;
+import javax.swing.SwingUtilities;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.area.Area;
+import org.selectiverenderer.document.area.AreaBox;
+import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.area.NodeCommands;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.geometry.Bounds;
+
+/**
+ * The author's mouse over the plan: a drag over the ground draws an area, one of an area moves it,
+ * one of a grip resizes it; the right or middle button shifts the plan, the wheel comes nearer.
+ */
+final class PlanHands extends MouseAdapter {
+  /** How far a click may be dragged. */
+  private static final int STILL = 4;
+
+  /** How near a wall pulls, in units of the screen. */
+  private static final double PULL = 8;
+
+  private static final double NEARER_PER_NOTCH = 1.15;
+
+  private final PlanView view;
+  private final EnricherSession session;
+  private final AreaCommands commands;
+  private final NodeCommands nodes;
+  private final GridSetting grid;
+  private final PlanMenu menu;
+  private int pressX;
+  private int pressY;
+  private int lastX;
+  private int lastY;
+  private boolean shifting;
+  private boolean dragged;
+  private @Nullable Area area;
+  private @Nullable PlanDrag drag;
+
+  PlanHands(
+      PlanView view,
+      EnricherSession session,
+      AreaCommands commands,
+      GridSetting grid,
+      PlanMenu menu) {
+    this.view = view;
+    this.session = session;
+    this.commands = commands;
+    this.nodes = commands.nodes();
+    this.grid = grid;
+    this.menu = menu;
+    view.addMouseListener(this);
+    view.addMouseMotionListener(this);
+    view.addMouseWheelListener(this);
+    view.addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusGained(FocusEvent event) {
+            view.repaint();
+          }
+
+          @Override
+          public void focusLost(FocusEvent event) {
+            view.repaint();
+          }
+        });
+  }
+
+  private boolean writable() {
+    return session.document().locked().isEmpty() && session.document().fault().isEmpty();
+  }
+
+  private Optional<Area> at(double x, double y) {
+    return view.hitOrder().stream()
+        .filter(each -> view.scale().rectangle(PlanView.bounds(each)).contains(x, y))
+        .findFirst();
+  }
+
+  /** The grip of the selected area at a place; sides of X and Z. */
+  private Optional<int[]> grip(double x, double y) {
+    Optional<Area> selected = view.selected().filter(each -> !each.frame().turned());
+    if (selected.isEmpty()) {
+      return Optional.empty();
+    }
+    Rectangle2D place = view.scale().rectangle(PlanView.bounds(selected.get()));
+    for (int sideX = -1; sideX <= 1; sideX++) {
+      for (int sideZ = -1; sideZ <= 1; sideZ++) {
+        Rectangle2D grip = PlanView.grip(place, sideX, sideZ);
+        grip.setFrame(grip.getX() - 2, grip.getY() - 2, grip.getWidth() + 4, grip.getHeight() + 4);
+        if ((sideX != 0 || sideZ != 0) && grip.contains(x, y)) {
+          return Optional.of(new int[] {sideX, sideZ});
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  @Override
+  public void mouseMoved(MouseEvent event) {
+    int kind =
+        grip(event.getX(), event.getY())
+            .map(PlanHands::cursor)
+            .orElseGet(
+                () ->
+                    at(event.getX(), event.getY()).isPresent()
+                        ? Cursor.MOVE_CURSOR
+                        : Cursor.CROSSHAIR_CURSOR);
+    if (view.getCursor().getType() != kind) {
+      view.setCursor(Cursor.getPredefinedCursor(kind));
+    }
+  }
+
+  private static int cursor(int[] sides) {
+    int[][] kinds = {
+      {Cursor.NW_RESIZE_CURSOR, Cursor.W_RESIZE_CURSOR, Cursor.SW_RESIZE_CURSOR},
+      {Cursor.N_RESIZE_CURSOR, Cursor.MOVE_CURSOR, Cursor.S_RESIZE_CURSOR},
+      {Cursor.NE_RESIZE_CURSOR, Cursor.E_RESIZE_CURSOR, Cursor.SE_RESIZE_CURSOR}
+    };
+    return kinds[sides[0] + 1][sides[1] + 1];
+  }
+
+  @Override
+  public void mousePressed(MouseEvent event) {
+    view.requestFocusInWindow();
+    cancel();
+    pressX = event.getX();
+    pressY = event.getY();
+    lastX = pressX;
+    lastY = pressY;
+    dragged = false;
+    shifting = !SwingUtilities.isLeftMouseButton(event);
+    if (shifting || !writable()) {
+      return;
+    }
+    double x = view.scale().x(pressX);
+    double z = view.scale().z(pressY);
+    Optional<int[]> grip = grip(pressX, pressY);
+    if (grip.isPresent()) {
+      area = view.selected().orElseThrow();
+      drag = new PlanDrag(PlanView.bounds(area), grip.get()[0], grip.get()[1], x, z);
+    } else {
+      at(pressX, pressY)
+          .ifPresent(
+              hit -> {
+                area = hit;
+                drag = new PlanDrag(PlanView.bounds(hit), 0, 0, x, z);
+                session.select(hit.element(), view);
+              });
+    }
+  }
+
+  private double snapped(int axis, double value, double across, boolean free) {
+    if (free) {
+      return value;
+    }
+    GridStep step = grid.step();
+    double near = PULL / view.scale().scale();
+    return grid.walls() && view.picture().isPresent()
+        ? new PlanSnap(view.picture().get()).snap(axis, value, across, near, step)
+        : step.nearest(value);
+  }
+
+  @Override
+  public void mouseDragged(MouseEvent event) {
+    dragged |= Math.hypot(event.getX() - pressX, event.getY() - pressY) > STILL;
+    if (!dragged) {
+      return;
+    }
+    if (shifting) {
+      view.scale(view.scale().shifted(event.getX() - lastX, event.getY() - lastY));
+      lastX = event.getX();
+      lastY = event.getY();
+      return;
+    }
+    if (!writable()) {
+      return;
+    }
+    boolean free = event.isAltDown();
+    double x = view.scale().x(event.getX());
+    double z = view.scale().z(event.getY());
+    PlanDrag of = drag;
+    if (of != null) {
+      view.drawing(
+          of.at(x, z, (axis, value) -> snapped(axis, value, axis == 0 ? z : x, free)), area);
+    } else {
+      double fromX = view.scale().x(pressX);
+      double fromZ = view.scale().z(pressY);
+      double cut = view.picture().map(plan -> plan.cut()).orElse(0.0);
+      view.drawing(
+          PlanDrag.between(
+              snapped(0, fromX, fromZ, free),
+              snapped(1, fromZ, fromX, free),
+              snapped(0, x, z, free),
+              snapped(1, z, x, free),
+              cut),
+          null);
+    }
+  }
+
+  @Override
+  public void mouseReleased(MouseEvent event) {
+    Optional<Bounds> done = view.drawing();
+    Area changed = area;
+    PlanDrag of = drag;
+    boolean still = !dragged;
+    cancel();
+    if (shifting) {
+      if (still && SwingUtilities.isRightMouseButton(event)) {
+        at(event.getX(), event.getY()).ifPresent(hit -> session.select(hit.element(), view));
+        menu.show(event.getX(), event.getY());
+      }
+    } else if (done.isPresent() && changed != null && of != null) {
+      boolean moving = of.sideX() == 0 && of.sideZ() == 0;
+      nodes.place(
+          changed.element(), placed(changed, of, done.get()), moving ? "move" : "resize");
+    } else if (done.isPresent()) {
+      draw(done.get());
+    } else if (still && at(event.getX(), event.getY()).isEmpty()) {
+      session.select(null, view);
+    }
+  }
+
+  /** A turned area keeps its own size. */
+  private static AreaBox placed(Area area, PlanDrag drag, Bounds now) {
+    Vector3d shift =
+        new Vector3d(now.minX() - drag.start().minX(), 0, now.minZ() - drag.start().minZ());
+    return area.frame().turned() || drag.sideX() == 0 && drag.sideZ() == 0
+        ? area.box().movedBy(shift)
+        : AreaBox.of(now);
+  }
+
+  /** Makes an area of a rectangle, from the floor to the ceiling there. */
+  void draw(Bounds rectangle) {
+    if (rectangle.width() >= PlanDrag.LEAST && rectangle.depth() >= PlanDrag.LEAST) {
+      commands
+          .probe()
+          .raised(
+              rectangle, found -> found.ifPresent(bounds -> commands.add(AreaBox.of(bounds))));
+    }
+  }
+
+  /** Takes back what is being dragged. */
+  void cancel() {
+    area = null;
+    drag = null;
+    view.drawing(null, null);
+  }
+
+  @Override
+  public void mouseWheelMoved(MouseWheelEvent event) {
+    view.scale(
+        view.scale()
+            .zoomed(
+                Math.pow(NEARER_PER_NOTCH, -event.getPreciseWheelRotation()),
+                event.getX(),
+                event.getY()));
+  }
+}

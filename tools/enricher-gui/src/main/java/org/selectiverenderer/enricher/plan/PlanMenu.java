@@ -1,0 +1,85 @@
+package org.selectiverenderer.enricher.plan;
+
+import java.util.Optional;
+import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
+import javax.swing.KeyStroke;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.document.area.Area;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.NameQuestion;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.geometry.Bounds;
+
+/** What is done with the selected area from its context menu and by keys. */
+final class PlanMenu {
+  private final PlanView view;
+  private final AreaCommands commands;
+  private final NameQuestion question;
+  private @Nullable Area copied;
+
+  PlanMenu(PlanView view, AreaCommands commands, NameQuestion question) {
+    this.view = view;
+    this.commands = commands;
+    this.question = question;
+  }
+
+  void rename() {
+    view.selected().ifPresent(area -> commands.nodes().rename(area.element(), question));
+  }
+
+  void delete() {
+    view.selected().ifPresent(area -> commands.nodes().delete(area.element()));
+  }
+
+  void copy() {
+    copied = view.selected().orElse(copied);
+  }
+
+  /** A copy where the plan is looked at: in its middle, or beside the copied one if that is seen. */
+  void paste() {
+    Area from = copied;
+    if (from == null || !from.element().attached()) {
+      return;
+    }
+    Bounds seen = view.scale().seen(view.getVisibleRect());
+    Bounds box = PlanView.bounds(from);
+    Vector3d shift = new Vector3d(box.width() * 0.25, 0, box.depth() * 0.25);
+    if (seen.apart(new Bounds(box.minX(), 0, box.minZ(), box.maxX(), 0, box.maxZ()))) {
+      shift.set(
+          (seen.minX() + seen.maxX() - box.minX() - box.maxX()) / 2,
+          0,
+          (seen.minZ() + seen.maxZ() - box.minZ() - box.maxZ()) / 2);
+    }
+    commands.nodes().copy(from, shift, view);
+  }
+
+  void show(int x, int y) {
+    Optional<Area> selected = view.selected();
+    JPopupMenu menu = new JPopupMenu();
+    if (selected.isPresent()) {
+      menu.add(item("area.rename", "F2", this::rename));
+      menu.add(item("area.copy", "ctrl C", this::copy));
+    }
+    if (copied != null) {
+      menu.add(item("area.plan.paste", "ctrl V", this::paste));
+    }
+    if (selected.isPresent()) {
+      menu.add(item("area.delete", "DELETE", this::delete));
+      menu.addSeparator();
+    }
+    menu.add(item("area.add", "", commands::addAroundSelection));
+    menu.add(item("area.plan.fit", "HOME", view::fit));
+    menu.show(view, x, y);
+  }
+
+  private static JMenuItem item(String key, String stroke, Runnable does) {
+    JMenuItem item = new JMenuItem(Texts.of(key).replace("&", ""));
+    if (!stroke.isEmpty()) {
+      item.setAccelerator(KeyStroke.getKeyStroke(stroke));
+    }
+    item.addActionListener(event -> does.run());
+    return item;
+  }
+}

@@ -1,0 +1,238 @@
+package org.selectiverenderer.enricher.plan;
+
+import java.awt.event.ActionEvent;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.AbstractAction;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSpinner;
+import javax.swing.JToolBar;
+import javax.swing.KeyStroke;
+import javax.swing.SpinnerNumberModel;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import org.selectiverenderer.document.DocumentListener;
+import org.selectiverenderer.document.area.Area;
+import org.selectiverenderer.document.area.Areas;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.area.NameQuestion;
+import org.selectiverenderer.enricher.area.PlanPicture;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.Texts;
+
+/** The plan with its bar: areas drawn, moved, resized, named, copied and deleted from above. */
+public final class PlanPanel extends JPanel {
+  private static final long serialVersionUID = 1L;
+
+  /** Milliseconds after a change when the preview has loaded it, most likely. */
+  private static final int PAUSE = 900;
+
+  private final transient EnricherSession session;
+  private final transient AreaCommands commands;
+  private final transient GridSetting grid;
+  private final transient PlanHands hands;
+  private final transient PlanMenu menu;
+  private final transient SelectionListener onSelection = (element, origin) -> repaint();
+  private final transient DocumentListener onChange = change -> changed();
+  private final PlanView view;
+  private final JComboBox<String> step = new JComboBox<>();
+  private final JSpinner cut = new JSpinner(new SpinnerNumberModel(0.0, null, null, 0.1));
+  private final JLabel hint = new JLabel(Texts.of("area.plan.hint"));
+  private final Timer later = new Timer(PAUSE, event -> refresh());
+  private transient Optional<Double> height = Optional.empty();
+  private transient List<Area> areas = List.of();
+  private transient long read = -1;
+  private boolean filling;
+
+  /**
+   * @param commands that make areas
+   * @param question how names are asked for
+   */
+  public PlanPanel(
+      EnricherSession session, AreaCommands commands, NameQuestion question, GridSetting grid) {
+    super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill][]"));
+    this.session = session;
+    this.commands = commands;
+    this.grid = grid;
+    view = new PlanView(this::areas, session::selection);
+    menu = new PlanMenu(view, commands, question);
+    hands = new PlanHands(view, session, commands, grid, menu);
+    later.setRepeats(false);
+    layOut();
+    keys();
+    session.addSelectionListener(onSelection);
+    session.document().addListener(onChange);
+    addHierarchyListener(
+        event -> {
+          if (isShowing()) {
+            followGrid();
+            refresh();
+          }
+        });
+  }
+
+  private void layOut() {
+    JToolBar bar = new JToolBar(Texts.of("area.plan"));
+    bar.setFloatable(false);
+    JButton add = new JButton(Texts.of("area.add.short"));
+    add.setName("Add area in plan");
+    add.setToolTipText(Texts.of("area.add.tip"));
+    add.addActionListener(event -> commands.addAroundSelection());
+    bar.add(add);
+    bar.addSeparator();
+    JLabel cutLabel = new JLabel(Texts.of("area.plan.cut") + " ");
+    cutLabel.setLabelFor(cut);
+    cut.setName("Cut height");
+    cut.setToolTipText(Texts.of("area.plan.cut.tip"));
+    cut.setEditor(new JSpinner.NumberEditor(cut, "0.00"));
+    cut.setMaximumSize(cut.getPreferredSize());
+    cut.addChangeListener(
+        event -> {
+          if (!filling) {
+            height = Optional.of(((Number) cut.getValue()).doubleValue());
+            refresh();
+          }
+        });
+    bar.add(cutLabel);
+    bar.add(cut);
+    bar.addSeparator();
+    GridSetting.STEPS.forEach(each -> step.addItem(GridSetting.title(each)));
+    JLabel stepLabel = new JLabel(Texts.of("area.grid.label") + " ");
+    stepLabel.setLabelFor(step);
+    step.setName("Grid step");
+    step.setMaximumSize(step.getPreferredSize());
+    step.addActionListener(
+        event -> {
+          if (!filling) {
+            grid.use(GridSetting.STEPS.get(step.getSelectedIndex()));
+            view.grid(grid.step().step());
+          }
+        });
+    bar.add(stepLabel);
+    bar.add(step);
+    JCheckBox walls = new JCheckBox(Texts.of("area.plan.walls"), grid.walls());
+    walls.setName("Snap to walls");
+    walls.addActionListener(event -> grid.useWalls(walls.isSelected()));
+    bar.add(walls);
+    bar.addSeparator();
+    JButton fit = new JButton(Texts.of("area.plan.fit"));
+    fit.setToolTipText(Texts.of("area.plan.fit.tip"));
+    fit.addActionListener(event -> view.fit());
+    bar.add(fit);
+    JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6", "[grow,fill]"));
+    foot.add(hint, "wmin 0");
+    add(bar, "wmin 0");
+    add(view, "wmin 0, hmin 0");
+    add(foot);
+    getAccessibleContext().setAccessibleName(Texts.of("area.plan"));
+    followGrid();
+  }
+
+  private void keys() {
+    key("HOME", view::fit);
+    key("DELETE", menu::delete);
+    key("F2", menu::rename);
+    key("ctrl C", menu::copy);
+    key("ctrl V", menu::paste);
+    key("ESCAPE", hands::cancel);
+    key("PAGE_DOWN", () -> next(1));
+    key("PAGE_UP", () -> next(-1));
+    key("LEFT", () -> nudge(-1, 0));
+    key("RIGHT", () -> nudge(1, 0));
+    key("UP", () -> nudge(0, -1));
+    key("DOWN", () -> nudge(0, 1));
+    key("PLUS", () -> zoom(1.25));
+    key("EQUALS", () -> zoom(1.25));
+    key("MINUS", () -> zoom(0.8));
+  }
+
+  private void key(String stroke, Runnable does) {
+    view.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(stroke), stroke);
+    view.getActionMap()
+        .put(
+            stroke,
+            new AbstractAction() {
+              private static final long serialVersionUID = 1L;
+
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                does.run();
+              }
+            });
+  }
+
+  private void zoom(double factor) {
+    view.scale(view.scale().zoomed(factor, view.getWidth() / 2.0, view.getHeight() / 2.0));
+  }
+
+  /** Selects another area, counted in the order of the document. */
+  private void next(int by) {
+    List<Area> all = areas();
+    if (!all.isEmpty()) {
+      int now = view.selected().map(all::indexOf).orElse(by > 0 ? -1 : 0);
+      session.select(all.get(Math.floorMod(now + by, all.size())).element(), this);
+    }
+  }
+
+  private void nudge(int x, int z) {
+    double by = grid.step().step() > 0 ? grid.step().step() : 0.01;
+    view.selected()
+        .ifPresent(
+            area ->
+                commands
+                    .nodes()
+                    .place(
+                        area.element(), area.box().movedBy(new Vector3d(x * by, 0, z * by)), "move"));
+  }
+
+  private void followGrid() {
+    filling = true;
+    step.setSelectedItem(GridSetting.title(grid.step().step()));
+    filling = false;
+    view.grid(grid.step().step());
+  }
+
+  private List<Area> areas() {
+    if (read != session.document().revision()) {
+      read = session.document().revision();
+      areas = Areas.of(session.enrichment());
+    }
+    return areas;
+  }
+
+  private void changed() {
+    view.repaint();
+    if (isShowing()) {
+      later.restart();
+    }
+  }
+
+  /** Has the plan drawn anew; what the preview has loaded by now. */
+  public void refresh() {
+    if (isShowing()) {
+      commands.probe().plan(height, found -> found.ifPresentOrElse(this::show, later::restart));
+    }
+  }
+
+  private void show(PlanPicture plan) {
+    filling = true;
+    cut.setValue(Math.round(plan.cut() * 100) / 100.0);
+    filling = false;
+    view.show(plan);
+  }
+
+  /** Follows nothing any more. */
+  public void dispose() {
+    later.stop();
+    session.removeSelectionListener(onSelection);
+    session.document().removeListener(onChange);
+  }
+}

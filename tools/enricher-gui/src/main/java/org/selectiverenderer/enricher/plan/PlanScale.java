@@ -1,0 +1,63 @@
+package org.selectiverenderer.enricher.plan;
+
+import java.awt.Rectangle;
+import java.awt.geom.Rectangle2D;
+import org.selectiverenderer.geometry.Bounds;
+
+/**
+ * From the scene's ground to the screen: X to the right, Z down.
+ *
+ * @param left X at the left edge
+ * @param top Z at the upper edge
+ * @param scale units of the screen for one of the scene, above 0
+ */
+record PlanScale(double left, double top, double scale) {
+  private static final double MARGIN = 0.06;
+
+  /** All of a box in a component of a size. */
+  static PlanScale fitting(Bounds all, int width, int height) {
+    double w = Math.max(1e-3, all.width()) * (1 + 2 * MARGIN);
+    double d = Math.max(1e-3, all.depth()) * (1 + 2 * MARGIN);
+    double scale = Math.max(1e-6, Math.min(width / w, height / d));
+    return new PlanScale(
+        (all.minX() + all.maxX()) / 2 - width / scale / 2,
+        (all.minZ() + all.maxZ()) / 2 - height / scale / 2,
+        scale);
+  }
+
+  double x(double screen) {
+    return left + screen / scale;
+  }
+
+  double z(double screen) {
+    return top + screen / scale;
+  }
+
+  double toX(double x) {
+    return (x - left) * scale;
+  }
+
+  double toY(double z) {
+    return (z - top) * scale;
+  }
+
+  Rectangle2D rectangle(Bounds of) {
+    return new Rectangle2D.Double(
+        toX(of.minX()), toY(of.minZ()), of.width() * scale, of.depth() * scale);
+  }
+
+  PlanScale shifted(double dx, double dy) {
+    return new PlanScale(left - dx / scale, top - dy / scale, scale);
+  }
+
+  /** Nearer to a place of the screen, which stays where it is. */
+  PlanScale zoomed(double factor, double atX, double atY) {
+    double next = scale * factor;
+    return new PlanScale(x(atX) - atX / next, z(atY) - atY / next, next);
+  }
+
+  Bounds seen(Rectangle of) {
+    return new Bounds(
+        x(of.getMinX()), 0, z(of.getMinY()), x(of.getMaxX()), 0, z(of.getMaxY()));
+  }
+}

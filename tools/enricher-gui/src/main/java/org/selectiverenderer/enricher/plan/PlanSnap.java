@@ -1,0 +1,49 @@
+package org.selectiverenderer.enricher.plan;
+
+import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.enricher.area.PlanPicture;
+
+/** What a coordinate keeps to: a wall near by, else the grid. */
+final class PlanSnap {
+  /** Shorter pieces are no wall, in the scene's unit. */
+  private static final double WALL = 0.2;
+
+  /** How far from straight along an axis a wall may be, per length. */
+  private static final double STRAIGHT = 0.01;
+
+  private final float[] walls;
+
+  PlanSnap(PlanPicture picture) {
+    walls = picture.walls();
+  }
+
+  /**
+   * Keeps a coordinate to something.
+   *
+   * @param axis 0 for X, 1 for Z
+   * @param value where the author is
+   * @param across where on the other axis
+   * @param near how far a wall pulls
+   * @param grid where there is none
+   */
+  double snap(int axis, double value, double across, double near, GridStep grid) {
+    double best = Double.NaN;
+    double least = near;
+    for (int i = 0; i + 3 < walls.length; i += 4) {
+      double from = walls[i + axis];
+      double to = walls[i + 2 + axis];
+      double along = walls[i + 1 - axis];
+      double end = walls[i + 3 - axis];
+      double length = Math.abs(end - along);
+      double distance = Math.abs((from + to) / 2 - value);
+      boolean wall = length >= WALL && Math.abs(to - from) <= STRAIGHT * length;
+      boolean here =
+          across >= Math.min(along, end) - 1 && across <= Math.max(along, end) + 1;
+      if (wall && here && distance < least) {
+        least = distance;
+        best = (from + to) / 2;
+      }
+    }
+    return Double.isNaN(best) ? grid.nearest(value) : best;
+  }
+}

@@ -1,0 +1,144 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.Optional;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.joml.Vector4d;
+import org.selectiverenderer.document.area.Area;
+import org.selectiverenderer.document.area.AreaBox;
+import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.runtime.camera.Camera;
+
+/**
+ * A handle of an area's box that is dragged: a face along its own direction, or the middle over the
+ * ground, or up and down where the ground is seen from the side. A value but for the camera, which
+ * nobody changes. Pixels count from the upper left of the picture.
+ *
+ * @param area as it was when the drag began
+ * @param handle 0 to 5: the face at the lesser or greater X, Y, Z; 6: the middle
+ * @param camera of the picture
+ * @param x where the drag began
+ * @param y likewise
+ */
+record AreaDrag(Area area, int handle, Camera camera, double x, double y) {
+  static final int MIDDLE = 6;
+  static final int HANDLES = 7;
+
+  /** No side becomes shorter than this. */
+  private static final double LEAST = 0.05;
+
+  /** Below this sine of the angle between line of sight and ground, the ground is no plane. */
+  private static final double GRAZING = 0.2;
+
+  private int axis() {
+    return handle / 2;
+  }
+
+  private int sign() {
+    return handle % 2 == 0 ? -1 : 1;
+  }
+
+  /** Where a handle of an area is in the scene. */
+  static Vector3d place(Area area, int handle) {
+    Vector3d at = new Vector3d(area.box().centre());
+    if (handle != MIDDLE) {
+      int axis = handle / 2;
+      double half = area.box().size().get(axis) / 2 * (handle % 2 == 0 ? -1 : 1);
+      at.fma(half, area.frame().direction(axis));
+    }
+    return at;
+  }
+
+  /** Where a place of the scene is in the picture; empty behind the eye. */
+  static Optional<Vector2d> inPicture(Vector3dc place, Camera camera) {
+    Vector4d point = new Vector4d(place, 1);
+    camera.projection().transform(camera.view().transform(point));
+    return point.w > 0
+        ? Optional.of(
+            new Vector2d(
+                (point.x / point.w + 1) / 2 * camera.width(),
+                (1 - point.y / point.w) / 2 * camera.height()))
+        : Optional.empty();
+  }
+
+  /** The box when the pointer is at a pixel. */
+  AreaBox at(double nowX, double nowY, GridStep grid) {
+    return handle == MIDDLE ? moved(nowX, nowY, grid) : resized(nowX, nowY, grid);
+  }
+
+  private AreaBox resized(double nowX, double nowY, GridStep grid) {
+    Vector3d direction = area.frame().direction(axis());
+    Vector3d face = place(area, handle);
+    double pulled = along(face, direction, nowX, nowY) - along(face, direction, x, y);
+    double size = area.box().size().get(axis());
+    double edge = area.frame().turned() ? sign() * size : face.get(axis());
+    pulled = grid.nearest(edge + pulled) - edge;
+    double grown = Math.max(sign() * pulled, Math.min(LEAST, size) - size);
+    Vector3d newSize = new Vector3d(area.box().size()).setComponent(axis(), size + grown);
+    Vector3d centre =
+        new Vector3d(area.box().centre()).fma(sign() * grown / 2, direction);
+    return new AreaBox(centre, newSize);
+  }
+
+  /** How far along a line the pointer is: where the line of sight comes nearest to it. */
+  private double along(Vector3dc origin, Vector3dc direction, double px, double py) {
+    Vector3d eye = new Vector3d();
+    Vector3d sight = sight(px, py, eye);
+    Vector3d between = eye.sub(origin, new Vector3d());
+    double both = direction.dot(sight);
+    double across = 1 - both * both;
+    if (across < 1e-4) {
+      return 0; // looks along the line: nothing is meant
+    }
+    return (between.dot(direction) - both * between.dot(sight)) / across;
+  }
+
+  private AreaBox moved(double nowX, double nowY, GridStep grid) {
+    Vector3d eye = new Vector3d();
+    Vector3d sight = sight(x, y, eye);
+    Vector3d normal = new Vector3d(0, 1, 0);
+    if (Math.abs(sight.y) < GRAZING) {
+      normal.set(sight.x, 0, sight.z).normalize();
+    }
+    Optional<Vector3d> from = onPlane(normal, x, y);
+    Optional<Vector3d> to = onPlane(normal, nowX, nowY);
+    if (from.isEmpty() || to.isEmpty()) {
+      return area.box();
+    }
+    Vector3d shift = to.get().sub(from.get());
+    if (!area.frame().turned()) {
+      Vector3d corner = area.box().bounds().min();
+      for (int k = 0; k < 3; k++) {
+        if (Math.abs(shift.get(k)) > 1e-9) {
+          shift.setComponent(k, grid.nearest(corner.get(k) + shift.get(k)) - corner.get(k));
+        }
+      }
+    }
+    return area.box().movedBy(shift);
+  }
+
+  private Optional<Vector3d> onPlane(Vector3dc normal, double px, double py) {
+    Vector3d eye = new Vector3d();
+    Vector3d sight = sight(px, py, eye);
+    double towards = sight.dot(normal);
+    if (Math.abs(towards) < 1e-3) {
+      return Optional.empty();
+    }
+    double distance = area.box().centre().sub(eye, new Vector3d()).dot(normal) / towards;
+    return distance > 0 ? Optional.of(eye.fma(distance, sight)) : Optional.empty();
+  }
+
+  /** The line of sight through a pixel: its direction, of length 1, and where it begins. */
+  private Vector3d sight(double px, double py, Vector3d origin) {
+    Matrix4dc inverse = camera.projection().mul(camera.view(), new Matrix4d()).invert();
+    double right = 2 * px / camera.width() - 1;
+    double up = 1 - 2 * py / camera.height();
+    Vector4d near = inverse.transform(new Vector4d(right, up, -1, 1));
+    Vector4d far = inverse.transform(new Vector4d(right, up, 1, 1));
+    origin.set(near.x, near.y, near.z).div(near.w);
+    return new Vector3d(far.x, far.y, far.z).div(far.w).sub(origin).normalize();
+  }
+}

@@ -1,0 +1,248 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javax.swing.SwingUtilities;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.document.area.Area;
+import org.selectiverenderer.document.area.AreaBox;
+import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.enricher.area.NodeCommands;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+
+/**
+ * The handles of the selected area's box in the picture: six on its faces, one in the middle.
+ * Dragging one shows the box as it would be, in the running scene only; letting go is one edit.
+ * Escape takes the drag back; Alt turns the grid off. It hears the mouse before {@link
+ * PictureHands} and consumes what it uses.
+ */
+final class AreaHandles extends MouseAdapter {
+  private static final double RADIUS = 6;
+  private static final double REACH = 10;
+  private static final Color FILL = new Color(0xff8c00);
+  private static final Color HOT = new Color(0xffd000);
+  private static final Color PAPER = new Color(0, 0, 0, 170);
+
+  private final PictureView view;
+  private final EnricherSession session;
+  private final NodeCommands nodes;
+  private final Supplier<GridStep> grid;
+  private final LiveBox live;
+  private boolean shown = true;
+  private int hot = -1;
+  private @Nullable AreaDrag drag;
+  private AreaBox dragged;
+
+  /** Shows a box in the running scene. */
+  @FunctionalInterface
+  interface LiveBox {
+    void show(Area area, AreaBox box);
+  }
+
+  AreaHandles(
+      PictureView view, EnricherSession session, Supplier<GridStep> grid, LiveBox live) {
+    this.view = view;
+    this.session = session;
+    this.nodes = new NodeCommands(session);
+    this.grid = grid;
+    this.live = live;
+    dragged = new AreaBox(new Vector3d(), new Vector3d());
+    view.addMouseListener(this);
+    view.addMouseMotionListener(this);
+    view.addKeyListener(
+        new KeyAdapter() {
+          @Override
+          public void keyPressed(KeyEvent event) {
+            if (event.getKeyCode() == KeyEvent.VK_ESCAPE && drag != null) {
+              cancel();
+              event.consume();
+            }
+          }
+        });
+    view.overlay(this::paint);
+  }
+
+  /** Shows the handles or not. */
+  void shown(boolean show) {
+    shown = show;
+    view.repaint();
+  }
+
+  private Optional<Area> area() {
+    boolean looking =
+        view.frame().filter(frame -> !frame.walking()).isPresent()
+            && session.document().locked().isEmpty();
+    return shown && looking ? session.selection().flatMap(nodes::area) : Optional.empty();
+  }
+
+  /** The handle at a position of the view; the nearest one of several, -1 for none. */
+  private int at(Area area, PreviewFrame frame, double x, double y) {
+    double scale = view.scale();
+    int found = -1;
+    double nearest = REACH;
+    for (int handle = 0; handle < AreaDrag.HANDLES; handle++) {
+      Optional<Vector2d> place =
+          AreaDrag.inPicture(AreaDrag.place(area, handle), frame.camera());
+      double distance =
+          place.map(at -> at.distance(x * scale, y * scale) / scale).orElse(nearest + 1);
+      if (distance < nearest) {
+        nearest = distance;
+        found = handle;
+      }
+    }
+    return found;
+  }
+
+  @Override
+  public void mouseMoved(MouseEvent event) {
+    int before = hot;
+    hot = handle(event);
+    if (hot != before) {
+      view.repaint();
+    }
+  }
+
+  private int handle(MouseEvent event) {
+    Optional<Area> area = area();
+    return area.isPresent()
+        ? at(area.get(), view.frame().orElseThrow(), event.getX(), event.getY())
+        : -1;
+  }
+
+  @Override
+  public void mousePressed(MouseEvent event) {
+    hot = handle(event);
+    if (hot >= 0 && SwingUtilities.isLeftMouseButton(event)) {
+      view.requestFocusInWindow();
+      Area area = area().orElseThrow();
+      double scale = view.scale();
+      drag =
+          new AreaDrag(
+              area,
+              hot,
+              view.frame().orElseThrow().camera(),
+              event.getX() * scale,
+              event.getY() * scale);
+      dragged = area.box();
+      event.consume();
+    }
+  }
+
+  @Override
+  public void mouseDragged(MouseEvent event) {
+    if (drag != null) {
+      double scale = view.scale();
+      GridStep step = event.isAltDown() ? GridStep.NONE : grid.get();
+      dragged = drag.at(event.getX() * scale, event.getY() * scale, step);
+      live.show(drag.area(), dragged);
+      event.consume();
+      view.repaint();
+    }
+  }
+
+  @Override
+  public void mouseReleased(MouseEvent event) {
+    if (drag != null) {
+      AreaDrag done = drag;
+      drag = null;
+      event.consume();
+      nodes.place(
+          done.area().element(), dragged, done.handle() == AreaDrag.MIDDLE ? "move" : "resize");
+      view.repaint();
+    }
+  }
+
+  private void cancel() {
+    if (drag != null) {
+      live.show(drag.area(), drag.area().box());
+      drag = null;
+      view.repaint();
+    }
+  }
+
+  private void paint(Graphics2D g, PreviewFrame frame) {
+    Optional<Area> selected = area();
+    if (selected.isEmpty()) {
+      return;
+    }
+    g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    Area area = selected.get();
+    Area now =
+        drag == null
+            ? area
+            : new Area(
+                area.element(),
+                area.name(),
+                area.schemas(),
+                area.frame(),
+                dragged,
+                area.solid(),
+                area.elsewhere());
+    double scale = view.scale();
+    for (int handle = 0; handle < AreaDrag.HANDLES; handle++) {
+      int which = handle;
+      AreaDrag.inPicture(AreaDrag.place(now, handle), frame.camera())
+          .ifPresent(at -> dot(g, at.x / scale, at.y / scale, which));
+    }
+    if (drag != null) {
+      AreaDrag at = drag;
+      AreaDrag.inPicture(AreaDrag.place(now, at.handle()), frame.camera())
+          .ifPresent(place -> label(g, place.x / scale, place.y / scale, says(at, now)));
+    }
+  }
+
+  private void dot(Graphics2D g, double x, double y, int handle) {
+    boolean chosen = drag == null ? handle == hot : handle == drag.handle();
+    double r = chosen ? RADIUS + 1.5 : RADIUS;
+    var shape =
+        handle == AreaDrag.MIDDLE
+            ? new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r)
+            : new Rectangle2D.Double(x - r + 1, y - r + 1, 2 * r - 2, 2 * r - 2);
+    g.setColor(chosen ? HOT : FILL);
+    g.fill(shape);
+    g.setColor(Color.WHITE);
+    g.setStroke(new BasicStroke(1.5f));
+    g.draw(shape);
+  }
+
+  private static String says(AreaDrag drag, Area now) {
+    if (drag.handle() == AreaDrag.MIDDLE) {
+      Vector3d by = now.box().centre().sub(drag.area().box().centre(), new Vector3d());
+      return Texts.of("area.handle.moved", metres(by.x), metres(by.y), metres(by.z));
+    }
+    int axis = drag.handle() / 2;
+    return Texts.of(
+        "area.handle.size",
+        Texts.of("area.box.size." + axis),
+        metres(now.box().size().get(axis)));
+  }
+
+  private static String metres(double value) {
+    return DecimalText.fixed(value, 2);
+  }
+
+  private static void label(Graphics2D g, double x, double y, String text) {
+    FontMetrics metrics = g.getFontMetrics();
+    int left = (int) x + 12;
+    int top = (int) y - metrics.getHeight() / 2;
+    g.setColor(PAPER);
+    g.fillRoundRect(left, top, metrics.stringWidth(text) + 8, metrics.getHeight() + 2, 4, 4);
+    g.setColor(Color.WHITE);
+    g.drawString(text, left + 4, top + 1 + metrics.getAscent());
+  }
+}

@@ -1,0 +1,125 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.runtime.collide.RayCaster;
+
+/** Measures rooms of a running scene by rays: floors, ceilings, walls. Y is up. */
+final class Rooms {
+  /** Of an area where there is no ceiling, in metres. */
+  static final double STANDARD_HEIGHT = 2.5;
+
+  /** Of the room where no wall is hit: half its width. */
+  private static final double NO_WALL = 2.5;
+
+  /** How far under the ceiling walls are looked for: over most furniture and over doors. */
+  private static final double UNDER_CEILING = 0.15;
+
+  /** Farther up than this no ceiling belongs to a room, and no wall farther to the side. */
+  private static final double FARTHEST = 25;
+
+  /** Room to stand beside an object. */
+  private static final double BESIDE = 1;
+
+  /** What is wider than this both ways is a place to be in rather than an object to be near. */
+  private static final double PLACE = 3;
+
+  private final PreviewScene scene;
+
+  Rooms(PreviewScene scene) {
+    this.scene = scene;
+  }
+
+  private Optional<Double> distance(Vector3dc from, double x, double y, double z) {
+    return scene
+        .hit(from, new Vector3d(x, y, z))
+        .map(RayCaster.Hit::distance)
+        .filter(distance -> distance < FARTHEST);
+  }
+
+  /** The room around a place. */
+  Bounds room(Vector3dc eye) {
+    double floor = eye.y() - distance(eye, 0, -1, 0).orElse(1.6);
+    double ceiling =
+        distance(eye, 0, 1, 0).map(up -> eye.y() + up).orElse(floor + STANDARD_HEIGHT);
+    Vector3d high = new Vector3d(eye.x(), ceiling - UNDER_CEILING, eye.z());
+    double right = distance(high, 1, 0, 0).orElse(NO_WALL);
+    double left = distance(high, -1, 0, 0).orElse(NO_WALL);
+    double front = distance(high, 0, 0, 1).orElse(NO_WALL);
+    double back = distance(high, 0, 0, -1).orElse(NO_WALL);
+    return new Bounds(
+        eye.x() - left, floor, eye.z() - back, eye.x() + right, ceiling, eye.z() + front);
+  }
+
+  /** An area around something: with room to stand beside it, from its floor up. */
+  Bounds around(Bounds object) {
+    boolean place = object.width() > PLACE && object.depth() > PLACE;
+    double beside = place ? 0 : BESIDE;
+    Bounds wide =
+        new Bounds(
+            object.minX() - beside,
+            object.minY(),
+            object.minZ() - beside,
+            object.maxX() + beside,
+            object.maxY(),
+            object.maxZ() + beside);
+    double from = object.maxY() + 0.02;
+    double floor = floor(wide, from).orElse(object.minY());
+    return new Bounds(
+        wide.minX(),
+        Math.min(floor, object.minY()),
+        wide.minZ(),
+        wide.maxX(),
+        Math.max(object.maxY(), floor + STANDARD_HEIGHT),
+        wide.maxZ());
+  }
+
+  /** A rectangle from the floor to the ceiling there; its Y is a height in between. */
+  Bounds raised(Bounds footprint) {
+    double from = footprint.minY();
+    double floor = floor(footprint, from).orElse(from);
+    double ceiling = Double.NEGATIVE_INFINITY;
+    for (Vector3d place : places(footprint, from)) {
+      ceiling =
+          Math.max(
+              ceiling,
+              distance(place, 0, 1, 0).map(up -> from + up).orElse(Double.NEGATIVE_INFINITY));
+    }
+    return new Bounds(
+        footprint.minX(),
+        floor,
+        footprint.minZ(),
+        footprint.maxX(),
+        Double.isInfinite(ceiling) ? floor + STANDARD_HEIGHT : ceiling,
+        footprint.maxZ());
+  }
+
+  /** The lowest that is under a rectangle: tables are not its floor. */
+  private Optional<Double> floor(Bounds footprint, double from) {
+    Optional<Double> lowest = Optional.empty();
+    for (Vector3d place : places(footprint, from)) {
+      Optional<Double> here = distance(place, 0, -1, 0).map(down -> from - down);
+      if (here.isPresent() && (lowest.isEmpty() || here.get() < lowest.get())) {
+        lowest = here;
+      }
+    }
+    return lowest;
+  }
+
+  /** The middle and four places towards the corners. */
+  private static Vector3d[] places(Bounds of, double y) {
+    double x = (of.minX() + of.maxX()) / 2;
+    double z = (of.minZ() + of.maxZ()) / 2;
+    double dx = of.width() * 0.4;
+    double dz = of.depth() * 0.4;
+    return new Vector3d[] {
+      new Vector3d(x, y, z),
+      new Vector3d(x - dx, y, z - dz),
+      new Vector3d(x + dx, y, z - dz),
+      new Vector3d(x - dx, y, z + dz),
+      new Vector3d(x + dx, y, z + dz)
+    };
+  }
+}

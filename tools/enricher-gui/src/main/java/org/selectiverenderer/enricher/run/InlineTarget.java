@@ -1,0 +1,54 @@
+package org.selectiverenderer.enricher.run;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.selectiverenderer.document.XmlValues;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** Which file an Inline of a document means. */
+public final class InlineTarget {
+  /**
+   * The answer.
+   *
+   * @param file empty when there is none to be opened
+   * @param reason why, a sentence
+   */
+  public record Answer(Optional<Path> file, String reason) {}
+
+  private InlineTarget() {}
+
+  /**
+   * The first url of an Inline, or of the first Inline in an element, that is allowed and a file of
+   * this machine.
+   */
+  public static Answer of(EnricherSession session, DocumentElement element) {
+    Optional<DocumentElement> inline = inline(element);
+    if (inline.isEmpty()) {
+      return new Answer(Optional.empty(), Texts.of("run.noinline"));
+    }
+    Path scene = session.file().path().toAbsolutePath();
+    Path folder = scene.getParent() == null ? scene : scene.getParent();
+    ContentRoot root = new ContentRoot(folder, session.access());
+    String reason = Texts.of("run.nourl");
+    for (String url :
+        XmlValues.strings(session.document().attribute(inline.get(), "url").orElse(""))) {
+      ContentRoot.Target target = root.resolve(url, folder);
+      if (target instanceof ContentRoot.Target.Found found && found.content().file().isPresent()) {
+        return new Answer(found.content().file(), "");
+      }
+      if (target instanceof ContentRoot.Target.Refused refused) {
+        reason = url + " " + refused.reason();
+      }
+    }
+    return new Answer(Optional.empty(), reason);
+  }
+
+  private static Optional<DocumentElement> inline(DocumentElement element) {
+    return element.name().equals("Inline")
+        ? Optional.of(element)
+        : element.children().stream().flatMap(child -> inline(child).stream()).findFirst();
+  }
+}

@@ -1,0 +1,47 @@
+package org.selectiverenderer.enricher.run;
+
+import java.awt.Component;
+import java.util.Optional;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.text.Texts;
+
+/** Asks how to run the scene. */
+public final class RunDialog {
+  private RunDialog() {}
+
+  /**
+   * Asks.
+   *
+   * @param before what was chosen last
+   * @return empty if the author does not want to run it
+   */
+  public static Optional<RunChoice> ask(Component over, RunChoice before) {
+    JComboBox<String> condition = new JComboBox<>(RunChoice.CONDITIONS.toArray(String[]::new));
+    condition.setSelectedItem(before.condition());
+    condition.setName("run.condition");
+    condition.getAccessibleContext().setAccessibleName(Texts.of("run.condition"));
+    condition.setToolTipText(Texts.of("run.conditiontip"));
+    JCheckBox here = new JCheckBox(Texts.of("run.here"), before.fromHere());
+    here.setName("run.here");
+    JPanel panel = new JPanel(new MigLayout("insets 0, wrap 2", "[][grow,fill]"));
+    panel.add(new JLabel(Texts.of("run.condition")));
+    panel.add(condition);
+    panel.add(here, "span");
+    panel.add(new JLabel(Texts.of("run.note")), "span");
+    int answer =
+        JOptionPane.showConfirmDialog(
+            over,
+            panel,
+            Texts.of("run.title"),
+            JOptionPane.OK_CANCEL_OPTION,
+            JOptionPane.PLAIN_MESSAGE);
+    return answer == JOptionPane.OK_OPTION
+        ? Optional.of(new RunChoice(String.valueOf(condition.getSelectedItem()), here.isSelected()))
+        : Optional.empty();
+  }
+}

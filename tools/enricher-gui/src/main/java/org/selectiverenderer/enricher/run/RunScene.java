@@ -1,0 +1,113 @@
+package org.selectiverenderer.enricher.run;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.joml.AxisAngle4d;
+import org.joml.Vector3dc;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.runtime.viewer.Pose;
+import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.TextChange;
+import org.selectiverenderer.x3d.source.XmlFault;
+
+/**
+ * The file that a run reads.
+ *
+ * @param file the scene's own, or a copy
+ * @param copy whether it is to be deleted after the run
+ * @param viewpoint to begin at
+ */
+record RunScene(Path file, boolean copy, Optional<String> viewpoint) {
+  private static final String VIEWPOINT = "Enricher_Here";
+  private static final int DECIMALS = 6;
+
+  /**
+   * A scene as it is now. Written beside its file, if need be: a folder that cannot be written to
+   * is told, since elsewhere the scene's urls would mean other files.
+   *
+   * @param saved whether the file has this very text
+   * @param here where to begin; empty for where the scene begins
+   * @throws IOException with one line, if the text is not well formed or cannot be written
+   */
+  static RunScene of(Path file, Snapshot snapshot, boolean saved, Optional<Pose> here)
+      throws IOException {
+    if (saved && here.isEmpty()) {
+      return new RunScene(file, false, Optional.empty());
+    }
+    Edit edit = new Edit(VIEWPOINT, here.map(pose -> viewpoint(snapshot, pose)).orElse(List.of()));
+    Path folder = file.toAbsolutePath().getParent();
+    String name = file.getFileName().toString();
+    int dot = Math.max(0, name.indexOf('.'));
+    try {
+      Path copy =
+          Files.createTempFile(folder, "." + name.substring(0, dot) + "-run-", name.substring(dot));
+      copy.toFile().deleteOnExit(); // Where the window does not live to see the run's end.
+      Files.write(copy, snapshot.bytes(edit));
+      return new RunScene(copy, true, edit.isEmpty() ? Optional.empty() : Optional.of(VIEWPOINT));
+    } catch (IOException e) {
+      throw new IOException(Texts.of("run.nocopy", folder.toString(), e.toString()), e);
+    }
+  }
+
+  /** A Viewpoint in front of all that the Scene has; nothing where there is no Scene for it. */
+  private static List<TextChange> viewpoint(Snapshot snapshot, Pose pose) {
+    List<TextChange> changes = new ArrayList<>();
+    try {
+      DocumentElement root = snapshot.elements().root();
+      root.children().stream()
+          .filter(child -> child.name().equals("Scene") && !child.children().isEmpty())
+          .findFirst()
+          .ifPresent(
+              scene -> {
+                int at = scene.children().get(0).start();
+                changes.add(new TextChange(at, at, written(pose)));
+              });
+    } catch (XmlFault e) {
+      return List.of(); // Reading it will say so.
+    }
+    return changes;
+  }
+
+  private static String written(Pose pose) {
+    AxisAngle4d turn = new AxisAngle4d(pose.orientation());
+    Vector3dc at = pose.position();
+    return ("<Viewpoint DEF='%s' description='%s' position='%s' orientation='%s'"
+            + " fieldOfView='%s'/>")
+        .formatted(
+            VIEWPOINT,
+            VIEWPOINT,
+            numbers(at.x(), at.y(), at.z()),
+            numbers(turn.x, turn.y, turn.z, turn.angle),
+            numbers(pose.fieldOfView()));
+  }
+
+  private static String numbers(double... numbers) {
+    StringBuilder text = new StringBuilder();
+    for (double number : numbers) {
+      text.append(text.isEmpty() ? "" : " ").append(DecimalText.rounded(number, DECIMALS));
+    }
+    return text.toString();
+  }
+
+  /** The words of the command. */
+  List<String> words(RunChoice choice) {
+    List<String> words = new ArrayList<>(List.of("run", file.toString()));
+    words.addAll(List.of("--condition", choice.condition()));
+    viewpoint.ifPresent(name -> words.addAll(List.of("--viewpoint", name)));
+    return words;
+  }
+
+  /** Deletes a copy. */
+  void clear() throws IOException {
+    if (copy) {
+      Files.deleteIfExists(file);
+    }
+  }
+}

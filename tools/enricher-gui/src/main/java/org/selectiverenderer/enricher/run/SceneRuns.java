@@ -1,0 +1,160 @@
+package org.selectiverenderer.enricher.run;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.Charset;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.runtime.viewer.Pose;
+
+/**
+ * The runs of a window: as many at once as the author likes; all end with the window. For the event
+ * dispatch thread.
+ */
+public final class SceneRuns {
+  private static final int PATIENCE_SECONDS = 5;
+
+  /** Starts the words of a command. */
+  interface Starting {
+    Process start(List<String> words) throws IOException;
+  }
+
+  private record Running(int number, Process process, RunScene scene) {}
+
+  private final Consumer<String> messages;
+  private final Consumer<String> status;
+  private final Starting starting;
+  private final List<Running> running = new CopyOnWriteArrayList<>();
+  private int count;
+
+  /**
+   * @param messages hears what runs say, line by line
+   * @param status hears of beginnings and ends
+   */
+  public SceneRuns(Consumer<String> messages, Consumer<String> status) {
+    this(messages, status, Launcher::start);
+  }
+
+  SceneRuns(Consumer<String> messages, Consumer<String> status, Starting starting) {
+    this.messages = messages;
+    this.status = status;
+    this.starting = starting;
+  }
+
+  /**
+   * Begins a run of a document as it is now.
+   *
+   * @param here where the preview is; empty where that is not known
+   */
+  public void run(EnricherSession session, RunChoice choice, Optional<Pose> here) {
+    if (session.document().fault().isPresent()) {
+      status.accept(Texts.of("run.fault"));
+      return;
+    }
+    if (choice.fromHere() && here.isEmpty()) {
+      status.accept(Texts.of("run.nohere"));
+      return;
+    }
+    Path file = session.file().path();
+    Snapshot snapshot = session.document().snapshot();
+    boolean saved = !session.document().modified();
+    session
+        .tasks()
+        .runToEnd(
+            Texts.of("run.task"),
+            () -> RunScene.of(file, snapshot, saved, choice.fromHere() ? here : Optional.empty()),
+            scene -> begin(scene, choice, file),
+            failed -> status.accept(String.valueOf(failed.getMessage())));
+  }
+
+  private void begin(RunScene scene, RunChoice choice, Path file) {
+    count++;
+    int number = count;
+    try {
+      Running run = new Running(number, starting.start(scene.words(choice)), scene);
+      running.add(run);
+      Thread hearing = new Thread(() -> hear(run), "enricher-run");
+      hearing.setDaemon(true);
+      hearing.start();
+      status.accept(
+          Texts.of(
+              "run.begun",
+              Integer.toString(number),
+              String.valueOf(file.getFileName()),
+              choice.condition()));
+    } catch (IOException e) {
+      clear(scene);
+      status.accept(Texts.of("run.failed", String.valueOf(e.getMessage())));
+    }
+  }
+
+  /** On a thread of its own: what a run says, until it ends. */
+  private void hear(Running run) {
+    String number = Integer.toString(run.number());
+    try (BufferedReader lines =
+        new BufferedReader(
+            new InputStreamReader(run.process().getInputStream(), Charset.defaultCharset()))) {
+      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+        String said = Texts.of("run.line", number, line);
+        SwingUtilities.invokeLater(() -> messages.accept(said));
+      }
+      int code = run.process().waitFor();
+      SwingUtilities.invokeLater(() -> ended(run, code));
+    } catch (IOException e) { // Its output is closed when it is ended.
+      SwingUtilities.invokeLater(() -> ended(run, 0));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void ended(Running run, int code) {
+    if (running.remove(run)) {
+      clear(run.scene());
+      String number = Integer.toString(run.number());
+      status.accept(
+          code == 0
+              ? Texts.of("run.ended", number)
+              : Texts.of("run.endedwith", number, Integer.toString(code)));
+    }
+  }
+
+  private void clear(RunScene scene) {
+    try {
+      scene.clear();
+    } catch (IOException e) {
+      status.accept(Texts.of("run.left", scene.file().toString()));
+    }
+  }
+
+  /** How many go on. */
+  public int running() {
+    return running.size();
+  }
+
+  /** Ends all runs and deletes their copies. */
+  public void close() {
+    for (Running run : running) {
+      run.process().destroy();
+    }
+    for (Running run : running) {
+      try {
+        if (!run.process().waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+          run.process().destroyForcibly();
+        }
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+      clear(run.scene());
+    }
+    running.clear();
+  }
+}

@@ -1,0 +1,116 @@
+package org.selectiverenderer.enricher.source;
+
+import java.awt.Component;
+import java.awt.Point;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JList;
+import javax.swing.text.BadLocationException;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import org.selectiverenderer.base.markup.Markup;
+import org.selectiverenderer.document.hand.Completion;
+import org.selectiverenderer.document.hand.Proposal;
+import org.selectiverenderer.enricher.proposal.ProposalList;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
+
+/** Proposes what may be typed at the caret of the source: Ctrl+Space, and after {@code <}. */
+final class CompletionList {
+  private final EnricherSession session;
+  private final RSyntaxTextArea area;
+  private final DocumentPage page;
+  private final ProposalList<Proposal> list;
+  private boolean asked;
+
+  CompletionList(EnricherSession session, RSyntaxTextArea area, DocumentPage page) {
+    this.session = session;
+    this.area = area;
+    this.page = page;
+    list = new ProposalList<>(area, Texts.of("source.proposals"), this::take);
+    list.renderer(new Row());
+    area.addKeyListener(
+        new KeyAdapter() {
+          @Override
+          public void keyPressed(KeyEvent event) {
+            list.steer(event);
+          }
+
+          @Override
+          public void keyReleased(KeyEvent event) {
+            follow(event);
+          }
+        });
+  }
+
+  /** A list in view follows what is typed; one comes by itself behind {@code <}. */
+  private void follow(KeyEvent event) {
+    char typed = event.getKeyChar();
+    boolean letter = Character.isLetterOrDigit(typed) || typed == '\b' || typed == '_';
+    boolean controlled = event.isControlDown() || event.isMetaDown();
+    if (controlled || event.isActionKey()) {
+      return;
+    }
+    if (typed == '<') {
+      propose(false);
+    } else if (list.open() && letter) {
+      propose(asked);
+    } else if (list.open() && typed != KeyEvent.CHAR_UNDEFINED && typed != '\n') {
+      list.close();
+    }
+  }
+
+  /** Shows what may be typed at the caret. */
+  void propose() {
+    propose(true);
+  }
+
+  private void propose(boolean wanted) {
+    if (!area.isEditable()) {
+      return;
+    }
+    asked = wanted;
+    page.flush();
+    int caret = page.inDocument(area.getCaretPosition());
+    Completion.Proposals found =
+        Completion.at(session.document().text(), caret, session.catalogue());
+    if (found.proposals().isEmpty() && wanted) {
+      session.message(Texts.of("source.noProposal"));
+    }
+    try {
+      var at = area.modelToView2D(area.getCaretPosition()).getBounds();
+      list.show(found.proposals(), new Point(at.x, at.y + at.height), true);
+    } catch (BadLocationException e) {
+      throw new IllegalStateException("the caret is outside of the text", e);
+    }
+  }
+
+  private void take(Proposal proposal) {
+    page.flush();
+    int caret = area.getCaretPosition();
+    Completion.Proposals now =
+        Completion.at(session.document().text(), page.inDocument(caret), session.catalogue());
+    int from = page.inArea(now.from());
+    area.replaceRange(proposal.text(), from, caret);
+    area.setCaretPosition(from + proposal.caret());
+  }
+
+  private static final class Row extends DefaultListCellRenderer {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public Component getListCellRendererComponent(
+        JList<?> list, Object value, int index, boolean selected, boolean focused) {
+      super.getListCellRendererComponent(list, value, index, selected, focused);
+      if (value instanceof Proposal proposal && !proposal.about().isEmpty()) {
+        setText(
+            "<html>"
+                + Markup.text(proposal.word())
+                + " &nbsp;<font color=gray>"
+                + Markup.text(proposal.about()));
+        getAccessibleContext().setAccessibleName(proposal.word() + ", " + proposal.about());
+      }
+      return this;
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package org.selectiverenderer.enricher.source;
+
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.markup.Markup;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.x3d.source.DocumentFault;
+
+/** Says above the text why the forms wait for it, or why it cannot be changed. */
+final class FaultStrip {
+  private final JLabel notice = new JLabel();
+  private final JButton place = new JButton(Texts.of("source.show"));
+  private final JPanel panel = new JPanel(new MigLayout("insets 6", "[grow][]"));
+
+  /**
+   * @param show goes to the fault
+   */
+  FaultStrip(Runnable show) {
+    notice.getAccessibleContext().setAccessibleName(Texts.of("source.state"));
+    place.setName("showFault");
+    place.addActionListener(event -> show.run());
+    panel.add(notice, "growx, wmin 0");
+    panel.add(place);
+  }
+
+  JPanel component() {
+    return panel;
+  }
+
+  void show(SceneDocument document) {
+    Optional<DocumentFault> fault = document.fault();
+    Optional<String> locked = document.locked();
+    panel.setVisible(fault.isPresent() || locked.isPresent());
+    place.setVisible(fault.isPresent());
+    notice.setIcon(UIManager.getIcon("OptionPane.warningIcon"));
+    if (fault.isPresent()) {
+      String line = Integer.toString(fault.get().location().line());
+      String why = Markup.text(fault.get().message());
+      notice.setText("<html>" + Texts.of("source.fault", line, why));
+    } else {
+      locked.ifPresent(
+          why -> notice.setText("<html>" + Texts.of("source.locked", Markup.text(why))));
+    }
+  }
+}

@@ -1,0 +1,41 @@
+package org.selectiverenderer.enricher.source;
+
+import java.util.Locale;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.text.Texts;
+
+/** Says which part of a large text is shown, with buttons to its neighbours. */
+final class PageStrip {
+  private final JLabel words = new JLabel();
+  private final JPanel panel = new JPanel(new MigLayout("insets 4 6 4 6", "[][][grow]"));
+
+  PageStrip(DocumentPage page) {
+    JButton earlier = new JButton(Texts.of("source.earlier"));
+    JButton later = new JButton(Texts.of("source.later"));
+    earlier.setName("earlierPart");
+    later.setName("laterPart");
+    earlier.addActionListener(
+        event -> page.turn(Math.max(0, page.shown().from() - SourcePage.PAGE / 2)));
+    later.addActionListener(event -> page.turn(page.shown().to() + SourcePage.PAGE / 4));
+    panel.add(earlier);
+    panel.add(later);
+    panel.add(words, "growx, wmin 0");
+  }
+
+  JPanel component() {
+    return panel;
+  }
+
+  /** Shows where a part is in a text of so many characters; nothing where it is all of it. */
+  void show(SourcePage page, int all) {
+    panel.setVisible(page.length() < all);
+    words.setText(Texts.of("source.part", number(page.from()), number(page.to()), number(all)));
+  }
+
+  private static String number(int characters) {
+    return String.format(Locale.ROOT, "%,d", characters);
+  }
+}

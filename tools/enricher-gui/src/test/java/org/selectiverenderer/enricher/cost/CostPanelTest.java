@@ -1,0 +1,199 @@
+package org.selectiverenderer.enricher.cost;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JFrame;
+import javax.swing.JTable;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.document.enrichment.ChoiceValues;
+import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.enricher.driving.Hands;
+import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.settings.EnricherSettings;
+import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.schema.ConsistencyType;
+import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.validation.Budget;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+
+/** Polygons, limits and contributions beside the author's edits. */
+@ShowsWindows
+class CostPanelTest {
+  private static final String SCENE =
+      """
+      <X3D version='4.0'><Scene>
+      <Group DEF='Office'>
+      <ProximitySensor DEF='DeskArea' size='2 2 2'>
+        <MetadataSet containerField='metadata'>
+          <MetadataString name='enterTimeSchema' value='"Desk"' containerField='value'/>
+        </MetadataSet>
+      </ProximitySensor>
+      %s%s
+      </Group>
+      </Scene></X3D>
+      """;
+
+  @TempDir Path folder;
+  private final Hands hands = new Hands();
+  private final List<String> messages = new ArrayList<>();
+  private final List<String> changes = new ArrayList<>();
+  private JFrame frame;
+  private CostPanel panel;
+  private Tasks tasks;
+
+  /** An object of 12 triangles and of 2, of which nothing is said. */
+  private static String object(String name) {
+    return """
+    <Switch DEF='Switch_%s' whichChoice='1'>
+      <Shape><Box/></Shape>
+      <Shape><IndexedFaceSet coordIndex='0 1 2 -1 0 2 3 -1'>
+        <Coordinate point='0 0 0 1 0 0 1 1 0 0 1 0'/>
+      </IndexedFaceSet></Shape>
+    </Switch>
+    """
+        .formatted(name);
+  }
+
+  private EnricherSession show() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("scene.x3d"), SCENE.formatted(object("Cup"), object("Pan")));
+    Sessions.theme(false);
+    tasks = new Tasks(EventQueue::invokeLater);
+    EnricherSession session =
+        new EnricherSession(DocumentFile.open(file), NodeCatalogue.load(), tasks, messages::add);
+    EnricherSettings settings = new EnricherSettings(folder.resolve("settings"));
+    frame =
+        Hands.onEdt(
+            () -> {
+              JFrame made = new JFrame("cost");
+              panel =
+                  new CostPanel(
+                      session, new BudgetPlace(() -> file, settings), () -> changes.add("other"));
+              made.setContentPane(panel);
+              made.setSize(1100, 300);
+              return made;
+            });
+    hands.show(frame);
+    return session;
+  }
+
+  @AfterEach
+  void close() {
+    SwingUtilities.invokeLater(
+        () -> {
+          panel.dispose();
+          frame.dispose();
+          tasks.close();
+        });
+  }
+
+  private static void describe(EnricherSession session, int object) {
+    ChoiceValues desk =
+        new ChoiceValues(
+            Optional.of(ConsistencyType.INCONSISTENT), Optional.of(Degree.LOW), List.of("Desk"));
+    Hands.onEdt(
+        () -> {
+          session.perform(
+              session.edits().choice(session.enrichment().switches().get(object), 0, desk));
+          return true;
+        });
+  }
+
+  private JTable table(String name) {
+    return Hands.named(frame.getContentPane(), name, JTable.class);
+  }
+
+  private static List<String> cells(JTable table, int column) {
+    List<String> cells = new ArrayList<>();
+    for (int row = 0; row < table.getRowCount(); row++) {
+      cells.add(String.valueOf(table.getValueAt(row, column)));
+    }
+    return cells;
+  }
+
+  private static List<String> column(JTable table, int column) {
+    return Hands.onEdt(() -> cells(table, column));
+  }
+
+  private static int deskRow(JTable states) {
+    return cells(states, StatesModel.STATE).indexOf("Desk");
+  }
+
+  @Test
+  void aLimitIsSetKeptHeldAndBrokenAndTheCulpritFound() throws IOException {
+    EnricherSession session = show();
+    JTable states = table("Polygons by area and schemas");
+    describe(session, 0);
+    hands.await("the state", () -> deskRow(states) >= 0);
+    assertThat(column(states, StatesModel.SCOPE)).contains("Office", "Whole scene");
+    int desk = Hands.onEdt(() -> deskRow(states));
+    assertThat(column(states, StatesModel.POLYGONS).get(desk)).isEqualTo("14");
+
+    Hands.onEdt(
+        () -> {
+          states.setValueAt("1 5", desk, StatesModel.LIMIT);
+          return true;
+        });
+    hands.await("the limit", () -> "15".equals(states.getValueAt(desk, StatesModel.LIMIT)));
+    Path file = folder.resolve(BudgetPlace.NAME);
+    EnricherSettings settings = new EnricherSettings(folder.resolve("settings"));
+    assertThat(
+            new BudgetPlace(() -> folder.resolve("scene.x3d"), settings)
+                .settings(new Problems())
+                .orElseThrow()
+                .budgets())
+        .containsExactly(new Budget("Office", List.of("Desk"), 15));
+    assertThat(changes).containsExactly("other");
+
+    describe(session, 1);
+    hands.await("the warning", () -> !messages.isEmpty());
+    assertThat(messages)
+        .containsExactly("\u25b2 Office, Desk: 24 polygons now, 9 more than its limit of 15");
+    assertThat(Files.readString(file)).contains("\"polygons\": 15");
+    Hands.picture(frame.getContentPane(), "cost-broken", 2);
+
+    hands.click(states, desk, StatesModel.STATE);
+    JTable objects = table("Polygons by object");
+    assertThat(column(objects, ObjectsModel.POLYGONS)).containsExactly("12", "12");
+    hands.click(objects, 1, ObjectsModel.OBJECT);
+    assertThat(session.selection().orElseThrow().def()).contains("Switch_Pan");
+    Hands.onEdt(
+        () -> {
+          states.setValueAt("", desk, StatesModel.LIMIT);
+          return true;
+        });
+    hands.await("no limit", () -> "".equals(states.getValueAt(desk, StatesModel.LIMIT)));
+    assertThat(Files.readString(file)).doesNotContain("Desk");
+  }
+
+  @Test
+  void aFaultOfTheSettingsFileIsSaidAndTheFileStays() throws IOException {
+    Path file = Files.writeString(folder.resolve(BudgetPlace.NAME), "{\"budget\": []}");
+    EnricherSession session = show();
+    describe(session, 0);
+    JTable states = table("Polygons by area and schemas");
+    hands.await("the state", () -> deskRow(states) >= 0);
+    Hands.onEdt(
+        () -> {
+          states.setValueAt("5", deskRow(states), StatesModel.LIMIT);
+          return true;
+        });
+    hands.await("the reason", () -> !messages.isEmpty());
+    assertThat(messages.get(0)).contains("did you mean \"budgets\"").contains("nothing is written");
+    assertThat(Files.readString(file)).isEqualTo("{\"budget\": []}");
+  }
+}

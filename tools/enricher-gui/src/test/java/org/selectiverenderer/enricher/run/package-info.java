@@ -1,0 +1,5 @@
+/** Tests of running the open scene. */
+@NullMarked
+package org.selectiverenderer.enricher.run;
+
+import org.jspecify.annotations.NullMarked;
