@@ -1,11 +1,9 @@
 package org.selectiverenderer.enricher;
 
-import org.selectiverenderer.enricher.settings.Language;
-import org.selectiverenderer.enricher.settings.FontZoom;
-import org.selectiverenderer.base.decimal.DecimalText;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
@@ -20,6 +18,7 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.UndoHistory;
@@ -27,6 +26,8 @@ import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
+import org.selectiverenderer.enricher.settings.FontZoom;
+import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.task.Tasks;
@@ -145,7 +146,8 @@ final class EnricherWindow {
     content.add(welcome, BorderLayout.CENTER);
     frame.add(content, BorderLayout.CENTER);
     frame.add(status.component(), BorderLayout.SOUTH);
-    frame.setMinimumSize(new Dimension(640, 420));
+    Rectangle screen = frame.getGraphicsConfiguration().getBounds();
+    frame.setMinimumSize(new Dimension(Math.min(640, screen.width), Math.min(420, screen.height)));
     place.restore(frame);
     refresh();
   }

@@ -34,8 +34,8 @@ final class WindowMenus {
   private final Command back;
   private final EnricherSettings settings;
   private final JMenuBar bar = new JMenuBar();
-  private final JMenu recent = new JMenu("Open Recent");
-  private final JCheckBoxMenuItem review = new JCheckBoxMenuItem("Show Changes Before Saving");
+  private final JMenu recent = menu("menu.recent");
+  private final JCheckBoxMenuItem review = new JCheckBoxMenuItem(command("menu.review", "", () -> {}));
   private final Command save;
   private final Command saveAs;
   private final Command changes;
@@ -50,12 +50,12 @@ final class WindowMenus {
     this.window = window;
     this.dialogs = dialogs;
     this.settings = settings;
-    save = new Command("&Save", "ctrl S", window::save);
-    saveAs = new Command("Save &As...", "ctrl shift S", window::saveAs);
-    merge = new Command(Texts.of("merge.command"), "", window::merge);
-    changes = new Command("Show &Changes...", "ctrl D", window::showChanges);
-    undo = new Command("&Undo", "ctrl Z", window::undo);
-    redo = new Command("&Redo", "ctrl shift Z", window::redo);
+    save = command("menu.save", "ctrl S", window::save);
+    saveAs = command("menu.saveas", "ctrl shift S", window::saveAs);
+    merge = command("merge.command", "", window::merge);
+    changes = command("menu.changes", "ctrl D", window::showChanges);
+    undo = command("menu.undo", "ctrl Z", window::undo);
+    redo = command("menu.redo", "ctrl shift Z", window::redo);
     bar.add(file());
     bar.add(edit());
     bar.add(scene());
@@ -65,37 +65,36 @@ final class WindowMenus {
   }
 
   private JMenu file() {
-    JMenu menu = new JMenu(new Command(Texts.of("menu.file"), "", () -> {}));
-    menu.add(new Command("&Open...", "ctrl O", window::chooseAndOpen));
+    JMenu menu = menu("menu.file");
+    menu.add(command("menu.open", "ctrl O", window::chooseAndOpen));
     recent.addMenuListener(new Opening(this::listRecent));
     menu.add(recent);
-    menu.add(new Command("&Kept Changes...", "", window::askAboutKept));
+    menu.add(command("menu.kept", "", window::askAboutKept));
     menu.addSeparator();
     menu.add(save);
     menu.add(saveAs);
     menu.add(changes);
-    review.setMnemonic('B');
     review.setSelected(settings.flag("review", true));
     review.addActionListener(event -> settings.put("review", review.isSelected()));
     menu.add(review);
     menu.add(merge);
     menu.addSeparator();
-    menu.add(new Command("&Close Window", "ctrl Q", window::close));
+    menu.add(command("menu.close", "ctrl Q", window::close));
     return menu;
   }
 
   private JMenu edit() {
-    JMenu menu = menu("Edit", 'E');
+    JMenu menu = menu("menu.edit");
     menu.add(undo);
     menu.add(redo);
     menu.addSeparator();
     menu.add(new Command(Texts.of("overview.copy"), "ctrl alt C", with(Workbench::copyMetadata)));
     menu.add(new Command(Texts.of("overview.paste"), "ctrl alt V", with(Workbench::pasteMetadata)));
     menu.addSeparator();
-    menu.add(new Command("&Search Nodes", "ctrl shift F", with(Workbench::searchTree)));
-    menu.add(new Command("&Next Problem", "F8", with(Workbench::nextProblem)));
-    menu.add(new Command("&Previous Problem", "shift F8", with(Workbench::previousProblem)));
-    menu.add(new Command("&Fix Problem", "alt ENTER", with(Workbench::fixProblem)));
+    menu.add(command("menu.search", "ctrl shift F", with(Workbench::searchTree)));
+    menu.add(command("menu.next", "F8", with(Workbench::nextProblem)));
+    menu.add(command("menu.previous", "shift F8", with(Workbench::previousProblem)));
+    menu.add(command("menu.fix", "alt ENTER", with(Workbench::fixProblem)));
     source(menu);
     return menu;
   }
@@ -117,16 +116,15 @@ final class WindowMenus {
   }
 
   private JMenu scene() {
-    JMenu menu = menu("Scene", 'S');
-    menu.add(new Command("Import &Ratings...", "ctrl R", () -> dialogs.ratings(Optional.empty())));
-    menu.add(new Command("Make &Versions...", "ctrl M", dialogs::versions));
+    JMenu menu = menu("menu.scene");
+    menu.add(command("menu.ratings", "ctrl R", () -> dialogs.ratings(Optional.empty())));
+    menu.add(command("menu.versions", "ctrl M", dialogs::versions));
     areas(menu);
     return menu;
   }
 
   private JMenu run() {
-    String name = Texts.of("run.menu");
-    JMenu menu = menu(name.replace("&", ""), name.charAt(name.indexOf('&') + 1));
+    JMenu menu = menu("run.menu");
     menu.add(new Command(Texts.of("run.run"), "F5", runs::run));
     menu.add(new Command(Texts.of("run.runas"), "shift F5", runs::runAs));
     menu.add(new Command(Texts.of("run.shown"), "", runs::showMessages));
@@ -145,8 +143,7 @@ final class WindowMenus {
     menu.add(area("rename.node", "", AreaCommands::rename));
     menu.add(area("copy.node", "", AreaCommands::copy));
     menu.add(area("delete.node", "", AreaCommands::delete));
-    String title = Texts.of("area.grid");
-    JMenu grid = menu(title.replace("&", ""), title.charAt(title.indexOf('&') + 1));
+    JMenu grid = menu("area.grid");
     grid.addMenuListener(new Opening(() -> listGrid(grid)));
     menu.add(grid);
   }
@@ -174,17 +171,16 @@ final class WindowMenus {
   }
 
   private JMenu view() {
-    JMenu menu = menu("View", 'V');
-    menu.add(new Command("Pre&view", "ctrl 1", with(bench -> bench.showTab(0))));
-    menu.add(new Command("S&chemas", "ctrl 2", with(bench -> bench.showTab(1))));
-    menu.add(new Command("S&ource", "ctrl 3", with(bench -> bench.showTab(2))));
+    JMenu menu = menu("menu.view");
+    menu.add(command("menu.preview", "ctrl 1", with(bench -> bench.showTab(0))));
+    menu.add(command("menu.schemas", "ctrl 2", with(bench -> bench.showTab(1))));
+    menu.add(command("menu.source", "ctrl 3", with(bench -> bench.showTab(2))));
     menu.add(new Command(Texts.of("area.plan"), "ctrl 4", with(bench -> bench.showTab(3))));
-    menu.add(new Command("Next &Part of the Window", "F6", with(Workbench::nextPart)));
+    menu.add(command("menu.part", "F6", with(Workbench::nextPart)));
     menu.addSeparator();
     ButtonGroup group = new ButtonGroup();
     for (Theme theme : Theme.values()) {
-      JRadioButtonMenuItem item = new JRadioButtonMenuItem(theme.title() + " Colours");
-      item.setMnemonic(theme.title().charAt(0));
+      JRadioButtonMenuItem item = new JRadioButtonMenuItem(command(theme.text(), "", () -> {}));
       item.setSelected(theme == Theme.of(settings.word("theme", "")));
       item.addActionListener(event -> window.use(theme));
       group.add(item);
@@ -200,8 +196,7 @@ final class WindowMenus {
   }
 
   private JMenu languages() {
-    Command shown = command("window.languages", "", () -> {});
-    JMenu menu = new JMenu(shown);
+    JMenu menu = menu("window.languages");
     ButtonGroup group = new ButtonGroup();
     for (Language language : Language.values()) {
       String title =
@@ -234,17 +229,15 @@ final class WindowMenus {
   }
 
   private JMenu help() {
-    JMenu menu = menu("Help", 'H');
-    menu.add(new Command("&Terms and Steps", "F1", with(Workbench::showHelp)));
+    JMenu menu = menu("menu.help");
+    menu.add(command("menu.terms", "F1", with(Workbench::showHelp)));
     menu.add(command("window.keys", "shift F1", window::showKeys));
     menu.add(command("window.about", "", window::showAbout));
     return menu;
   }
 
-  private static JMenu menu(String name, char letter) {
-    JMenu menu = new JMenu(name);
-    menu.setMnemonic(letter);
-    return menu;
+  private static JMenu menu(String text) {
+    return new JMenu(command(text, "", () -> {}));
   }
 
   private Runnable with(Consumer<Workbench> work) {
@@ -277,7 +270,7 @@ final class WindowMenus {
               file.getFileName() + "  (" + file.getParent() + ")", "", () -> window.open(file)));
     }
     if (files.isEmpty()) {
-      recent.add("none yet").setEnabled(false);
+      recent.add(Texts.of("menu.none")).setEnabled(false);
     }
   }
 
@@ -301,11 +294,12 @@ final class WindowMenus {
     back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
     back.setEnabled(!from.isEmpty());
     merge.setEnabled(open);
-    name(undo, "Undo", history.flatMap(UndoHistory::undoName));
-    name(redo, "Redo", history.flatMap(UndoHistory::redoName));
+    name(undo, "menu.undo", history.flatMap(UndoHistory::undoName));
+    name(redo, "menu.redo", history.flatMap(UndoHistory::redoName));
   }
 
-  private static void name(Command command, String verb, Optional<String> step) {
+  private static void name(Command command, String text, Optional<String> step) {
+    String verb = Texts.of(text).replace("&", "");
     command.rename(step.map(name -> verb + " " + name).orElse(verb));
     command.setEnabled(step.isPresent());
   }

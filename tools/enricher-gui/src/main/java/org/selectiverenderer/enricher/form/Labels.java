@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.form;
 
-import org.selectiverenderer.enricher.text.Texts;
 import java.awt.Color;
 import java.awt.Dimension;
 import javax.swing.JComponent;
@@ -9,6 +8,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The labels of forms. */
 final class Labels {
@@ -33,13 +33,12 @@ final class Labels {
     return label;
   }
 
-  /** A line of small letters with the names of the thesis, as the header of what is below it. */
-  static JLabel names(String... names) {
-    JLabel label = new JLabel(Texts.of("terms.names", String.join(", ", names)));
-    label.putClientProperty("FlatLaf.styleClass", "small");
-    label.setEnabled(false);
-    label.setToolTipText(label.getText());
-    return label;
+  /** Small letters with the names of the thesis, as the header of what is below it. */
+  static JTextArea names(String... names) {
+    JTextArea area = sentences(Texts.of("terms.names", String.join(", ", names)));
+    area.setFont(UIManager.getFont("small.font"));
+    area.setEnabled(false);
+    return area;
   }
 
   /** A sentence under a control that says what is wrong in it. */

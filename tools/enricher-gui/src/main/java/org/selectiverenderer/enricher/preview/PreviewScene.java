@@ -86,7 +86,7 @@ final class PreviewScene implements AutoCloseable {
       return false;
     }
     asIf.reset(); // What the scene is shown as if is no part of it.
-    running.get().apply(world.cascade());
+    running.get().apply(world);
     nodes.move(patch.moved());
     revision = patch.revision();
     areas = new AreaBoxes(world, nodes);

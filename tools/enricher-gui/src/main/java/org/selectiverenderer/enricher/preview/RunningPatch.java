@@ -13,19 +13,28 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.enricher.preview.ScenePatch.Place;
+import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.loading.SceneLoader;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.runtime.scene.Scene;
 
 /** A {@link ScenePatch} with the nodes that it means: events to be sent to a running scene. */
 final class RunningPatch {
+  private static final String METADATA = "metadata";
+
   private record Event(Node node, String field, @Nullable Object value) {}
 
   private final List<Event> events;
+  private final Map<String, Node> names;
 
-  private RunningPatch(List<Event> events) {
+  private RunningPatch(List<Event> events, Map<String, Node> names) {
     this.events = events;
+    this.names = names;
   }
+
+  /** Metadata that were read: of each owner, null where there are none; and their DEF names. */
+  private record Read(List<@Nullable Node> nodes, Map<String, Node> names) {}
 
   /**
    * Finds the nodes.
@@ -46,43 +55,59 @@ final class RunningPatch {
       }
       events.add(new Event(node, field.name(), field.value()));
     }
-    List<@Nullable Node> read = read(patch.metadata(), loader);
+    Optional<Read> read = read(patch.metadata(), loader);
     for (int i = 0; i < patch.metadata().size(); i++) {
       ScenePatch.Metadata metadata = patch.metadata().get(i);
       Node node = found.get(metadata.place());
       if (node == null || read.isEmpty() || !node.type().name().equals(metadata.type())) {
         return Optional.empty();
       }
-      events.add(new Event(node, "metadata", read.get(i)));
+      events.add(new Event(node, METADATA, read.get().nodes().get(i)));
     }
-    return Optional.of(new RunningPatch(events));
+    return Optional.of(new RunningPatch(events, read.map(Read::names).orElse(Map.of())));
   }
 
-  /** The metadata nodes, null where there are none; an empty list if they cannot be read. */
-  private static List<@Nullable Node> read(List<ScenePatch.Metadata> texts, SceneLoader loader) {
+  private static Optional<Read> read(List<ScenePatch.Metadata> texts, SceneLoader loader) {
     StringBuilder scene = new StringBuilder("<X3D version='4.0'><Scene>");
     texts.forEach(each -> scene.append("<Group>").append(each.text()).append("</Group>"));
     byte[] bytes = scene.append("</Scene></X3D>").toString().getBytes(StandardCharsets.UTF_8);
     Problems problems = new Problems(); // The document's own checks tell them.
     try {
-      List<Node> owners =
-          loader
-              .load("metadata", new ByteArrayInputStream(bytes), Path.of(""), problems)
-              .scene()
-              .root()
-              .nodes("children");
-      List<@Nullable Node> read = new ArrayList<>();
-      owners.forEach(owner -> read.add(owner.node("metadata")));
-      return owners.size() == texts.size() ? read : List.of();
+      Scene read =
+          loader.load(METADATA, new ByteArrayInputStream(bytes), Path.of(""), problems).scene();
+      List<Node> owners = read.root().nodes("children");
+      List<@Nullable Node> nodes = new ArrayList<>();
+      owners.forEach(owner -> nodes.add(owner.node(METADATA)));
+      return owners.size() == texts.size()
+          ? Optional.of(new Read(nodes, Map.copyOf(read.named())))
+          : Optional.empty();
     } catch (IOException e) {
-      return List.of();
+      return Optional.empty();
     }
   }
 
-  void apply(Cascade cascade) {
+  void apply(World world) {
+    Cascade cascade = world.cascade();
     for (Event event : events) {
+      if (event.field().equals(METADATA)) {
+        unname(event.node().node(METADATA), world.scene());
+      }
       cascade.send(event.node(), event.node().type().indexOf(event.field()), event.value());
     }
+    names.forEach(world.scene()::name);
     cascade.run();
+  }
+
+  private static void unname(@Nullable Node metadata, Scene scene) {
+    if (metadata == null) {
+      return;
+    }
+    String name = metadata.name();
+    if (name != null && scene.find(name).filter(found -> found == metadata).isPresent()) {
+      scene.unname(name);
+    }
+    if (metadata.type().name().equals("MetadataSet")) {
+      metadata.nodes("value").forEach(value -> unname(value, scene));
+    }
   }
 }

@@ -16,6 +16,7 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.XmlFault;
 
 /**
@@ -37,14 +38,18 @@ final class TextComparison {
   private final NodeCatalogue catalogue;
   private final String before;
   private final String after;
+  private final ElementTree oldTree;
+  private final ElementTree tree;
   private final List<ScenePatch.Field> fields = new ArrayList<>();
   private final List<ScenePatch.Metadata> metadata = new ArrayList<>();
   private final Map<Place, Place> moved = new HashMap<>();
 
-  private TextComparison(NodeCatalogue catalogue, String before, String after) {
+  private TextComparison(NodeCatalogue catalogue, Snapshot before, Snapshot after) throws XmlFault {
     this.catalogue = catalogue;
-    this.before = before;
-    this.after = after;
+    this.before = before.text();
+    this.after = after.text();
+    oldTree = before.elements();
+    tree = after.elements();
   }
 
   /**
@@ -56,9 +61,9 @@ final class TextComparison {
     if (Math.max(before.text().length(), after.text().length()) > MOST) {
       return Optional.empty();
     }
-    TextComparison comparison = new TextComparison(catalogue, before.text(), after.text());
     try {
-      boolean same = comparison.same(before.elements().root(), after.elements().root());
+      TextComparison comparison = new TextComparison(catalogue, before, after);
+      boolean same = comparison.same(comparison.oldTree.root(), comparison.tree.root());
       return same
           ? Optional.of(
               new ScenePatch(
@@ -186,8 +191,8 @@ final class TextComparison {
     if (was.equals(is)) {
       return true;
     }
-    if (named(old) || named(now)) {
-      return false; // One node may stand in several places.
+    if (tied(old, before, oldTree) || tied(now, after, tree)) {
+      return false;
     }
     metadata.add(new ScenePatch.Metadata(placeOf(old), old.name(), is));
     return true;
@@ -203,14 +208,23 @@ final class TextComparison {
     return all.toString();
   }
 
-  private static boolean named(DocumentElement owner) {
+  /** Whether metadata are, or use, nodes that stand elsewhere too or are routed to. */
+  private static boolean tied(DocumentElement owner, String text, ElementTree in) {
     boolean[] found = {false};
     for (DocumentElement child : owner.children()) {
       if (isMetadata(child)) {
-        child.visit(each -> found[0] |= each.def().isPresent() || each.use().isPresent());
+        child.visit(
+            each ->
+                found[0] |=
+                    each.use().isPresent()
+                        || each.def().filter(def -> in.used(def) || routed(def, text)).isPresent());
       }
     }
     return found[0];
+  }
+
+  private static boolean routed(String def, String text) {
+    return text.contains("Node='" + def + "'") || text.contains("Node=\"" + def + "\"");
   }
 
   /** The same text with all in it, elsewhere perhaps. */

@@ -9,19 +9,19 @@ import java.util.Locale;
 /** The colours of the window. */
 public enum Theme {
   /** Those of the desktop, where it tells; light elsewhere. */
-  SYSTEM("As the system"),
-  LIGHT("Light"),
-  DARK("Dark");
+  SYSTEM("menu.systemcolours"),
+  LIGHT("menu.lightcolours"),
+  DARK("menu.darkcolours");
 
-  private final String title;
+  private final String text;
 
-  Theme(String title) {
-    this.title = title;
+  Theme(String text) {
+    this.text = text;
   }
 
-  /** As a menu shows it. */
-  public String title() {
-    return title;
+  /** The name of the text that a menu shows. */
+  public String text() {
+    return text;
   }
 
   public static Theme of(String word) {

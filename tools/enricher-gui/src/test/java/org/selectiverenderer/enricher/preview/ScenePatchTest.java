@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,7 +37,7 @@ class ScenePatchTest {
           <![CDATA[ecmascript: function in_(v) { }]]></Script>
         <ProximitySensor DEF='Desk' size='3 3 3'>
           <MetadataSet containerField='metadata'>
-            <MetadataString containerField='value' name='enterTimeSchema' value='"DeskSchema"'/>
+            <MetadataString DEF='Enter' containerField='value' name='enterTimeSchema' value='"DeskSchema"'/>
           </MetadataSet>
         </ProximitySensor>
         <Switch DEF='Can' whichChoice='0'>
@@ -87,6 +88,7 @@ class ScenePatchTest {
           size='3 3 3',                       size='4 4 4' center='1 1 1'
           |"DeskSchema"|,                     |"DeskSchema" "OfficeSchema"|
           <Scene>,                            <Scene><!-- a line -->
+          DEF='Enter',                        DEF='Entering'
           """)
   void whatMayChangeIsTakenOverAndLeavesTheSceneAsIfItWereLoaded(String what, String by)
       throws IOException {
@@ -172,7 +174,8 @@ class ScenePatchTest {
 
   /** All fields of all nodes, metadata too. */
   private static String told(PreviewScene scene) {
-    StringBuilder text = new StringBuilder();
+    StringBuilder text =
+        new StringBuilder(new TreeSet<>(scene.world().scene().named().keySet()) + "\n");
     for (Node node : NodesBelow.of(scene.world().scene().root())) {
       text.append(scene.nodes().anchor(node)).append(fields(node)).append('\n');
     }
