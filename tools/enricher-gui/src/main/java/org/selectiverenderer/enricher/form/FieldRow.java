@@ -11,7 +11,6 @@ import javax.swing.JTextField;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.hand.FieldEdits;
 import org.selectiverenderer.document.hand.NodeField;
-import org.selectiverenderer.document.hand.NodeFields;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -79,7 +78,15 @@ final class FieldRow {
     reset.getAccessibleContext().setAccessibleName(Texts.of("fields.reset", field.name()));
     reset.putClientProperty("JButton.buttonType", "borderless");
     reset.addActionListener(event -> unset());
-    follow();
+    follow(field);
+  }
+
+  String name() {
+    return field.name();
+  }
+
+  NodeField field() {
+    return field;
   }
 
   void addTo(JPanel rows) {
@@ -120,12 +127,9 @@ final class FieldRow {
     }
   }
 
-  /** Shows what the document says, and marks what is wrong there. */
-  void follow() {
-    NodeFields.of(session.document(), session.catalogue(), element).stream()
-        .filter(now -> now.name().equals(field.name()))
-        .findFirst()
-        .ifPresent(now -> field = now);
+  /** Shows what the document says now, and marks what is wrong there. */
+  void follow(NodeField now) {
+    field = now;
     boolean free = session.document().locked().isEmpty() && field.readOnly().isEmpty();
     reset.setVisible(free && field.written().isPresent());
     busy = true;
@@ -139,8 +143,8 @@ final class FieldRow {
         text.follow();
         field
             .written()
-            .filter(now -> field.readOnly().isEmpty())
-            .flatMap(now -> edits.wrong(element, field, now))
+            .filter(value -> field.readOnly().isEmpty())
+            .flatMap(value -> edits.wrong(element, field, value))
             .ifPresent(text::complain);
       }
       ColorSwatch colour = swatch;

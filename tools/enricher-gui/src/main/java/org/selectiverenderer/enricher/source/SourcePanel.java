@@ -222,12 +222,14 @@ public final class SourcePanel {
 
   /** Opens the line for searching, with the one for replacing or without. */
   public void find(boolean replace) {
+    steps.end();
     String selected = Optional.ofNullable(area.getSelectedText()).orElse("");
     find.open(replace, selected);
   }
 
   /** Goes to the next hit of the last search, or the one before. */
   public void findNext(int by) {
+    steps.end();
     find.step(by);
   }
 
