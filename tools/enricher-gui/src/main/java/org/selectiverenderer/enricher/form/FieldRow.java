@@ -1,5 +1,8 @@
 package org.selectiverenderer.enricher.form;
 
+import java.awt.Component;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -60,7 +63,7 @@ final class FieldRow {
         typed = FormField.of(text, complaint, source);
         control = text;
         if (field.kind() == NodeField.Kind.COLOR) {
-          ColorSwatch colour = new ColorSwatch(field.name(), this::read, this::write);
+          ColorSwatch colour = new ColorSwatch(field.name(), this::shown, this::write);
           colour.setEnabled(free);
           text.putClientProperty("JTextField.trailingComponent", colour);
           swatch = colour;
@@ -92,12 +95,25 @@ final class FieldRow {
   void addTo(JPanel rows) {
     rows.add(label);
     rows.add(control, "wmin 0");
-    rows.add(reset, "w 26!, wrap");
+    rows.add(reset, "w 26!, hidemode 2, wrap");
     rows.add(complaint, "skip 1, span 2, wmin 0, wrap");
+    Component typing =
+        control instanceof JComboBox<?> box ? box.getEditor().getEditorComponent() : control;
+    typing.addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusGained(FocusEvent event) {
+            rows.scrollRectToVisible(control.getBounds()); // texts do not do it themselves
+          }
+        });
   }
 
   private String read() {
     return field.written().orElse("");
+  }
+
+  private String shown() {
+    return field.written().orElse(field.defaultText());
   }
 
   /** An emptied text of a field with a default is that default again. */

@@ -100,11 +100,14 @@ class FormPanelTest {
       assertThat(outline(colour)).isNull();
       assertThat(window.text("Low")).contains("diffuseColor='1 0 0'");
       Swing.edt(((JCheckBox) window.named("allFields"))::doClick);
-      window.fill(window.named("field transparency"), "0.5");
+      JComponent transparency = (JComponent) window.named("field transparency");
+      Swing.edt(transparency::requestFocusInWindow);
+      window.settle();
+      window.fill(transparency, "0.5");
       window.press(KeyEvent.VK_ENTER);
+      window.screenshot("form-fields", 1);
       assertThat(window.text("Low"))
           .contains("<Material diffuseColor='1 0 0' transparency='0.5'/>");
-      window.screenshot("form-fields", 1);
       Swing.edt(((AbstractButton) window.named("reset transparency"))::doClick);
       assertThat(window.text("Low")).contains("<Material diffuseColor='1 0 0'/>");
       assertThat(Swing.get(() -> window.session.document().history().names())).hasSize(3);
