@@ -19,6 +19,9 @@ public final class NodeFields {
   /** Longer values are edited in the source. */
   private static final int LONG = 4000;
 
+  /** Texts with more characters are not searched for names after every change. */
+  private static final int SEARCHED = 3_000_000;
+
   private NodeFields() {}
 
   /**
@@ -117,8 +120,11 @@ public final class NodeFields {
         .orElse(List.of());
   }
 
-  /** The names that elements of the same type have. */
+  /** The names that elements of the same type have; none of a large text, which would be slow. */
   private static List<String> names(SceneDocument document, DocumentElement element) {
+    if (document.text().length() > SEARCHED) {
+      return List.of();
+    }
     return DefList.of(document.text()).entrySet().stream()
         .filter(each -> each.getValue().equals(element.name()))
         .map(each -> each.getKey())

@@ -46,12 +46,7 @@ final class XmlReferences {
       case "quot" -> into.append('"');
       case "apos" -> into.append('\'');
       default -> {
-        try {
-          into.appendCodePoint(
-              name.startsWith("#x")
-                  ? Integer.parseInt(name.substring(2), 16)
-                  : Integer.parseInt(name.substring(1)));
-        } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
+        if (!character(name, into)) {
           Optional<String> known = entities.value(name);
           if (known.isPresent()) {
             // Its own references are replaced but for those to characters.
@@ -61,6 +56,22 @@ final class XmlReferences {
           }
         }
       }
+    }
+  }
+
+  /** Appends the character that a reference such as {@code #x41} means; false if it is none. */
+  private static boolean character(String name, StringBuilder into) {
+    try {
+      if (name.startsWith("#x")) {
+        into.appendCodePoint(Integer.parseInt(name.substring(2), 16));
+      } else if (name.startsWith("#")) {
+        into.appendCodePoint(Integer.parseInt(name.substring(1)));
+      } else {
+        return false;
+      }
+      return true;
+    } catch (IllegalArgumentException e) {
+      return false; // no number, or that of no character
     }
   }
 }

@@ -1,5 +1,8 @@
 package org.selectiverenderer.enricher.form;
 
+import java.awt.Component;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -11,7 +14,6 @@ import javax.swing.JTextField;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.hand.FieldEdits;
 import org.selectiverenderer.document.hand.NodeField;
-import org.selectiverenderer.document.hand.NodeFields;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -61,7 +63,7 @@ final class FieldRow {
         typed = FormField.of(text, complaint, source);
         control = text;
         if (field.kind() == NodeField.Kind.COLOR) {
-          ColorSwatch colour = new ColorSwatch(field.name(), this::read, this::write);
+          ColorSwatch colour = new ColorSwatch(field.name(), this::shown, this::write);
           colour.setEnabled(free);
           text.putClientProperty("JTextField.trailingComponent", colour);
           swatch = colour;
@@ -79,18 +81,39 @@ final class FieldRow {
     reset.getAccessibleContext().setAccessibleName(Texts.of("fields.reset", field.name()));
     reset.putClientProperty("JButton.buttonType", "borderless");
     reset.addActionListener(event -> unset());
-    follow();
+    follow(field);
+  }
+
+  String name() {
+    return field.name();
+  }
+
+  NodeField field() {
+    return field;
   }
 
   void addTo(JPanel rows) {
     rows.add(label);
     rows.add(control, "wmin 0");
-    rows.add(reset, "w 26!, wrap");
+    rows.add(reset, "w 26!, hidemode 2, wrap");
     rows.add(complaint, "skip 1, span 2, wmin 0, wrap");
+    Component typing =
+        control instanceof JComboBox<?> box ? box.getEditor().getEditorComponent() : control;
+    typing.addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusGained(FocusEvent event) {
+            rows.scrollRectToVisible(control.getBounds()); // texts do not do it themselves
+          }
+        });
   }
 
   private String read() {
     return field.written().orElse("");
+  }
+
+  private String shown() {
+    return field.written().orElse(field.defaultText());
   }
 
   /** An emptied text of a field with a default is that default again. */
@@ -120,12 +143,9 @@ final class FieldRow {
     }
   }
 
-  /** Shows what the document says, and marks what is wrong there. */
-  void follow() {
-    NodeFields.of(session.document(), session.catalogue(), element).stream()
-        .filter(now -> now.name().equals(field.name()))
-        .findFirst()
-        .ifPresent(now -> field = now);
+  /** Shows what the document says now, and marks what is wrong there. */
+  void follow(NodeField now) {
+    field = now;
     boolean free = session.document().locked().isEmpty() && field.readOnly().isEmpty();
     reset.setVisible(free && field.written().isPresent());
     busy = true;
@@ -139,8 +159,8 @@ final class FieldRow {
         text.follow();
         field
             .written()
-            .filter(now -> field.readOnly().isEmpty())
-            .flatMap(now -> edits.wrong(element, field, now))
+            .filter(value -> field.readOnly().isEmpty())
+            .flatMap(value -> edits.wrong(element, field, value))
             .ifPresent(text::complain);
       }
       ColorSwatch colour = swatch;

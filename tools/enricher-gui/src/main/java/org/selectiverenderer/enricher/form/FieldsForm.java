@@ -1,7 +1,9 @@
 package org.selectiverenderer.enricher.form;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -97,8 +99,11 @@ final class FieldsForm implements Form {
 
   @Override
   public void follow() {
-    if (names(wanted()).equals(names)) {
-      shown.forEach(FieldRow::follow);
+    Map<String, NodeField> now = new HashMap<>();
+    List<NodeField> fields = wanted();
+    fields.forEach(field -> now.put(field.name(), field));
+    if (names(fields).equals(names)) {
+      shown.forEach(row -> row.follow(now.getOrDefault(row.name(), row.field())));
     } else {
       build();
     }

@@ -6,6 +6,7 @@ import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JList;
+import javax.swing.SwingUtilities;
 import javax.swing.text.BadLocationException;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.selectiverenderer.base.markup.Markup;
@@ -37,8 +38,8 @@ final class CompletionList {
           }
 
           @Override
-          public void keyReleased(KeyEvent event) {
-            follow(event);
+          public void keyTyped(KeyEvent event) {
+            SwingUtilities.invokeLater(() -> follow(event)); // when it is in the text
           }
         });
   }
@@ -48,14 +49,14 @@ final class CompletionList {
     char typed = event.getKeyChar();
     boolean letter = Character.isLetterOrDigit(typed) || typed == '\b' || typed == '_';
     boolean controlled = event.isControlDown() || event.isMetaDown();
-    if (controlled || event.isActionKey()) {
+    if (controlled) {
       return;
     }
     if (typed == '<') {
       propose(false);
     } else if (list.open() && letter) {
       propose(asked);
-    } else if (list.open() && typed != KeyEvent.CHAR_UNDEFINED && typed != '\n') {
+    } else {
       list.close();
     }
   }

@@ -11,7 +11,7 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentFault;
 
-/** Says above the text why the forms wait for it, or why it cannot be changed. */
+/** Says below the text why the forms wait for it, or why it cannot be changed. */
 final class FaultStrip {
   private final JLabel notice = new JLabel();
   private final JButton place = new JButton(Texts.of("source.show"));

@@ -16,6 +16,7 @@ import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import net.miginfocom.swing.MigLayout;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import org.fife.ui.rtextarea.ExpandedFoldRenderStrategy;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.DocumentListener;
@@ -63,7 +64,7 @@ public final class SourcePanel {
   private final FaultStrip fault = new FaultStrip(this::showFault);
   private final PageStrip pages;
   private final JPanel panel =
-      new JPanel(new MigLayout("insets 0, gap 0, fill, hidemode 2", "[grow]", "[][grow][][]"));
+      new JPanel(new MigLayout("insets 0, gap 0, fill, hidemode 2", "[grow]", "[grow][][][]"));
   private final SelectionListener selecting = this::follow;
   private final DocumentListener changing = this::changed;
   private final PropertyChangeListener restyling = event -> restyle();
@@ -82,8 +83,9 @@ public final class SourcePanel {
     find = new FindBar(finding);
     pages = new PageStrip(page);
     page.onShown(this::number);
-    panel.add(fault.component(), "growx, wrap");
     panel.add(scroll, "grow, wmin 0, hmin 0, wrap");
+    // Below the text, which does not move then while a tag is half typed.
+    panel.add(fault.component(), "growx, wrap");
     panel.add(find.component(), "growx, wmin 0, wrap");
     panel.add(pages.component(), "growx");
     area.addCaretListener(
@@ -114,6 +116,7 @@ public final class SourcePanel {
     }
     area.getAccessibleContext().setAccessibleName("Source of the scene");
     scroll.setFoldIndicatorEnabled(true);
+    scroll.getGutter().setExpandedFoldRenderStrategy(ExpandedFoldRenderStrategy.ALWAYS);
     scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the source");
     scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the source");
   }
@@ -222,12 +225,14 @@ public final class SourcePanel {
 
   /** Opens the line for searching, with the one for replacing or without. */
   public void find(boolean replace) {
+    steps.end();
     String selected = Optional.ofNullable(area.getSelectedText()).orElse("");
     find.open(replace, selected);
   }
 
   /** Goes to the next hit of the last search, or the one before. */
   public void findNext(int by) {
+    steps.end();
     find.step(by);
   }
 

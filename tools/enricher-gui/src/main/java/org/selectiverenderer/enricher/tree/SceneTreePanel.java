@@ -40,7 +40,7 @@ public final class SceneTreePanel {
       new JComboBox<>(new String[] {"Switches and sensors", "Whole scene"});
   private final JTextArea waiting = new JTextArea();
   private final JPanel panel =
-      new JPanel(new MigLayout("insets 6, gap 4, fill, hidemode 2", "[grow]", "[][][][grow]"));
+      new JPanel(new MigLayout("insets 6, gap 4, fill, hidemode 2", "[grow]", "[][][grow][]"));
   private final SelectionListener selecting = this::follow;
   private final org.selectiverenderer.document.DocumentListener changing = this::changed;
   private boolean following;
@@ -80,12 +80,12 @@ public final class SceneTreePanel {
     waiting.setLineWrap(true);
     waiting.setWrapStyleWord(true);
     waiting.setFont(search.getFont());
-    panel.add(waiting, "growx, wmin 0, wrap");
     showWaiting();
     JScrollPane scroll = new JScrollPane(tree);
     scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the nodes");
     scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the nodes");
-    panel.add(scroll, "grow, wmin 0, hmin 0");
+    panel.add(scroll, "grow, wmin 0, hmin 0, wrap");
+    panel.add(waiting, "growx, wmin 0"); // below the tree, which does not move then
     session.addSelectionListener(selecting);
     session.document().addListener(changing);
     expandTop();

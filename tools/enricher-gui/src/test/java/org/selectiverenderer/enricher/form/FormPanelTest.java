@@ -100,13 +100,16 @@ class FormPanelTest {
       window.press(KeyEvent.VK_ENTER);
       assertThat(outline(colour)).isNull();
       assertThat(window.text("Low")).contains("diffuseColor='1 0 0'");
-      Swing.edt(() -> ((JCheckBox) window.named("allFields")).doClick());
-      window.fill(window.named("field transparency"), "0.5");
+      Swing.edt(((JCheckBox) window.named("allFields"))::doClick);
+      JComponent transparency = (JComponent) window.named("field transparency");
+      Swing.edt(transparency::requestFocusInWindow);
+      window.settle();
+      window.fill(transparency, "0.5");
       window.press(KeyEvent.VK_ENTER);
+      window.screenshot("form-fields", 1);
       assertThat(window.text("Low"))
           .contains("<Material diffuseColor='1 0 0' transparency='0.5'/>");
-      window.screenshot("form-fields", 1);
-      Swing.edt(() -> ((AbstractButton) window.named("reset transparency")).doClick());
+      Swing.edt(((AbstractButton) window.named("reset transparency"))::doClick);
       assertThat(window.text("Low")).contains("<Material diffuseColor='1 0 0'/>");
       assertThat(Swing.get(() -> window.session.document().history().names())).hasSize(3);
     }

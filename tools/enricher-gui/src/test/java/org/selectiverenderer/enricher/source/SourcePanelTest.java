@@ -134,9 +134,10 @@ class SourcePanelTest {
     edt(() -> named("findMatchCase", JCheckBox.class).doClick());
     assertThat(get(this::state)).isEqualTo("1 of 1");
     edt(() -> named("findMatchCase", JCheckBox.class).doClick());
-    edt(() -> panel.findNext(-1));
-    assertThat(get(this::state)).isEqualTo("3 of 3, from the other end");
-    assertThat(get(() -> panel.area().getSelectedText())).isEqualTo("cup");
+    assertThat(get(this::state)).isEqualTo("3 of 3");
+    edt(() -> panel.findNext(1));
+    assertThat(get(this::state)).isEqualTo("1 of 3, from the other end");
+    assertThat(get(() -> panel.area().getSelectedText())).isEqualTo("Cup");
     Hands.picture(window.getContentPane(), "source-find", 1);
     edt(() -> by.setText("Mug"));
     edt(() -> named("replaceAll", JButton.class).doClick());
@@ -182,5 +183,20 @@ class SourcePanelTest {
     edt(panel::toggleComment);
     assertThat(text()).contains("\n  <Shape/>\n");
     assertThat(steps()).isEqualTo(2);
+  }
+
+  @Test
+  void endTagsAreCompleted() throws IOException {
+    open("<Group>\n");
+    caretBehind("<Group>");
+    type("<Shape><");
+    edt(
+        () ->
+            panel
+                .area()
+                .dispatchEvent(
+                    new KeyEvent(
+                        panel.area(), KeyEvent.KEY_TYPED, 0, 0, KeyEvent.VK_UNDEFINED, '/')));
+    assertThat(get(() -> panel.area().getText())).contains("<Group><Shape></Shape>\n");
   }
 }
