@@ -33,6 +33,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
   private int lastY;
   private boolean dragged;
 
+  /** Whether the line between two pictures is dragged. */
+  private boolean line;
+
   /** What a click means. */
   interface Clicks {
     void label(PreviewFrame.Label label);
@@ -82,6 +85,10 @@ final class PictureHands extends MouseAdapter implements KeyListener {
     lastX = pressX;
     lastY = pressY;
     dragged = false;
+    line = !walking() && view.takesLine(pressX);
+    if (line) {
+      return;
+    }
     if (walking()) {
       MouseButton button = WalkKeys.button(event);
       controls(controls -> controls.buttonDown(button));
@@ -94,6 +101,10 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   @Override
   public void mouseDragged(MouseEvent event) {
+    if (line) {
+      view.line(event.getX() / (double) Math.max(1, view.getWidth()));
+      return;
+    }
     int dx = event.getX() - lastX;
     int dy = event.getY() - lastY;
     dragged |= Math.hypot(event.getX() - pressX, event.getY() - pressY) > STILL;
@@ -115,7 +126,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   @Override
   public void mouseReleased(MouseEvent event) {
-    if (walking()) {
+    if (line) {
+      line = false;
+    } else if (walking()) {
       MouseButton button = WalkKeys.button(event);
       int x = view.toPixels(event.getX());
       int y = view.toPixels(event.getY());

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.preview;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.enricher.compare.Compared;
 import org.selectiverenderer.schema.SensorSchemas;
 
 /**
@@ -18,6 +19,8 @@ import org.selectiverenderer.schema.SensorSchemas;
  * @param selected the name of what is outlined, if anything is
  * @param otherLayers layers of the scene that are seen, but not in this picture
  * @param revision of the document that is shown
+ * @param compared the scene with all polygons, if the author compares
+ * @param version what is said of an object whose version the author has chosen
  */
 record PreviewFrame(
     BufferedImage image,
@@ -29,7 +32,9 @@ record PreviewFrame(
     boolean walking,
     Optional<String> selected,
     int otherLayers,
-    long revision) {
+    long revision,
+    Optional<Compared> compared,
+    Optional<String> version) {
 
   /**
    * The label of a sensor's box.
