@@ -81,7 +81,7 @@ public final class CostPanel extends JPanel {
     fixed.getAccessibleContext().setAccessibleName(Texts.of("cost.fixedname"));
     foot.add(choose);
     foot.add(file, "wmin 0");
-    foot.add(fixed, "wmin 0");
+    foot.add(fixed, "wmin 0, gapright 8");
     add(split, "wmin 0, hmin 0, wrap");
     add(foot, "wmin 0");
     session.addSelectionListener(selecting);
