@@ -181,7 +181,7 @@ public final class PreviewPanel extends JPanel {
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6, hidemode 3", "[grow,fill][]"));
     foot.add(message, "wmin 0");
     foot.add(progress, "wmax 20%");
-    add(bar);
+    add(bar, "wmin 0"); // A long text of a button does not push the picture out of the window.
     add(view, "wmin 0, hmin 0");
     add(foot);
     getAccessibleContext().setAccessibleName("Preview");

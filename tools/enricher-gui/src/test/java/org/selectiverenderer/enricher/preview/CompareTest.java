@@ -115,13 +115,14 @@ class CompareTest {
             window.panel.asIf(List.of("DeskSchema"));
             window.panel.compare(CompareMode.BESIDE);
           });
-      int width = Swing.get(() -> window.panel.view().getWidth());
       PreviewFrame frame =
           window.await(
               each ->
                   each.compared().isPresent()
                       && middle(each.image()) == RED
-                      && each.image().getWidth() == width / 2);
+                      && each.image().getWidth()
+                          == Swing.get(() -> window.panel.view().getWidth()) / 2);
+      int width = Swing.get(() -> window.panel.view().getWidth());
       assertThat(middle(frame.compared().orElseThrow().image())).isEqualTo(GREEN);
       assertThat(painted(window, 0.25)).isEqualTo(GREEN);
       assertThat(painted(window, 0.75)).isEqualTo(RED);
@@ -130,7 +131,8 @@ class CompareTest {
       window.screenshot("compare-beside");
       Swing.edt(() -> window.panel.compare(CompareMode.OFF));
       PreviewFrame one = window.await(each -> each.compared().isEmpty());
-      assertThat(one.image().getWidth()).isEqualTo(width);
+      assertThat(one.image().getWidth())
+          .isEqualTo(Swing.get(() -> window.panel.view().getWidth()));
     }
   }
 
