@@ -53,10 +53,9 @@ final class BudgetBar extends DefaultTableCellRenderer {
       g2.fillRect(0, 0, getWidth(), getHeight());
       bar(g2, status.get());
       g2.dispose();
-      boolean opaque = isOpaque();
       setOpaque(false); // The words go over the bar.
       super.paintComponent(g);
-      setOpaque(opaque);
+      setOpaque(true);
     } else {
       super.paintComponent(g);
     }

@@ -81,7 +81,7 @@ public final class CostPanel extends JPanel {
     fixed.getAccessibleContext().setAccessibleName(Texts.of("cost.fixedname"));
     foot.add(choose);
     foot.add(file, "wmin 0");
-    foot.add(fixed, "wmin 0");
+    foot.add(fixed, "wmin 0, gapright 8");
     add(split, "wmin 0, hmin 0, wrap");
     add(foot, "wmin 0");
     session.addSelectionListener(selecting);
@@ -146,7 +146,7 @@ public final class CostPanel extends JPanel {
   }
 
   private void dressStates() {
-    widths(statesTable, 10, 24, -10, -8, -9, 20);
+    widths(statesTable, 9, 18, -9, -7, -9, -17);
     right(statesTable, StatesModel.POLYGONS, StatesModel.PERCENT);
     LimitCell limits = new LimitCell();
     limits.setHorizontalAlignment(SwingConstants.TRAILING);
@@ -182,7 +182,7 @@ public final class CostPanel extends JPanel {
   }
 
   private void dressObjects() {
-    widths(objectsTable, 22, -9, -8, 9, 18);
+    widths(objectsTable, 20, -8, -7, 8, 16);
     right(objectsTable, ObjectsModel.POLYGONS, ObjectsModel.POLYGONS + 1);
     objectsTable
         .getSelectionModel()

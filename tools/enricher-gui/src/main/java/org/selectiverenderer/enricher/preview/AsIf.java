@@ -61,6 +61,17 @@ final class AsIf {
     }
   }
 
+  /** Every enriched Switch shows its most detailed version. */
+  void detailed() {
+    reset();
+    enriched.forEach((node, known) -> show(node, known.mostDetailed()));
+  }
+
+  /** Shows one version of one object, until the next call of another method. */
+  void version(SwitchNode node, int choice) {
+    show(node, choice);
+  }
+
   private void show(SwitchNode node, int choice) {
     if (node.whichChoice() != choice) {
       cascade.send(node, node.type().indexOf("whichChoice"), choice);

@@ -33,6 +33,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
   private int lastY;
   private boolean dragged;
 
+  /** Whether the line between two pictures is dragged. */
+  private boolean line;
+
   /** What a click means. */
   interface Clicks {
     void label(PreviewFrame.Label label);
@@ -88,6 +91,10 @@ final class PictureHands extends MouseAdapter implements KeyListener {
     lastX = pressX;
     lastY = pressY;
     dragged = false;
+    line = !walking() && view.takesLine(pressX);
+    if (line) {
+      return;
+    }
     if (walking()) {
       MouseButton button = WalkKeys.button(event);
       controls(controls -> controls.buttonDown(button));
@@ -100,7 +107,10 @@ final class PictureHands extends MouseAdapter implements KeyListener {
 
   @Override
   public void mouseDragged(MouseEvent event) {
-    if (event.isConsumed()) {
+    if (line) {
+      view.line(event.getX() / (double) Math.max(1, view.getWidth()));
+    }
+    if (line || event.isConsumed()) {
       return;
     }
     int dx = event.getX() - lastX;
@@ -127,7 +137,9 @@ final class PictureHands extends MouseAdapter implements KeyListener {
     if (event.isConsumed()) {
       return;
     }
-    if (walking()) {
+    if (line) {
+      line = false;
+    } else if (walking()) {
       MouseButton button = WalkKeys.button(event);
       int x = view.toPixels(event.getX());
       int y = view.toPixels(event.getY());

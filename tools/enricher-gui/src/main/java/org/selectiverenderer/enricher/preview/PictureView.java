@@ -22,6 +22,7 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.compare.CompareView;
 
 /**
  * Shows frames with their labels and a few lines about them. The picture has the pixels of the
@@ -43,6 +44,7 @@ final class PictureView extends JComponent implements Accessible {
   private transient @Nullable PreviewFrame frame;
   private transient List<Shown> shown = List.of();
   private transient BiConsumer<Graphics2D, PreviewFrame> overlay = (graphics, picture) -> {};
+  private final transient CompareView comparison = new CompareView();
 
   PictureView() {
     setFocusable(true);
@@ -78,6 +80,22 @@ final class PictureView extends JComponent implements Accessible {
     return (int) Math.round(position * scale());
   }
 
+  /** How two pictures are shown. */
+  CompareView comparison() {
+    return comparison;
+  }
+
+  /** Whether the mouse at that place takes the line between two pictures. */
+  boolean takesLine(int x) {
+    return comparison.takes(frame().flatMap(PreviewFrame::compared), x, getWidth());
+  }
+
+  /** Puts that line elsewhere. */
+  void line(double part) {
+    comparison.line(part);
+    repaint();
+  }
+
   /** The label at a position. */
   Optional<PreviewFrame.Label> labelAt(int x, int y) {
     return shown.stream()
@@ -95,6 +113,7 @@ final class PictureView extends JComponent implements Accessible {
     } else if (!frame.schemas().isEmpty()) {
       lines.add("As if in " + list(frame.schemas()));
     }
+    frame.version().ifPresent(lines::add);
     lines.add(
         Texts.of(
             "counts.polygonsdrawn",
@@ -134,7 +153,18 @@ final class PictureView extends JComponent implements Accessible {
     g2.fillRect(0, 0, getWidth(), getHeight());
     if (frame != null) {
       double scale = scale();
-      g2.drawImage(frame.image(), AffineTransform.getScaleInstance(1 / scale, 1 / scale), null);
+      if (frame.compared().isPresent()) {
+        comparison.paint(
+            g2,
+            frame.compared().get(),
+            frame.image(),
+            frame.polygons(),
+            scale,
+            getWidth(),
+            getHeight());
+      } else {
+        g2.drawImage(frame.image(), AffineTransform.getScaleInstance(1 / scale, 1 / scale), null);
+      }
       g2.setRenderingHint(
           RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
       paintLabels(g2, frame, scale);
@@ -154,6 +184,7 @@ final class PictureView extends JComponent implements Accessible {
   private void paintLabels(Graphics2D g, PreviewFrame of, double scale) {
     FontMetrics metrics = g.getFontMetrics();
     List<Shown> all = new ArrayList<>();
+    int moved = CompareView.offset(of.compared(), getWidth());
     List<PreviewFrame.Label> seenFirst = new ArrayList<>(of.labels());
     seenFirst.sort(Comparator.comparing(PreviewFrame.Label::hidden));
     for (PreviewFrame.Label label : seenFirst) {
@@ -161,7 +192,8 @@ final class PictureView extends JComponent implements Accessible {
       int height = metrics.getHeight() + PAD;
       Rectangle place =
           new Rectangle(
-              Math.max(0, Math.min(getWidth() - width, (int) (label.x() / scale) - width / 2)),
+              Math.max(
+                  0, Math.min(getWidth() - width, (int) (label.x() / scale) + moved - width / 2)),
               (int) (label.y() / scale) - height,
               width,
               height);

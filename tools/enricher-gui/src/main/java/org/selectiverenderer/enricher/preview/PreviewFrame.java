@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.preview;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.enricher.compare.Compared;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.schema.SensorSchemas;
 
@@ -21,6 +22,8 @@ import org.selectiverenderer.schema.SensorSchemas;
  * @param otherLayers layers of the scene that are seen, but not in this picture
  * @param revision of the document that is shown
  * @param drawnBy what OpenGL says of itself
+ * @param compared the scene with all polygons, if the author compares
+ * @param version what is said of an object whose version the author has chosen
  */
 record PreviewFrame(
     BufferedImage image,
@@ -34,7 +37,9 @@ record PreviewFrame(
     Optional<String> selected,
     int otherLayers,
     long revision,
-    String drawnBy) {
+    String drawnBy,
+    Optional<Compared> compared,
+    Optional<String> version) {
 
   /** The same picture, of which something else is said. */
   PreviewFrame with(List<Label> otherLabels, long newRevision) {
@@ -50,7 +55,9 @@ record PreviewFrame(
         selected,
         otherLayers,
         newRevision,
-        drawnBy);
+        drawnBy,
+        compared,
+        version);
   }
 
   /**

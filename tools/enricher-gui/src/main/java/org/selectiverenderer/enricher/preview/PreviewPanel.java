@@ -32,8 +32,10 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.area.GridStep;
 import org.selectiverenderer.enricher.area.SceneProbe;
+import org.selectiverenderer.enricher.compare.CompareMode;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -77,6 +79,8 @@ public final class PreviewPanel extends JPanel {
   private final JToggleButton sensors = new JToggleButton("Sensor boxes", true);
   private final JToggleButton wireframe = new JToggleButton("Wireframe");
   private final JButton asIfButton = new JButton("As if in\u2026");
+  private final JButton compareButton = new JButton(Texts.of("compare.off"));
+  private transient CompareMode compare = CompareMode.OFF;
   private boolean disposed;
 
   public PreviewPanel(EnricherSession session) {
@@ -207,6 +211,8 @@ public final class PreviewPanel extends JPanel {
     bar.add(button("Start", "To the start viewpoint (Home)", this::home));
     bar.add(button("\u25c0", "To the viewpoint before (Page Up)", () -> viewpoint(-1)));
     bar.add(button("\u25b6", "To the next viewpoint (Page Down)", () -> viewpoint(+1)));
+    bar.add(named(compareButton, Texts.of("compare.tip")));
+    compareButton.addActionListener(event -> compare(compare.next()));
     walk.addActionListener(event -> walk(walk.isSelected()));
     asIfButton.addActionListener(event -> asIf.show(asIfButton));
     sensors.addActionListener(event -> sensorsShown(sensors.isSelected()));
@@ -218,7 +224,7 @@ public final class PreviewPanel extends JPanel {
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6, hidemode 3", "[grow,fill][]"));
     foot.add(message, "wmin 0");
     foot.add(progress, "wmax 20%");
-    add(bar, "wmin 0");
+    add(bar, "wmin 0"); // A long text of a button does not push the picture out of the window.
     add(view, "wmin 0, hmin 0");
     add(foot);
     getAccessibleContext().setAccessibleName("Preview");
@@ -243,6 +249,11 @@ public final class PreviewPanel extends JPanel {
     key("B", "boxes", sensors::doClick);
     key("G", "wireframe", wireframe::doClick);
     key("F", "frame", this::frameSelected);
+    key("C", "compare", compareButton::doClick);
+    key("V", "nextVersion", () -> version(+1));
+    key("shift V", "ownVersion", () -> version(0));
+    key("ctrl LEFT", "lineLeft", () -> view.line(view.comparison().line() - SHIFT));
+    key("ctrl RIGHT", "lineRight", () -> view.line(view.comparison().line() + SHIFT));
     key("HOME", "start", this::home);
     key("PAGE_UP", "before", () -> viewpoint(-1));
     key("PAGE_DOWN", "next", () -> viewpoint(+1));
@@ -395,6 +406,27 @@ public final class PreviewPanel extends JPanel {
           default -> "As if in " + schemas.size() + " schemas"; // The picture names them.
         });
     thread.tell(stage -> stage.asIf(schemas));
+  }
+
+  /** Shows the scene with all polygons beside or under the picture, or not. */
+  public void compare(CompareMode mode) {
+    compare = mode;
+    compareButton.setText(
+        switch (mode) {
+          case OFF -> Texts.of("compare.off");
+          case WIPE -> Texts.of("compare.wipe");
+          case BESIDE -> Texts.of("compare.beside");
+        });
+    thread.tell(stage -> stage.compare(mode));
+  }
+
+  /**
+   * Shows another version of the selected object in its place.
+   *
+   * @param steps counted from the present one; 0 for the one that the schemas say
+   */
+  public void version(int steps) {
+    thread.tell(stage -> stage.version(steps));
   }
 
   /** Begins or ends a live walk. */

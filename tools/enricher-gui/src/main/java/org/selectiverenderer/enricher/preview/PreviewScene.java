@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
@@ -14,6 +15,7 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.ShownBounds;
+import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.sai.EmbeddedBrowser;
 import org.selectiverenderer.runtime.scene.Node;
@@ -36,6 +38,8 @@ final class PreviewScene implements AutoCloseable {
   private final RayCaster rays;
   private final EmbeddedBrowser browser;
   private List<String> schemas = List.of();
+  private @Nullable SwitchNode versioned;
+  private int version = -1;
   private @Nullable SelectiveController controller;
   private @Nullable Walking walking;
   private double time;
@@ -101,6 +105,46 @@ final class PreviewScene implements AutoCloseable {
     schemas = List.copyOf(wanted);
     if (controller == null) {
       asIf.apply(schemas);
+      applyVersion();
+    }
+  }
+
+  /** Shows a version of one object instead, from now on; -1 for what the schemas say. */
+  void version(@Nullable SwitchNode node, int choice) {
+    versioned = choice < 0 ? null : node;
+    version = choice;
+    asIf(schemas);
+  }
+
+  private void applyVersion() {
+    if (versioned != null) {
+      asIf.version(versioned, version);
+    }
+  }
+
+  /** The object of which a version is shown, if there is one. */
+  Optional<SwitchNode> versioned() {
+    return Optional.ofNullable(controller == null ? versioned : null);
+  }
+
+  /** Triangles that a node shows now. */
+  long shownPolygons(Node node) {
+    return nodes.shapes(node).stream()
+        .filter(ShapeInstance::shown)
+        .mapToLong(shape -> shape.mesh().map(mesh -> (long) mesh.polygons()).orElse(0L))
+        .sum();
+  }
+
+  /** Does something while all objects are at their most detailed; nobody must be walking. */
+  <T> T inDetail(Supplier<T> work) {
+    Pose here = pose();
+    asIf.detailed();
+    look(here);
+    try {
+      return work.get();
+    } finally {
+      asIf(schemas);
+      look(here);
     }
   }
 
@@ -122,6 +166,7 @@ final class PreviewScene implements AutoCloseable {
       controller = null;
       walking = null;
       asIf.apply(schemas);
+      applyVersion();
     }
   }
 

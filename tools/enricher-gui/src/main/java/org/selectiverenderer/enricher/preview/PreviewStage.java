@@ -6,6 +6,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.compare.CompareMode;
+import org.selectiverenderer.enricher.compare.Compared;
 import org.selectiverenderer.runtime.Pointer;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.collide.RayCaster;
@@ -38,7 +40,10 @@ final class PreviewStage implements AutoCloseable {
   private final Orbit orbit = new Orbit();
   private final Controls controls = new Controls(MouseMapping.WALK);
   private @Nullable PreviewScene scene;
+  private int whole;
   private int width;
+  private CompareMode compare = CompareMode.OFF;
+  private final VersionChoice versions = new VersionChoice();
   private int height;
   private List<Anchor> selection = List.of();
   private List<String> schemas = List.of();
@@ -73,7 +78,8 @@ final class PreviewStage implements AutoCloseable {
   }
 
   void size(int newWidth, int newHeight) {
-    width = newWidth;
+    whole = newWidth;
+    width = moving() ? newWidth : compare.width(newWidth);
     height = newHeight;
   }
 
@@ -87,6 +93,7 @@ final class PreviewStage implements AutoCloseable {
     PreviewScene shown = new PreviewScene(loaded);
     scene = shown;
     shown.asIf(schemas);
+    versions.apply(shown);
     if (before.isEmpty()) {
       home();
     } else if (walked) {
@@ -191,7 +198,7 @@ final class PreviewStage implements AutoCloseable {
   private Vector3d direction(PreviewScene of, int x, int y) {
     double half = Math.tan(of.world().viewer().fieldOfView() / 2);
     double smaller = Math.min(width, height);
-    double right = (2 * (x + 0.5) - width) / smaller * half;
+    double right = (2 * (x % width + 0.5) - width) / smaller * half;
     double up = (height - 2 * (y + 0.5)) / smaller * half;
     return new Vector3d(right, up, -1);
   }
@@ -248,6 +255,19 @@ final class PreviewStage implements AutoCloseable {
     }
   }
 
+  /** Shows the scene with all polygons too, or not. */
+  void compare(CompareMode mode) {
+    compare = mode;
+    size(whole, height);
+  }
+
+  /** Shows another version of the selected object, counted from the present one; 0 for none. */
+  void version(int steps) {
+    if (scene != null && !moving()) {
+      versions.step(scene, selection, steps);
+    }
+  }
+
   void sensorsShown(boolean show) {
     sensorsShown = show;
   }
@@ -268,6 +288,7 @@ final class PreviewStage implements AutoCloseable {
       scene.stand();
       place(scene.pose());
     }
+    size(whole, height);
   }
 
   /** Keys and mouse of the walk. */
@@ -344,7 +365,25 @@ final class PreviewStage implements AutoCloseable {
         selected.map(Node::toString),
         (int) shown.world().layers().stream().filter(layer -> !layer.active()).count(),
         shown.revision(),
-        view.info().renderer() + ", OpenGL " + view.info().version());
+        view.info().renderer() + ", OpenGL " + view.info().version(),
+        compared(shown, samples),
+        VersionChoice.words(shown));
+  }
+
+  private Optional<Compared> compared(PreviewScene shown, int samples) {
+    if (compare == CompareMode.OFF || moving()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        shown.inDetail(
+            () -> {
+              Marking plain = new Marking(List.of(), Set.of(), wireframe, Optional.empty());
+              MarkedPicture all = view.draw(shown.world(), plain, width, height, samples);
+              return new Compared(
+                  compare,
+                  PreviewImages.of(all.pixels()),
+                  shown.world().instances().shownPolygons());
+            }));
   }
 
   @Override

@@ -1,0 +1,67 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.runtime.nodes.group.SwitchNode;
+
+/**
+ * Which version of one object the author wants to see in its place, whatever the schemas say; kept
+ * from one state of the document to the next. Belongs to the preview's thread.
+ */
+final class VersionChoice {
+  private @Nullable Anchor object;
+  private int choice = -1;
+
+  /**
+   * Another version of the object that is selected or around what is.
+   *
+   * @param selection the nearest first
+   * @param steps from the version shown; 0 for the one that the schemas say
+   */
+  void step(PreviewScene scene, List<Anchor> selection, int steps) {
+    Optional<Anchor> anchor =
+        selection.stream().filter(each -> find(scene, each).isPresent()).findFirst();
+    if (steps == 0 || anchor.isEmpty()) {
+      object = null;
+      choice = -1;
+    } else {
+      SwitchNode node = find(scene, anchor.get()).orElseThrow();
+      int count = node.children().size();
+      object = anchor.get();
+      choice = count == 0 ? -1 : Math.floorMod(node.whichChoice() + steps, count);
+    }
+    apply(scene);
+  }
+
+  /** Shows it in another state of the document. */
+  void apply(PreviewScene scene) {
+    Optional<SwitchNode> node = Optional.ofNullable(object).flatMap(each -> find(scene, each));
+    boolean there = node.filter(found -> choice < found.children().size()).isPresent();
+    scene.version(there ? node.get() : null, there ? choice : -1);
+  }
+
+  private static Optional<SwitchNode> find(PreviewScene scene, Anchor anchor) {
+    return scene
+        .nodes()
+        .find(List.of(anchor))
+        .filter(SwitchNode.class::isInstance)
+        .map(SwitchNode.class::cast);
+  }
+
+  /** What is said of it under the picture. */
+  static Optional<String> words(PreviewScene scene) {
+    return scene
+        .versioned()
+        .map(
+            node ->
+                Texts.of(
+                    "compare.version",
+                    node.name() == null ? node.type().name() : node.name(),
+                    Integer.toString(node.whichChoice() + 1),
+                    Integer.toString(node.children().size()),
+                    DecimalText.grouped(scene.shownPolygons(node))));
+  }
+}
