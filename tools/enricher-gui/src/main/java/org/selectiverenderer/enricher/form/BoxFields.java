@@ -88,10 +88,8 @@ final class BoxFields {
       int k = axis;
       JTextField text = new JTextField(5);
       text.setName(name + AXES[k]);
-      String spoken =
-          verb.equals("move")
-              ? Texts.of("area.box.centre", AXES[k])
-              : Texts.of("area.box.size." + k);
+      String sizes = "area.box.size." + k;
+      String spoken = verb.equals("move") ? Texts.of("area.box.centre", AXES[k]) : Texts.of(sizes);
       text.getAccessibleContext().setAccessibleName(spoken);
       text.setToolTipText(spoken + ". " + Texts.of("area.box.metres"));
       text.setEditable(session.document().locked().isEmpty());
@@ -184,12 +182,11 @@ final class BoxFields {
     Areas.parts(area, all).forEach(part -> lines.add(Texts.of("area.part", part.name())));
     List<Areas.Overlap> overlaps = Areas.overlaps(area, all);
     for (Areas.Overlap overlap : overlaps) {
-      String key = overlap.within() ? "within" : overlap.around() ? "around" : "part";
-      lines.add(
-          Texts.of(
-              "area.overlap." + key,
-              overlap.other().name(),
-              DecimalText.fixed(overlap.volume(), 2)));
+      String key =
+          overlap.within()
+              ? "area.overlap.within"
+              : overlap.around() ? "area.overlap.around" : "area.overlap.part";
+      lines.add(Texts.of(key, overlap.other().name(), DecimalText.fixed(overlap.volume(), 2)));
     }
     if (!overlaps.isEmpty()) {
       lines.add(Texts.of("area.overlap.what"));

@@ -45,6 +45,7 @@ final class PlanHands extends MouseAdapter {
   private int lastY;
   private boolean shifting;
   private boolean dragged;
+  private boolean ended;
   private @Nullable Area area;
   private @Nullable PlanDrag drag;
 
@@ -139,6 +140,7 @@ final class PlanHands extends MouseAdapter {
     lastX = pressX;
     lastY = pressY;
     dragged = false;
+    ended = false;
     shifting = !SwingUtilities.isLeftMouseButton(event);
     if (shifting || !writable()) {
       return;
@@ -174,7 +176,7 @@ final class PlanHands extends MouseAdapter {
   @Override
   public void mouseDragged(MouseEvent event) {
     dragged |= Math.hypot(event.getX() - pressX, event.getY() - pressY) > STILL;
-    if (!dragged) {
+    if (!dragged || ended) {
       return;
     }
     if (shifting) {
@@ -215,6 +217,9 @@ final class PlanHands extends MouseAdapter {
     PlanDrag of = drag;
     boolean still = !dragged;
     cancel();
+    if (ended) {
+      return;
+    }
     if (shifting) {
       if (still && SwingUtilities.isRightMouseButton(event)) {
         at(event.getX(), event.getY()).ifPresent(hit -> session.select(hit.element(), view));
@@ -222,8 +227,7 @@ final class PlanHands extends MouseAdapter {
       }
     } else if (done.isPresent() && changed != null && of != null) {
       boolean moving = of.sideX() == 0 && of.sideZ() == 0;
-      nodes.place(
-          changed.element(), placed(changed, of, done.get()), moving ? "move" : "resize");
+      nodes.place(changed.element(), placed(changed, of, done.get()), moving ? "move" : "resize");
     } else if (done.isPresent()) {
       draw(done.get());
     } else if (still && at(event.getX(), event.getY()).isEmpty()) {
@@ -245,13 +249,17 @@ final class PlanHands extends MouseAdapter {
     if (rectangle.width() >= PlanDrag.LEAST && rectangle.depth() >= PlanDrag.LEAST) {
       commands
           .probe()
-          .raised(
-              rectangle, found -> found.ifPresent(bounds -> commands.add(AreaBox.of(bounds))));
+          .raised(rectangle, found -> found.ifPresent(bounds -> commands.add(AreaBox.of(bounds))));
     }
   }
 
-  /** Takes back what is being dragged. */
-  void cancel() {
+  /** Takes back what is being dragged; what the button does until it is let go means nothing. */
+  void takeBack() {
+    ended = view.drawing().isPresent();
+    cancel();
+  }
+
+  private void cancel() {
     area = null;
     drag = null;
     view.drawing(null, null);
