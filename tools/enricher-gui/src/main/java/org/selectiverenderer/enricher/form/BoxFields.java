@@ -33,6 +33,8 @@ final class BoxFields {
   private final NodeCommands nodes;
   private final DocumentElement element;
   private final JPanel panel =
+      new JPanel(new MigLayout("insets 0, hidemode 3, wrap 1", "[grow,fill]"));
+  private final JPanel numbers =
       new JPanel(
           new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][grow,fill][grow,fill]"));
   private final List<FormField> fields = new ArrayList<>();
@@ -44,9 +46,10 @@ final class BoxFields {
     this.nodes = nodes;
     this.element = element;
     if (nodes.area(element).isPresent()) {
-      panel.add(new JLabel(), "");
+      panel.add(numbers, "wmin 0");
+      numbers.add(new JLabel());
       for (String axis : AXES) {
-        panel.add(new JLabel(axis), "align center, growx 0");
+        numbers.add(new JLabel(axis), "align center, growx 0");
       }
       row(
           "area.centre",
@@ -62,8 +65,8 @@ final class BoxFields {
           "resize");
     }
     frame.putClientProperty("FlatLaf.styleClass", "small");
-    panel.add(frame, "spanx 4, wmin 0, growx");
-    panel.add(relations, "spanx 4, wmin 0, growx");
+    panel.add(frame, "wmin 0");
+    panel.add(relations, "wmin 0");
     relations.setName("Other areas");
     follow();
   }
@@ -83,7 +86,7 @@ final class BoxFields {
       BiFunction<AreaBox, Integer, Changed> write,
       String verb) {
     List<JLabel> complaints = new ArrayList<>();
-    panel.add(new JLabel(Texts.of(title)));
+    numbers.add(new JLabel(Texts.of(title)));
     for (int axis = 0; axis < 3; axis++) {
       int k = axis;
       JTextField text = new JTextField(5);
@@ -95,7 +98,7 @@ final class BoxFields {
       text.setEditable(session.document().locked().isEmpty());
       JLabel complaint = Labels.complaint();
       complaints.add(complaint);
-      panel.add(text, "wmin 0");
+      numbers.add(text, "wmin 0");
       fields.add(
           FormField.of(
               text,
@@ -104,7 +107,7 @@ final class BoxFields {
                   () -> shown(box -> read.apply(box, k)),
                   typed -> write(typed, verb, box -> write.apply(box, k)))));
     }
-    complaints.forEach(complaint -> panel.add(complaint, "spanx 4, wmin 0"));
+    complaints.forEach(complaint -> numbers.add(complaint, "spanx 4, wmin 0"));
   }
 
   private String shown(ToDoubleFunction<AreaBox> value) {

@@ -8,15 +8,16 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Rectangle2D;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.area.Area;
 import org.selectiverenderer.document.area.AreaBox;
-import org.selectiverenderer.document.area.GridStep;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NodeCommands;
+import org.selectiverenderer.enricher.area.PlanPicture;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.geometry.Bounds;
 
@@ -162,15 +163,26 @@ final class PlanHands extends MouseAdapter {
     }
   }
 
-  private double snapped(int axis, double value, double across, boolean free) {
-    if (free) {
-      return value;
-    }
-    GridStep step = grid.step();
-    double near = PULL / view.scale().scale();
-    return grid.walls() && view.picture().isPresent()
-        ? new PlanSnap(view.picture().get()).snap(axis, value, across, near, step)
-        : step.nearest(value);
+  private PlanDrag.Snapping snapping(double x, double z, boolean free) {
+    return new PlanDrag.Snapping() {
+      @Override
+      public double at(int axis, double value) {
+        return free ? value : near(axis, value).orElseGet(() -> grid.step().nearest(value));
+      }
+
+      @Override
+      public boolean wall(int axis, double value) {
+        return !free && near(axis, value).isPresent();
+      }
+
+      private OptionalDouble near(int axis, double value) {
+        double across = axis == 0 ? z : x;
+        return grid.walls() && view.picture().isPresent()
+            ? new PlanSnap(view.picture().get())
+                .wall(axis, value, across, PULL / view.scale().scale())
+            : OptionalDouble.empty();
+      }
+    };
   }
 
   @Override
@@ -193,19 +205,19 @@ final class PlanHands extends MouseAdapter {
     double z = view.scale().z(event.getY());
     PlanDrag of = drag;
     if (of != null) {
-      view.drawing(
-          of.at(x, z, (axis, value) -> snapped(axis, value, axis == 0 ? z : x, free)), area);
+      view.drawing(of.at(x, z, snapping(x, z, free)), area);
     } else {
       double fromX = view.scale().x(pressX);
       double fromZ = view.scale().z(pressY);
-      double cut = view.picture().map(plan -> plan.cut()).orElse(0.0);
+      PlanDrag.Snapping from = snapping(fromX, fromZ, free);
+      PlanDrag.Snapping to = snapping(x, z, free);
       view.drawing(
           PlanDrag.between(
-              snapped(0, fromX, fromZ, free),
-              snapped(1, fromZ, fromX, free),
-              snapped(0, x, z, free),
-              snapped(1, z, x, free),
-              cut),
+              from.at(0, fromX),
+              from.at(1, fromZ),
+              to.at(0, x),
+              to.at(1, z),
+              view.picture().map(PlanPicture::cut).orElse(0.0)),
           null);
     }
   }

@@ -34,18 +34,18 @@ class PlanDragTest {
   }
 
   @Test
-  void aCoordinateKeepsToAWallThatIsNearAndBesideItElseToTheGrid() {
+  void aCoordinateKeepsToAWallThatIsNearAndBesideIt() {
     float[] walls = {
       2.03f, 0, 2.03f, 4, /* short */ 5.02f, 0, 5.02f, 0.1f, /* slanted */ 7, 0, 8, 4
     };
     BufferedImage none = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
     PlanSnap snap = new PlanSnap(new PlanPicture(START, none, walls, 1));
-    GridStep grid = new GridStep(0.5);
-    assertThat(snap.snap(0, 2.1, 2, 0.2, grid)).isCloseTo(2.03, within(1e-6));
-    assertThat(snap.snap(0, 2.1, 9, 0.2, grid)).as("beyond its end").isEqualTo(2);
-    assertThat(snap.snap(0, 2.4, 2, 0.2, grid)).as("too far").isEqualTo(2.5);
-    assertThat(snap.snap(0, 5.1, 0, 0.2, grid)).isEqualTo(5);
-    assertThat(snap.snap(1, 2.1, 2, 0.2, GridStep.NONE)).as("the other axis").isEqualTo(2.1);
+    assertThat(snap.wall(0, 2.1, 2, 0.2).orElseThrow()).isCloseTo(2.03, within(1e-6));
+    assertThat(snap.wall(0, 2.1, 9, 0.2)).as("beyond its end").isEmpty();
+    assertThat(snap.wall(0, 2.4, 2, 0.2)).as("too far").isEmpty();
+    assertThat(snap.wall(0, 5.1, 0, 0.2)).as("short").isEmpty();
+    assertThat(snap.wall(0, 7.5, 2, 0.2)).as("slanted").isEmpty();
+    assertThat(snap.wall(1, 2.1, 2, 0.2)).as("the other axis").isEmpty();
   }
 
   @Test
