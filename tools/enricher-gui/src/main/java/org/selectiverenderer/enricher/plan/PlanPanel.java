@@ -219,7 +219,7 @@ public final class PlanPanel extends JPanel {
   }
 
   /** Has the plan drawn anew; what the preview has loaded by now. */
-  public void refresh() {
+  private void refresh() {
     if (isShowing()) {
       commands.probe().plan(height, found -> found.ifPresentOrElse(this::show, later::restart));
     }
