@@ -16,14 +16,14 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * @param exports of it
  * @param imports from the file that it inlines
  */
-public record NodeReferences(
+record NodeReferences(
     List<DocumentElement> uses,
     List<DocumentElement> routes,
     List<DocumentElement> exports,
     List<DocumentElement> imports) {
   private static final String BODY = "ProtoBody";
 
-  public NodeReferences {
+  NodeReferences {
     uses = List.copyOf(uses);
     routes = List.copyOf(routes);
     exports = List.copyOf(exports);
@@ -31,12 +31,12 @@ public record NodeReferences(
   }
 
   /** What speaks of one node; nothing of one without a name. */
-  public static NodeReferences to(DocumentElement node) {
+  static NodeReferences to(DocumentElement node) {
     return find(scope(node), node.def().map(Set::of).orElse(Set.of()), each -> true);
   }
 
   /** What outside of a node speaks of it or of anything in it. */
-  public static NodeReferences into(DocumentElement node) {
+  static NodeReferences into(DocumentElement node) {
     Set<String> names = new HashSet<>();
     node.visit(each -> each.def().ifPresent(names::add));
     return find(scope(node), names, each -> !node.contains(each));

@@ -33,6 +33,8 @@ final class BoxFields {
   private final NodeCommands nodes;
   private final DocumentElement element;
   private final JPanel panel =
+      new JPanel(new MigLayout("insets 0, hidemode 3, wrap 1", "[grow,fill]"));
+  private final JPanel numbers =
       new JPanel(
           new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][grow,fill][grow,fill]"));
   private final List<FormField> fields = new ArrayList<>();
@@ -44,9 +46,10 @@ final class BoxFields {
     this.nodes = nodes;
     this.element = element;
     if (nodes.area(element).isPresent()) {
-      panel.add(new JLabel(), "");
+      panel.add(numbers, "wmin 0");
+      numbers.add(new JLabel());
       for (String axis : AXES) {
-        panel.add(new JLabel(axis), "align center, growx 0");
+        numbers.add(new JLabel(axis), "align center, growx 0");
       }
       row(
           "area.centre",
@@ -62,8 +65,8 @@ final class BoxFields {
           "resize");
     }
     frame.putClientProperty("FlatLaf.styleClass", "small");
-    panel.add(frame, "spanx 4, wmin 0, growx");
-    panel.add(relations, "spanx 4, wmin 0, growx");
+    panel.add(frame, "wmin 0");
+    panel.add(relations, "wmin 0");
     relations.setName("Other areas");
     follow();
   }
@@ -83,21 +86,19 @@ final class BoxFields {
       BiFunction<AreaBox, Integer, Changed> write,
       String verb) {
     List<JLabel> complaints = new ArrayList<>();
-    panel.add(new JLabel(Texts.of(title)));
+    numbers.add(new JLabel(Texts.of(title)));
     for (int axis = 0; axis < 3; axis++) {
       int k = axis;
       JTextField text = new JTextField(5);
       text.setName(name + AXES[k]);
-      String spoken =
-          verb.equals("move")
-              ? Texts.of("area.box.centre", AXES[k])
-              : Texts.of("area.box.size." + k);
+      String sizes = "area.box.size." + k;
+      String spoken = verb.equals("move") ? Texts.of("area.box.centre", AXES[k]) : Texts.of(sizes);
       text.getAccessibleContext().setAccessibleName(spoken);
       text.setToolTipText(spoken + ". " + Texts.of("area.box.metres"));
       text.setEditable(session.document().locked().isEmpty());
       JLabel complaint = Labels.complaint();
       complaints.add(complaint);
-      panel.add(text, "wmin 0");
+      numbers.add(text, "wmin 0");
       fields.add(
           FormField.of(
               text,
@@ -106,7 +107,7 @@ final class BoxFields {
                   () -> shown(box -> read.apply(box, k)),
                   typed -> write(typed, verb, box -> write.apply(box, k)))));
     }
-    complaints.forEach(complaint -> panel.add(complaint, "spanx 4, wmin 0"));
+    complaints.forEach(complaint -> numbers.add(complaint, "spanx 4, wmin 0"));
   }
 
   private String shown(ToDoubleFunction<AreaBox> value) {
@@ -184,12 +185,11 @@ final class BoxFields {
     Areas.parts(area, all).forEach(part -> lines.add(Texts.of("area.part", part.name())));
     List<Areas.Overlap> overlaps = Areas.overlaps(area, all);
     for (Areas.Overlap overlap : overlaps) {
-      String key = overlap.within() ? "within" : overlap.around() ? "around" : "part";
-      lines.add(
-          Texts.of(
-              "area.overlap." + key,
-              overlap.other().name(),
-              DecimalText.fixed(overlap.volume(), 2)));
+      String key =
+          overlap.within()
+              ? "area.overlap.within"
+              : overlap.around() ? "area.overlap.around" : "area.overlap.part";
+      lines.add(Texts.of(key, overlap.other().name(), DecimalText.fixed(overlap.volume(), 2)));
     }
     if (!overlaps.isEmpty()) {
       lines.add(Texts.of("area.overlap.what"));

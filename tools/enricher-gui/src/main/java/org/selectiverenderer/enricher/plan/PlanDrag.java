@@ -19,6 +19,11 @@ record PlanDrag(Bounds start, int sideX, int sideZ, double x, double z) {
   /** Keeps a coordinate of an axis, 0 for X and 1 for Z, to something. */
   interface Snapping {
     double at(int axis, double value);
+
+    /** Whether that is a wall, which goes before the grid. */
+    default boolean wall(int axis, double value) {
+      return false;
+    }
   }
 
   /** The rectangle when the pointer is at a place; heights stay. */
@@ -51,16 +56,19 @@ record PlanDrag(Bounds start, int sideX, int sideZ, double x, double z) {
     return new Bounds(minX, start.minY(), minZ, maxX, start.maxY(), maxZ);
   }
 
-  /** By the edge that is kept to something nearer by. */
+  /** By the edge that comes to a wall, else by the one that is kept to something nearer by. */
   private static double shift(int axis, double min, double max, double by, Snapping snap) {
     double low = snap.at(axis, min + by) - min;
     double high = snap.at(axis, max + by) - max;
+    boolean lowWall = snap.wall(axis, min + by);
+    if (lowWall != snap.wall(axis, max + by)) {
+      return lowWall ? low : high;
+    }
     return Math.abs(high - by) < Math.abs(low - by) ? high : low;
   }
 
   /** A new rectangle between two corners. */
   static Bounds between(double x1, double z1, double x2, double z2, double y) {
-    return new Bounds(
-        Math.min(x1, x2), y, Math.min(z1, z2), Math.max(x1, x2), y, Math.max(z1, z2));
+    return new Bounds(Math.min(x1, x2), y, Math.min(z1, z2), Math.max(x1, x2), y, Math.max(z1, z2));
   }
 }

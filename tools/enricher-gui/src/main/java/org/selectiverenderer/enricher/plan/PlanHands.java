@@ -8,15 +8,16 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Rectangle2D;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.area.Area;
 import org.selectiverenderer.document.area.AreaBox;
-import org.selectiverenderer.document.area.GridStep;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NodeCommands;
+import org.selectiverenderer.enricher.area.PlanPicture;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.geometry.Bounds;
 
@@ -45,6 +46,7 @@ final class PlanHands extends MouseAdapter {
   private int lastY;
   private boolean shifting;
   private boolean dragged;
+  private boolean ended;
   private @Nullable Area area;
   private @Nullable PlanDrag drag;
 
@@ -139,6 +141,7 @@ final class PlanHands extends MouseAdapter {
     lastX = pressX;
     lastY = pressY;
     dragged = false;
+    ended = false;
     shifting = !SwingUtilities.isLeftMouseButton(event);
     if (shifting || !writable()) {
       return;
@@ -160,21 +163,32 @@ final class PlanHands extends MouseAdapter {
     }
   }
 
-  private double snapped(int axis, double value, double across, boolean free) {
-    if (free) {
-      return value;
-    }
-    GridStep step = grid.step();
-    double near = PULL / view.scale().scale();
-    return grid.walls() && view.picture().isPresent()
-        ? new PlanSnap(view.picture().get()).snap(axis, value, across, near, step)
-        : step.nearest(value);
+  private PlanDrag.Snapping snapping(double x, double z, boolean free) {
+    return new PlanDrag.Snapping() {
+      @Override
+      public double at(int axis, double value) {
+        return free ? value : near(axis, value).orElseGet(() -> grid.step().nearest(value));
+      }
+
+      @Override
+      public boolean wall(int axis, double value) {
+        return !free && near(axis, value).isPresent();
+      }
+
+      private OptionalDouble near(int axis, double value) {
+        double across = axis == 0 ? z : x;
+        return grid.walls() && view.picture().isPresent()
+            ? new PlanSnap(view.picture().get())
+                .wall(axis, value, across, PULL / view.scale().scale())
+            : OptionalDouble.empty();
+      }
+    };
   }
 
   @Override
   public void mouseDragged(MouseEvent event) {
     dragged |= Math.hypot(event.getX() - pressX, event.getY() - pressY) > STILL;
-    if (!dragged) {
+    if (!dragged || ended) {
       return;
     }
     if (shifting) {
@@ -191,19 +205,19 @@ final class PlanHands extends MouseAdapter {
     double z = view.scale().z(event.getY());
     PlanDrag of = drag;
     if (of != null) {
-      view.drawing(
-          of.at(x, z, (axis, value) -> snapped(axis, value, axis == 0 ? z : x, free)), area);
+      view.drawing(of.at(x, z, snapping(x, z, free)), area);
     } else {
       double fromX = view.scale().x(pressX);
       double fromZ = view.scale().z(pressY);
-      double cut = view.picture().map(plan -> plan.cut()).orElse(0.0);
+      PlanDrag.Snapping from = snapping(fromX, fromZ, free);
+      PlanDrag.Snapping to = snapping(x, z, free);
       view.drawing(
           PlanDrag.between(
-              snapped(0, fromX, fromZ, free),
-              snapped(1, fromZ, fromX, free),
-              snapped(0, x, z, free),
-              snapped(1, z, x, free),
-              cut),
+              from.at(0, fromX),
+              from.at(1, fromZ),
+              to.at(0, x),
+              to.at(1, z),
+              view.picture().map(PlanPicture::cut).orElse(0.0)),
           null);
     }
   }
@@ -215,6 +229,9 @@ final class PlanHands extends MouseAdapter {
     PlanDrag of = drag;
     boolean still = !dragged;
     cancel();
+    if (ended) {
+      return;
+    }
     if (shifting) {
       if (still && SwingUtilities.isRightMouseButton(event)) {
         at(event.getX(), event.getY()).ifPresent(hit -> session.select(hit.element(), view));
@@ -222,8 +239,7 @@ final class PlanHands extends MouseAdapter {
       }
     } else if (done.isPresent() && changed != null && of != null) {
       boolean moving = of.sideX() == 0 && of.sideZ() == 0;
-      nodes.place(
-          changed.element(), placed(changed, of, done.get()), moving ? "move" : "resize");
+      nodes.place(changed.element(), placed(changed, of, done.get()), moving ? "move" : "resize");
     } else if (done.isPresent()) {
       draw(done.get());
     } else if (still && at(event.getX(), event.getY()).isEmpty()) {
@@ -245,13 +261,17 @@ final class PlanHands extends MouseAdapter {
     if (rectangle.width() >= PlanDrag.LEAST && rectangle.depth() >= PlanDrag.LEAST) {
       commands
           .probe()
-          .raised(
-              rectangle, found -> found.ifPresent(bounds -> commands.add(AreaBox.of(bounds))));
+          .raised(rectangle, found -> found.ifPresent(bounds -> commands.add(AreaBox.of(bounds))));
     }
   }
 
-  /** Takes back what is being dragged. */
-  void cancel() {
+  /** Takes back what is being dragged; what the button does until it is let go means nothing. */
+  void takeBack() {
+    ended = view.drawing().isPresent();
+    cancel();
+  }
+
+  private void cancel() {
     area = null;
     drag = null;
     view.drawing(null, null);

@@ -93,6 +93,7 @@ public final class PlanPanel extends JPanel {
     cut.setName("Cut height");
     cut.setToolTipText(Texts.of("area.plan.cut.tip"));
     cut.setEditor(new JSpinner.NumberEditor(cut, "0.00"));
+    ((JSpinner.DefaultEditor) cut.getEditor()).getTextField().setColumns(6);
     cut.setMaximumSize(cut.getPreferredSize());
     cut.addChangeListener(
         event -> {
@@ -142,7 +143,7 @@ public final class PlanPanel extends JPanel {
     key("F2", menu::rename);
     key("ctrl C", menu::copy);
     key("ctrl V", menu::paste);
-    key("ESCAPE", hands::cancel);
+    key("ESCAPE", hands::takeBack);
     key("PAGE_DOWN", () -> next(1));
     key("PAGE_UP", () -> next(-1));
     key("LEFT", () -> nudge(-1, 0));
@@ -190,7 +191,9 @@ public final class PlanPanel extends JPanel {
                 commands
                     .nodes()
                     .place(
-                        area.element(), area.box().movedBy(new Vector3d(x * by, 0, z * by)), "move"));
+                        area.element(),
+                        area.box().movedBy(new Vector3d(x * by, 0, z * by)),
+                        "move"));
   }
 
   private void followGrid() {
@@ -216,7 +219,7 @@ public final class PlanPanel extends JPanel {
   }
 
   /** Has the plan drawn anew; what the preview has loaded by now. */
-  public void refresh() {
+  private void refresh() {
     if (isShowing()) {
       commands.probe().plan(height, found -> found.ifPresentOrElse(this::show, later::restart));
     }

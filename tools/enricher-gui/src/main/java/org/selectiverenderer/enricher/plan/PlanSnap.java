@@ -1,9 +1,9 @@
 package org.selectiverenderer.enricher.plan;
 
-import org.selectiverenderer.document.area.GridStep;
+import java.util.OptionalDouble;
 import org.selectiverenderer.enricher.area.PlanPicture;
 
-/** What a coordinate keeps to: a wall near by, else the grid. */
+/** The walls of a plan, to which edges of areas keep. */
 final class PlanSnap {
   /** Shorter pieces are no wall, in the scene's unit. */
   private static final double WALL = 0.2;
@@ -18,16 +18,15 @@ final class PlanSnap {
   }
 
   /**
-   * Keeps a coordinate to something.
+   * The wall that a coordinate keeps to.
    *
    * @param axis 0 for X, 1 for Z
    * @param value where the author is
    * @param across where on the other axis
    * @param near how far a wall pulls
-   * @param grid where there is none
    */
-  double snap(int axis, double value, double across, double near, GridStep grid) {
-    double best = Double.NaN;
+  OptionalDouble wall(int axis, double value, double across, double near) {
+    OptionalDouble best = OptionalDouble.empty();
     double least = near;
     for (int i = 0; i + 3 < walls.length; i += 4) {
       double from = walls[i + axis];
@@ -37,13 +36,12 @@ final class PlanSnap {
       double length = Math.abs(end - along);
       double distance = Math.abs((from + to) / 2 - value);
       boolean wall = length >= WALL && Math.abs(to - from) <= STRAIGHT * length;
-      boolean here =
-          across >= Math.min(along, end) - 1 && across <= Math.max(along, end) + 1;
+      boolean here = across >= Math.min(along, end) - 1 && across <= Math.max(along, end) + 1;
       if (wall && here && distance < least) {
         least = distance;
-        best = (from + to) / 2;
+        best = OptionalDouble.of((from + to) / 2);
       }
     }
-    return Double.isNaN(best) ? grid.nearest(value) : best;
+    return best;
   }
 }

@@ -95,8 +95,7 @@ final class PlanView extends JComponent implements Accessible {
   PlanScale scale() {
     PlanScale now = scale;
     if (now == null) {
-      Bounds all =
-          picture().map(PlanPicture::extent).orElse(new Bounds(-5, 0, -5, 5, 0, 5));
+      Bounds all = picture().map(PlanPicture::extent).orElse(new Bounds(-5, 0, -5, 5, 0, 5));
       now = PlanScale.fitting(all, Math.max(1, getWidth()), Math.max(1, getHeight()));
       if (picture != null && getWidth() > 0) {
         scale = now;
@@ -180,7 +179,7 @@ final class PlanView extends JComponent implements Accessible {
     Bounds now = drawn;
     if (now != null) {
       outline(g, at.rectangle(now), SELECTED, true);
-      String name = moved == null ? Texts.of("area.add.short") : moved.name();
+      String name = moved == null ? Texts.of("area.add.title") : moved.name();
       label(g, at.rectangle(now), says(name, now.width(), now.depth()), SELECTED);
     }
     if (picture == null) {
@@ -199,8 +198,7 @@ final class PlanView extends JComponent implements Accessible {
   private static void paint(Graphics2D g, PlanScale at, PlanPicture plan) {
     Bounds extent = plan.extent();
     Rectangle2D place = at.rectangle(extent);
-    AffineTransform to =
-        AffineTransform.getTranslateInstance(place.getMinX(), place.getMinY());
+    AffineTransform to = AffineTransform.getTranslateInstance(place.getMinX(), place.getMinY());
     double pixel =
         Math.max(extent.width(), extent.depth())
             * at.scale()
@@ -245,7 +243,8 @@ final class PlanView extends JComponent implements Accessible {
       g.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 60));
       g.setStroke(new BasicStroke(1.5f));
       List<Vector3dc> corners = area.solid().get().corners();
-      for (int[] edge : new int[][] {{0, 1}, {1, 5}, {5, 4}, {4, 0}, {2, 3}, {3, 7}, {7, 6}, {6, 2}}) {
+      for (int[] edge :
+          new int[][] {{0, 1}, {1, 5}, {5, 4}, {4, 0}, {2, 3}, {3, 7}, {7, 6}, {6, 2}}) {
         Vector3dc a = corners.get(edge[0]);
         Vector3dc b = corners.get(edge[1]);
         g.setColor(colour);
@@ -255,11 +254,7 @@ final class PlanView extends JComponent implements Accessible {
       outline(g, place, colour, busy);
     }
     if (!busy) {
-      label(
-          g,
-          place,
-          says(area.name(), bounds(area).width(), bounds(area).depth()),
-          colour);
+      label(g, place, says(area.name(), bounds(area).width(), bounds(area).depth()), colour);
       if (selected && !area.frame().turned()) {
         for (int sideX = -1; sideX <= 1; sideX++) {
           for (int sideZ = -1; sideZ <= 1; sideZ++) {

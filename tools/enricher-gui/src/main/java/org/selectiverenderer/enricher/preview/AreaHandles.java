@@ -48,14 +48,16 @@ final class AreaHandles extends MouseAdapter {
   private @Nullable AreaDrag drag;
   private AreaBox dragged;
 
+  /** Whether the button is still down of a drag that was taken back: it means nothing more. */
+  private boolean takenBack;
+
   /** Shows a box in the running scene. */
   @FunctionalInterface
   interface LiveBox {
     void show(Area area, AreaBox box);
   }
 
-  AreaHandles(
-      PictureView view, EnricherSession session, Supplier<GridStep> grid, LiveBox live) {
+  AreaHandles(PictureView view, EnricherSession session, Supplier<GridStep> grid, LiveBox live) {
     this.view = view;
     this.session = session;
     this.nodes = new NodeCommands(session);
@@ -96,8 +98,7 @@ final class AreaHandles extends MouseAdapter {
     int found = -1;
     double nearest = REACH;
     for (int handle = 0; handle < AreaDrag.HANDLES; handle++) {
-      Optional<Vector2d> place =
-          AreaDrag.inPicture(AreaDrag.place(area, handle), frame.camera());
+      Optional<Vector2d> place = AreaDrag.inPicture(AreaDrag.place(area, handle), frame.camera());
       double distance =
           place.map(at -> at.distance(x * scale, y * scale) / scale).orElse(nearest + 1);
       if (distance < nearest) {
@@ -126,6 +127,7 @@ final class AreaHandles extends MouseAdapter {
 
   @Override
   public void mousePressed(MouseEvent event) {
+    takenBack = false;
     hot = handle(event);
     if (hot >= 0 && SwingUtilities.isLeftMouseButton(event)) {
       view.requestFocusInWindow();
@@ -145,7 +147,9 @@ final class AreaHandles extends MouseAdapter {
 
   @Override
   public void mouseDragged(MouseEvent event) {
-    if (drag != null) {
+    if (takenBack) {
+      event.consume();
+    } else if (drag != null) {
       double scale = view.scale();
       GridStep step = event.isAltDown() ? GridStep.NONE : grid.get();
       dragged = drag.at(event.getX() * scale, event.getY() * scale, step);
@@ -157,7 +161,10 @@ final class AreaHandles extends MouseAdapter {
 
   @Override
   public void mouseReleased(MouseEvent event) {
-    if (drag != null) {
+    if (takenBack) {
+      takenBack = false;
+      event.consume();
+    } else if (drag != null) {
       AreaDrag done = drag;
       drag = null;
       event.consume();
@@ -171,6 +178,7 @@ final class AreaHandles extends MouseAdapter {
     if (drag != null) {
       live.show(drag.area(), drag.area().box());
       drag = null;
+      takenBack = true;
       view.repaint();
     }
   }
@@ -226,22 +234,22 @@ final class AreaHandles extends MouseAdapter {
       return Texts.of("area.handle.moved", metres(by.x), metres(by.y), metres(by.z));
     }
     int axis = drag.handle() / 2;
-    return Texts.of(
-        "area.handle.size",
-        Texts.of("area.box.size." + axis),
-        metres(now.box().size().get(axis)));
+    String side = "area.box.size." + axis;
+    return Texts.of("area.handle.size", Texts.of(side), metres(now.box().size().get(axis)));
   }
 
   private static String metres(double value) {
     return DecimalText.fixed(value, 2);
   }
 
-  private static void label(Graphics2D g, double x, double y, String text) {
+  private void label(Graphics2D g, double x, double y, String text) {
     FontMetrics metrics = g.getFontMetrics();
-    int left = (int) x + 12;
+    int width = metrics.stringWidth(text) + 8;
+    int right = (int) x + 12;
+    int left = right + width > view.getWidth() ? (int) x - 12 - width : right;
     int top = (int) y - metrics.getHeight() / 2;
     g.setColor(PAPER);
-    g.fillRoundRect(left, top, metrics.stringWidth(text) + 8, metrics.getHeight() + 2, 4, 4);
+    g.fillRoundRect(left, top, width, metrics.getHeight() + 2, 4, 4);
     g.setColor(Color.WHITE);
     g.drawString(text, left + 4, top + 1 + metrics.getAscent());
   }

@@ -22,6 +22,9 @@ final class PlanMaker {
   /** Pixels of the longer side. */
   private static final int PIXELS = 1800;
 
+  /** What lets much through is not drawn: soft shadows, glass. */
+  private static final float OPAQUE = 0.6f;
+
   /** Lines of walls beyond which no more are kept. */
   private static final int MOST_WALLS = 400_000;
 
@@ -69,7 +72,8 @@ final class PlanMaker {
   }
 
   private void draw(Mesh mesh, ShapeInstance shape) {
-    if (mesh.primitive() != Mesh.Primitive.TRIANGLES || shape.surface().transparency() > 0.5) {
+    if (mesh.primitive() != Mesh.Primitive.TRIANGLES
+        || 1 - shape.surface().transparency() < OPAQUE) {
       return;
     }
     Matrix4dc world = shape.world();
@@ -81,13 +85,17 @@ final class PlanMaker {
         int v = 3 * mesh.indices()[i + k];
         world.transformPosition(at[k].set(p[v], p[v + 1], p[v + 2]));
       }
+      float[] own = mesh.colors();
+      if (own != null && own[4 * mesh.indices()[i] + 3] < OPAQUE) {
+        continue;
+      }
       double low = Math.min(at[0].y, Math.min(at[1].y, at[2].y));
       double high = Math.max(at[0].y, Math.max(at[1].y, at[2].y));
       if (low < cut && high > cut) {
         wall(at);
       }
       if (low < cut) {
-        fill(at[0], at[1], at[2], colour);
+        fill(at[0], at[1], at[2], own == null ? colour : colour(own, 4 * mesh.indices()[i]));
       }
     }
   }
@@ -97,10 +105,13 @@ final class PlanMaker {
     if (surface.texture() != null) {
       return new float[] {0.82f, 0.8f, 0.77f};
     }
-    float[] own = surface.lit() ? surface.diffuse() : surface.emissive();
+    return colour(surface.lit() ? surface.diffuse() : surface.emissive(), 0);
+  }
+
+  private static float[] colour(float[] own, int from) {
     float[] pale = new float[3];
     for (int i = 0; i < 3; i++) {
-      pale[i] = 0.35f + 0.65f * Math.max(0, Math.min(1, own[i]));
+      pale[i] = 0.35f + 0.65f * Math.max(0, Math.min(1, own[from + i]));
     }
     return pale;
   }
@@ -164,8 +175,7 @@ final class PlanMaker {
   /** Flat things are light, steep ones dark. */
   private static int shaded(Vector3d a, Vector3d b, Vector3d c, float[] colour) {
     Vector3d normal = b.sub(a, new Vector3d()).cross(c.sub(a, new Vector3d())).normalize();
-    double light =
-        0.45 + 0.5 * Math.abs(normal.y) + 0.05 * normal.x * Math.signum(normal.y);
+    double light = 0.45 + 0.5 * Math.abs(normal.y) + 0.05 * normal.x * Math.signum(normal.y);
     int rgb = 0xff;
     for (int i = 0; i < 3; i++) {
       rgb = rgb << 8 | (int) Math.round(255 * Math.min(1, colour[i] * light));

@@ -1,6 +1,7 @@
 package org.selectiverenderer.enricher.preview;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
@@ -11,16 +12,25 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import javax.swing.KeyStroke;
+import org.joml.Vector2d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.area.GridStep;
 import org.selectiverenderer.enricher.Swing;
+import org.selectiverenderer.enricher.area.NodeCommands;
+import org.selectiverenderer.enricher.area.PlanPicture;
+import org.selectiverenderer.enricher.area.SceneProbe;
 import org.selectiverenderer.enricher.driving.ControlNames;
+import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -327,5 +337,104 @@ class PreviewPanelTest {
     return Thread.getAllStackTraces().keySet().stream()
         .filter(thread -> thread.getName().startsWith("enricher-preview"))
         .collect(Collectors.toSet());
+  }
+
+  /** Of Desk: the middle of its right face is seen from the start viewpoint. */
+  private static Vector2d handle(PreviewWindow window, int which) {
+    return Swing.get(
+        () -> {
+          var areas = new NodeCommands(window.session);
+          var sensor = window.session.selection().orElseThrow();
+          var camera = window.panel.view().frame().orElseThrow().camera();
+          return AreaDrag.inPicture(AreaDrag.place(areas.area(sensor).orElseThrow(), which), camera)
+              .orElseThrow();
+        });
+  }
+
+  private static String desk(PreviewWindow window) {
+    return Swing.get(
+        () ->
+            window
+                .session
+                .document()
+                .text(window.session.selection().orElseThrow())
+                .lines()
+                .findFirst()
+                .orElseThrow());
+  }
+
+  @Test
+  void aHandleOfTheSelectedAreaIsDraggedLiveAndIsOneStepOfUndoAndEscapeTakesItBack()
+      throws Exception {
+    try (PreviewWindow window = open()) {
+      Swing.edt(
+          () -> {
+            window.panel.grid(() -> new GridStep(0.5));
+            window.session.select(
+                window.session.enrichment().sensorsByName().get("Desk").element(), this);
+          });
+      window.await(frame -> frame.selected().isPresent());
+      String before = desk(window);
+      Vector2d from = handle(window, 1);
+      int x = (int) Math.round(from.x);
+      int y = (int) Math.round(from.y);
+      window.drag(x, y, x + 60, y);
+      Swing.edt(() -> {});
+      assertThat(desk(window)).as("nothing is written before the end").isEqualTo(before);
+      window.robot.keyPress(KeyEvent.VK_ESCAPE);
+      window.robot.keyRelease(KeyEvent.VK_ESCAPE);
+      window.drop();
+      assertThat(desk(window)).as("taken back").isEqualTo(before);
+      window.drag(x, y, x + 60, y);
+      window.drop();
+      assertThat(desk(window)).matches(".*size='[45](\\.5)? 3 3' center='[01](\\.[0-9]+)? 0 0'>");
+      assertThat(Swing.get(() -> window.session.document().history().names()))
+          .containsExactly("Resize Desk");
+      Swing.edt(() -> window.session.document().history().undo());
+      assertThat(desk(window)).isEqualTo(before);
+    }
+  }
+
+  @Test
+  void theRoomIsMeasuredAndThePlanDrawnByTheRunningScene() throws Exception {
+    Path scene =
+        Files.writeString(
+            folder.resolve("room.x3d"),
+            """
+            <X3D version='4.0'><Scene>
+              <Viewpoint position='0 1.6 0'/>
+              <Shape DEF='Room'><Box solid='false' size='6 3 4'/></Shape>
+              <Transform translation='0 1.5 0'><Shape><Box solid='false' size='6 3 4'/></Shape></Transform>
+              <Transform DEF='Table' translation='1 0.4 1'><Shape><Box size='1 0.8 1'/></Shape></Transform>
+            </Scene></X3D>
+            """);
+    try (PreviewWindow window = new PreviewWindow(scene)) {
+      window.awaitPicture();
+      SceneProbe probe = window.panel.probe();
+      Bounds room = answer(probe::room);
+      assertThat(room.minX()).isCloseTo(-3, within(1e-3));
+      assertThat(room.maxZ()).isCloseTo(2, within(1e-3));
+      assertThat(room.height()).isCloseTo(1.5, within(1e-3));
+      DocumentElement table =
+          Swing.get(() -> window.session.document().tree().orElseThrow().named("Table"))
+              .orElseThrow();
+      Bounds around = answer(answered -> probe.around(table, answered));
+      assertThat(around.width()).isCloseTo(3, within(1e-3));
+      assertThat(around.minY()).isLessThan(0.01);
+      Bounds raised = answer(answered -> probe.raised(new Bounds(-2, 1, -1, -1, 1, 0), answered));
+      assertThat(raised.minY()).isCloseTo(0, within(1e-3));
+      assertThat(raised.maxY()).isCloseTo(1.5, within(1e-3));
+      PlanPicture plan = answer(answered -> probe.plan(Optional.of(1.0), answered));
+      assertThat(plan.extent().width()).isCloseTo(6, within(1e-3));
+      assertThat(plan.walls()).as("a rectangle or two").hasSizeGreaterThanOrEqualTo(16);
+      int side = plan.image().getWidth();
+      assertThat(plan.image().getRGB(side / 2, plan.image().getHeight() / 2) >>> 24).isEqualTo(255);
+    }
+  }
+
+  private static <T> T answer(Consumer<Consumer<Optional<T>>> question) throws Exception {
+    CompletableFuture<Optional<T>> answer = new CompletableFuture<>();
+    Swing.edt(() -> question.accept(answer::complete));
+    return answer.get(60, TimeUnit.SECONDS).orElseThrow();
   }
 }

@@ -90,6 +90,23 @@ final class PreviewWindow implements AutoCloseable {
     settle();
   }
 
+  /** Drags from a place of the picture to another one, in its pixels, without letting go. */
+  void drag(int fromX, int fromY, int toX, int toY) {
+    takeKeyboard(5, 5);
+    Point origin = get(() -> panel.view().getLocationOnScreen());
+    robot.mouseMove(origin.x + fromX, origin.y + fromY);
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+    robot.mouseMove(origin.x + (fromX + toX) / 2, origin.y + (fromY + toY) / 2);
+    robot.mouseMove(origin.x + toX, origin.y + toY);
+    settle();
+  }
+
+  /** Lets go. */
+  void drop() {
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    settle();
+  }
+
   /**
    * Lets what was done arrive. Robot's own waiting for an idle queue can wait ten seconds in vain
    * at every step.

@@ -1,0 +1,171 @@
+package org.selectiverenderer.enricher.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.document.area.Areas;
+import org.selectiverenderer.enricher.Swing;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.GridSetting;
+import org.selectiverenderer.enricher.area.NameQuestion;
+import org.selectiverenderer.enricher.area.PlanPicture;
+import org.selectiverenderer.enricher.area.SceneProbe;
+import org.selectiverenderer.enricher.driving.Sessions;
+import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.settings.EnricherSettings;
+import org.selectiverenderer.geometry.Bounds;
+import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** The plan without a window: mouse events as Swing sends them. */
+@RequiresDisplay
+class PlanPanelTest {
+  private static final Bounds ROOM = new Bounds(-4, 0, -4, 4, 3, 4);
+
+  @TempDir Path folder;
+
+  /** A room 8 m wide with a ceiling at 3 m. */
+  private static final class Room implements SceneProbe {
+    @Override
+    public void around(DocumentElement element, Consumer<Optional<Bounds>> answer) {
+      answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void room(Consumer<Optional<Bounds>> answer) {
+      answer.accept(Optional.of(ROOM));
+    }
+
+    @Override
+    public void raised(Bounds of, Consumer<Optional<Bounds>> answer) {
+      answer.accept(Optional.of(new Bounds(of.minX(), 0, of.minZ(), of.maxX(), 3, of.maxZ())));
+    }
+
+    @Override
+    public void plan(Optional<Double> cut, Consumer<Optional<PlanPicture>> answer) {
+      BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_ARGB);
+      float[] walls = {-4, -4, -4, 4, 4, -4, 4, 4};
+      answer.accept(Optional.of(new PlanPicture(ROOM, image, walls, 1)));
+    }
+  }
+
+  private EnricherSession session;
+  private PlanPanel panel;
+  private PlanView view;
+
+  private void open(String nodes) throws Exception {
+    session = Sessions.with(folder, nodes);
+    NameQuestion question = (title, proposal, complaint) -> Optional.of(proposal);
+    GridSetting grid = new GridSetting(new EnricherSettings(folder));
+    Swing.edt(
+        () -> {
+          panel =
+              new PlanPanel(
+                  session, new AreaCommands(session, new Room(), question), question, grid);
+          panel.setSize(800, 700);
+          panel.doLayout();
+          for (Component each : panel.getComponents()) {
+            if (each instanceof PlanView found) {
+              view = found;
+            }
+          }
+          new Room().plan(Optional.empty(), plan -> view.show(plan.orElseThrow()));
+        });
+  }
+
+  private void mouse(int kind, double x, double z) {
+    PlanScale scale = view.scale();
+    boolean down = kind != MouseEvent.MOUSE_RELEASED;
+    view.dispatchEvent(
+        new MouseEvent(
+            view,
+            kind,
+            0,
+            down ? InputEvent.BUTTON1_DOWN_MASK : 0,
+            (int) Math.round(scale.toX(x)),
+            (int) Math.round(scale.toY(z)),
+            1,
+            false,
+            kind == MouseEvent.MOUSE_DRAGGED ? MouseEvent.NOBUTTON : MouseEvent.BUTTON1));
+  }
+
+  private void drag(double x, double z, double toX, double toZ) {
+    mouse(MouseEvent.MOUSE_PRESSED, x, z);
+    mouse(MouseEvent.MOUSE_DRAGGED, (x + toX) / 2, (z + toZ) / 2);
+    mouse(MouseEvent.MOUSE_DRAGGED, toX, toZ);
+  }
+
+  private void key(String stroke) {
+    Object action = view.getInputMap(JComponent.WHEN_FOCUSED).get(KeyStroke.getKeyStroke(stroke));
+    view.getActionMap().get(action).actionPerformed(null);
+  }
+
+  private String areas() {
+    StringBuilder all = new StringBuilder();
+    Areas.of(session.enrichment())
+        .forEach(
+            area -> {
+              Bounds b = area.box().bounds();
+              all.append(
+                  "%s %.1f..%.1f %.1f..%.1f %.1f..%.1f; "
+                      .formatted(
+                          area.name(), b.minX(), b.maxX(), b.minY(), b.maxY(), b.minZ(), b.maxZ()));
+            });
+    return all.toString();
+  }
+
+  @Test
+  void anAreaIsDrawnFromFloorToCeilingMovedToTheWallResizedAndTakenBack() throws Exception {
+    open("<Group/>\n");
+    Swing.edt(
+        () -> {
+          drag(-1.02, -1.98, 1.03, 1.01);
+          mouse(MouseEvent.MOUSE_RELEASED, 1.03, 1.01);
+          assertThat(areas()).isEqualTo("Area -1.0..1.0 0.0..3.0 -2.0..1.0; ");
+          assertThat(view.selected()).as("is chosen").isPresent();
+          drag(0.3, 0.3, 3.25, 0.3);
+          mouse(MouseEvent.MOUSE_RELEASED, 3.25, 0.3);
+          assertThat(areas()).as("at the wall").isEqualTo("Area 2.0..4.0 0.0..3.0 -2.0..1.0; ");
+          drag(2, 1, 1.5, 2.02);
+          mouse(MouseEvent.MOUSE_RELEASED, 1.5, 2.02);
+          assertThat(areas()).as("by a corner").isEqualTo("Area 1.5..4.0 0.0..3.0 -2.0..2.0; ");
+          drag(3, 0, 0, 0);
+          key("ESCAPE");
+          mouse(MouseEvent.MOUSE_DRAGGED, -1, 0);
+          mouse(MouseEvent.MOUSE_RELEASED, -1, 0);
+          assertThat(session.document().history().names())
+              .containsExactly("Add the area Area", "Move Area", "Resize Area");
+        });
+  }
+
+  @Test
+  void keysCopyMoveAndDeleteAreas() throws Exception {
+    open("<ProximitySensor DEF='A' center='0 1.5 0' size='2 3 2'/>\n");
+    Swing.edt(
+        () -> {
+          key("PAGE_DOWN");
+          key("ctrl C");
+          key("ctrl V");
+          assertThat(areas())
+              .isEqualTo("A -1.0..1.0 0.0..3.0 -1.0..1.0; A_2 -0.5..1.5 0.0..3.0 -0.5..1.5; ");
+          key("RIGHT");
+          assertThat(areas()).contains("A_2 -0.4..1.6");
+          key("PAGE_UP");
+          key("DELETE");
+          assertThat(areas()).startsWith("A_2 ");
+          drag(-3, -3, -3, -3);
+          mouse(MouseEvent.MOUSE_RELEASED, -3, -3);
+          assertThat(session.selection()).as("a click beside all").isEmpty();
+        });
+  }
+}
