@@ -37,7 +37,7 @@ final class WindowMenus {
     this.settings = settings;
     save = new Command("&Save", "ctrl S", window::save);
     saveAs = new Command("Save &As...", "ctrl shift S", window::saveAs);
-    merge = new Command(Texts.of("merge.command"), "", window::merge);
+    merge = new Command(Texts.of("merge.command"), "ctrl shift D", window::merge);
     changes = new Command("Show &Changes...", "ctrl D", window::showChanges);
     undo = new Command("&Undo", "ctrl Z", window::undo);
     redo = new Command("&Redo", "ctrl shift Z", window::redo);
