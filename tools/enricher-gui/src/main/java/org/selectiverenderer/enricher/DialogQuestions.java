@@ -81,7 +81,10 @@ final class DialogQuestions implements Questions {
             .map(
                 answer ->
                     switch (answer) {
-                      case KEEP -> Texts.of("merge.keep");
+                      case KEEP ->
+                          among.contains(OnDisk.OVERWRITE)
+                              ? Texts.of("keep.cancel")
+                              : Texts.of("merge.keep");
                       case OVERWRITE -> Texts.of("merge.overwrite");
                       case TAKE -> Texts.of("merge.take");
                       case MERGE -> Texts.of("merge.merge");

@@ -159,6 +159,7 @@ final class Saving {
       questions.tell(sentence);
       return;
     }
+    known = DiskState.CHANGED; // asked about now, and not again when the window has the focus
     List<OnDisk> possible = new ArrayList<>(List.of(OnDisk.KEEP, OnDisk.OVERWRITE));
     if (session.document().locked().isEmpty()) {
       possible.add(OnDisk.MERGE);

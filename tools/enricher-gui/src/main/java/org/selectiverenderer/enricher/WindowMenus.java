@@ -52,7 +52,7 @@ final class WindowMenus {
     this.settings = settings;
     save = command("menu.save", "ctrl S", window::save);
     saveAs = command("menu.saveas", "ctrl shift S", window::saveAs);
-    merge = command("merge.command", "", window::merge);
+    merge = command("merge.command", "ctrl shift D", window::merge);
     changes = command("menu.changes", "ctrl D", window::showChanges);
     undo = command("menu.undo", "ctrl Z", window::undo);
     redo = command("menu.redo", "ctrl shift Z", window::redo);
