@@ -131,8 +131,7 @@ class CompareTest {
       window.screenshot("compare-beside");
       Swing.edt(() -> window.panel.compare(CompareMode.OFF));
       PreviewFrame one = window.await(each -> each.compared().isEmpty());
-      assertThat(one.image().getWidth())
-          .isEqualTo(Swing.get(() -> window.panel.view().getWidth()));
+      assertThat(one.image().getWidth()).isEqualTo(Swing.get(() -> window.panel.view().getWidth()));
     }
   }
 
