@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.source;
 
+import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.beans.PropertyChangeListener;
 import java.util.List;
@@ -17,6 +18,7 @@ import javax.swing.text.BadLocationException;
 import net.miginfocom.swing.MigLayout;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rtextarea.ExpandedFoldRenderStrategy;
+import org.fife.ui.rtextarea.FoldIndicator;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.DocumentListener;
@@ -117,6 +119,11 @@ public final class SourcePanel {
     area.getAccessibleContext().setAccessibleName("Source of the scene");
     scroll.setFoldIndicatorEnabled(true);
     scroll.getGutter().setExpandedFoldRenderStrategy(ExpandedFoldRenderStrategy.ALWAYS);
+    for (Component each : scroll.getGutter().getComponents()) {
+      if (each instanceof FoldIndicator) {
+        each.getAccessibleContext().setAccessibleName(Texts.of("source.folds"));
+      }
+    }
     scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the source");
     scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the source");
   }

@@ -74,6 +74,7 @@ public final class SceneTreePanel {
     panel.add(search, "growx, wmin 0, wrap");
     panel.add(extent, "growx, wmin 0, wrap");
     waiting.setName("treeWaits");
+    waiting.getAccessibleContext().setAccessibleName(Texts.of("node.treeState"));
     waiting.setEditable(false);
     waiting.setFocusable(false);
     waiting.setOpaque(false);
