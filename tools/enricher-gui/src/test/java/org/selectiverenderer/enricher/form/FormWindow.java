@@ -87,7 +87,7 @@ final class FormWindow implements AutoCloseable {
     made.add(form, "growy");
     made.add(side, "wrap, growy, wmin 0");
     made.add(problems, "span, grow");
-    made.setBounds(20, 20, 1000, 800);
+    made.setBounds(20, 5, 1000, 990); // the fields of two choices are in view
     made.setVisible(true);
     return made;
   }

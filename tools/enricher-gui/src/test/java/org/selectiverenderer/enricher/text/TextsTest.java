@@ -28,7 +28,8 @@ class TextsTest {
   private static final Path SOURCES =
       Path.of("tools/enricher-gui/src/main/java/org/selectiverenderer/enricher");
   private static final Pattern ARGUMENT = Pattern.compile("\\{(\\d+)");
-  private static final Pattern USED = Pattern.compile("Texts\\.of\\(\\s*\"([a-z]+)\\.([^\"]+)\"");
+  private static final Pattern USED =
+      Pattern.compile("\\b(?:Texts\\.of|command|menu)\\(\\s*\"([a-z]+)\\.([^\"]+)\"");
 
   static List<String> bundles() throws IOException {
     try (Stream<Path> files = Files.list(FOLDER)) {
@@ -76,9 +77,10 @@ class TextsTest {
     for (Path source : sources) {
       Matcher used = USED.matcher(Files.readString(source));
       while (used.find()) {
+        String key = used.group(2);
         assertThat(read(used.group(1) + ".properties").stringPropertyNames())
             .as(source + " names " + used.group())
-            .contains(used.group(2));
+            .anyMatch(each -> key.endsWith(".") ? each.startsWith(key) : each.equals(key));
       }
     }
   }
