@@ -200,7 +200,7 @@ class AreaEditsTest {
     same(copy.box(), 0.5, 0, 0, 2, 2, 2);
     assertThat(copy.schemas().enter()).containsExactly("Desk");
     List<PlacedArea> all = PlacedAreas.of(scene.enrichment);
-    assertThat(PlacedAreas.parts(copy, all)).extracting(Area::name).containsExactly("A");
+    assertThat(PlacedAreas.parts(copy, all)).extracting(PlacedArea::name).containsExactly("A");
     assertThat(PlacedAreas.overlaps(copy, all))
         .extracting(each -> each.other().name())
         .containsExactly("B", "C");
