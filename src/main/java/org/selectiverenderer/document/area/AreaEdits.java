@@ -128,14 +128,14 @@ public final class AreaEdits {
    *
    * @param name of the step, such as {@code Move Desk}
    */
-  public Edit place(Area area, AreaBox box, String name) {
+  public Edit place(PlacedArea area, AreaBox box, String name) {
     sound(box);
     DocumentElement sensor = area.element();
     Vector3d centre = vector(area.frame().ownCentre(box));
     Vector3d size = vector(area.frame().ownSize(box));
     List<TextChange> changes = new ArrayList<>();
-    float[] oldCentre = Areas.centre(sensor);
-    float[] oldSize = Areas.size(sensor);
+    float[] oldCentre = PlacedAreas.centre(sensor);
+    float[] oldSize = PlacedAreas.size(sensor);
     if (differs(centre, oldCentre, size)) {
       changes.add(document.layout().attribute(sensor, "center", text(centre, oldCentre, size)));
     }
@@ -146,10 +146,9 @@ public final class AreaEdits {
   }
 
   /** Puts a copy of an area with its schemas beside it: another part of the same area. */
-  public Edit copy(Area area, String name, Vector3dc shift) {
+  public Edit copy(PlacedArea area, String name, Vector3dc shift) {
     List<TextChange> moved = place(area, area.box().movedBy(shift), "").changes();
-    return new Edit(
-        "Copy " + area.name(), List.of(nodes.copied(area.element(), name, moved)));
+    return new Edit("Copy " + area.name(), List.of(nodes.copied(area.element(), name, moved)));
   }
 
   private static Vector3d vector(float[] of) {

@@ -7,8 +7,8 @@
  * from the text alone. A box stays a box in it: its sides keep to the sensor's own axes, each of
  * which is counted to the axis of the scene that it is nearest to, so that "width" is what the
  * author sees as width under a Transform that turns by 90 degrees too. {@link
- * org.selectiverenderer.document.area.Areas} lists all areas, which of them lie over each other and
- * which have the same schemas, that is, are parts of one area; {@link
+ * org.selectiverenderer.document.area.PlacedAreas} lists all areas, which of them lie over each
+ * other and which have the same schemas, that is, are parts of one area; {@link
  * org.selectiverenderer.document.area.AreaEdits} adds, places and copies them; {@link
  * org.selectiverenderer.document.area.GridStep} snaps lengths.
  *

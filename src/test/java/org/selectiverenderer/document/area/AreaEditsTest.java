@@ -26,8 +26,8 @@ class AreaEditsTest {
         <ROUTE fromNode='x' fromField='y' toNode='z' toField='w'/>
       """;
 
-  private static Area area(Scenes scene, String name) {
-    return Areas.of(scene.enrichment, scene.sensor(name)).orElseThrow();
+  private static PlacedArea area(Scenes scene, String name) {
+    return PlacedAreas.of(scene.enrichment, scene.sensor(name)).orElseThrow();
   }
 
   private static AreaBox box(double... b) {
@@ -46,9 +46,14 @@ class AreaEditsTest {
   @Test
   void anAreaUnderTransformsIsABoxOfTheSceneAndCanBePutElsewhere() {
     Scenes scene = Scenes.with(LIBRARY);
-    Area library = area(scene, "BookcaseProx");
+    PlacedArea library = area(scene, "BookcaseProx");
     same(
-        library.box(), 3.744, -1.93 + 2.368 * 0.8219, -1.107, 1.078 * 2.643, 2.368 * 1.644,
+        library.box(),
+        3.744,
+        -1.93 + 2.368 * 0.8219,
+        -1.107,
+        1.078 * 2.643,
+        2.368 * 1.644,
         1.338 * 3.159);
     assertThat(library.frame().turned()).isFalse();
     AreaEdits edits = new AreaEdits(scene.enrichment);
@@ -69,7 +74,7 @@ class AreaEditsTest {
     Scenes scene =
         Scenes.with("<ProximitySensor DEF='P' center=\"1.23456 0 0.0\" size='2 2 2.00'/>\n");
     AreaEdits edits = new AreaEdits(scene.enrichment);
-    Area area = area(scene, "P");
+    PlacedArea area = area(scene, "P");
     assertThat(edits.place(area, area.box(), "x").isEmpty()).isTrue();
     scene.perform(edits.place(area, area.box().movedBy(new Vector3d(0, 1, 0)), "Move P"));
     assertThat(scene.nodes())
@@ -89,18 +94,18 @@ class AreaEditsTest {
             </Transform>
             <Billboard><ProximitySensor DEF='Unknown' size='1 2 3'/></Billboard>
             """);
-    Area right = area(scene, "Right");
+    PlacedArea right = area(scene, "Right");
     assertThat(right.frame().turned()).isFalse();
     same(right.box(), 0, 0, 0, 6, 2, 1);
     AreaEdits edits = new AreaEdits(scene.enrichment);
     scene.perform(edits.place(right, box(0, 0, 0, 4, 2, 1), "Resize"));
     same(area(scene, "Right").box(), 0, 0, 0, 4, 2, 1);
-    Area turned = area(scene, "Turned");
+    PlacedArea turned = area(scene, "Turned");
     assertThat(turned.frame().turned()).isTrue();
     same(turned.box(), 9, 0, 0, 1, 2, 3);
     near(turned.frame().direction(0), Math.cos(0.5), 0, -Math.sin(0.5));
-    assertThat(Areas.of(scene.enrichment, scene.sensor("Unknown"))).isEmpty();
-    assertThat(Areas.of(scene.enrichment)).hasSize(2);
+    assertThat(PlacedAreas.of(scene.enrichment, scene.sensor("Unknown"))).isEmpty();
+    assertThat(PlacedAreas.of(scene.enrichment)).hasSize(2);
   }
 
   @Test
@@ -163,8 +168,8 @@ class AreaEditsTest {
   @Test
   void areasThatLieOverEachOtherAreFoundWithWhatTheyShare() {
     Scenes scene = Scenes.with(TWO);
-    List<Areas.Overlap> overlaps =
-        Areas.overlaps(area(scene, "B"), Areas.of(scene.enrichment));
+    List<PlacedAreas.Overlap> overlaps =
+        PlacedAreas.overlaps(area(scene, "B"), PlacedAreas.of(scene.enrichment));
     assertThat(overlaps).extracting(each -> each.other().name()).containsExactly("A", "C");
     assertThat(overlaps.get(0).volume()).isCloseTo(4, within(1e-6));
     assertThat(overlaps.get(0).around()).isFalse();
@@ -176,7 +181,10 @@ class AreaEditsTest {
             <ProximitySensor DEF='A' size='2 2 2'/>
             <Transform rotation='0 1 0 0.7853982'><ProximitySensor DEF='B' size='2 2 2'/></Transform>
             """);
-    assertThat(Areas.overlaps(area(turned, "A"), Areas.of(turned.enrichment)).get(0).volume())
+    assertThat(
+            PlacedAreas.overlaps(area(turned, "A"), PlacedAreas.of(turned.enrichment))
+                .get(0)
+                .volume())
         .as("an octagon")
         .isCloseTo(2 * 8 * (Math.sqrt(2) - 1), within(0.1));
   }
@@ -188,12 +196,12 @@ class AreaEditsTest {
         scene.edits().sensor(scene.sensor("A"), new SensorSchemas(List.of("Desk"), List.of())));
     AreaEdits edits = new AreaEdits(scene.enrichment);
     scene.perform(edits.copy(area(scene, "A"), "A_2", new Vector3d(0.5, 0, 0)));
-    Area copy = area(scene, "A_2");
+    PlacedArea copy = area(scene, "A_2");
     same(copy.box(), 0.5, 0, 0, 2, 2, 2);
     assertThat(copy.schemas().enter()).containsExactly("Desk");
-    List<Area> all = Areas.of(scene.enrichment);
-    assertThat(Areas.parts(copy, all)).extracting(Area::name).containsExactly("A");
-    assertThat(Areas.overlaps(copy, all))
+    List<PlacedArea> all = PlacedAreas.of(scene.enrichment);
+    assertThat(PlacedAreas.parts(copy, all)).extracting(PlacedArea::name).containsExactly("A");
+    assertThat(PlacedAreas.overlaps(copy, all))
         .extracting(each -> each.other().name())
         .containsExactly("B", "C");
     assertThat(scene.nodes()).contains("    <MetadataSet", "DEF='MetadataSet_ADefinition_2'");

@@ -5,10 +5,10 @@ import java.util.function.Supplier;
 import org.joml.Vector3d;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
-import org.selectiverenderer.document.area.Area;
 import org.selectiverenderer.document.area.AreaBox;
 import org.selectiverenderer.document.area.AreaEdits;
-import org.selectiverenderer.document.area.Areas;
+import org.selectiverenderer.document.area.PlacedArea;
+import org.selectiverenderer.document.area.PlacedAreas;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.nodes.NodeEdits;
 import org.selectiverenderer.document.switches.SwitchEdits;
@@ -42,12 +42,12 @@ public final class NodeCommands {
   }
 
   /** The area that an element is, if it is one whose place is known. */
-  public Optional<Area> area(DocumentElement element) {
+  public Optional<PlacedArea> area(DocumentElement element) {
     return element.attached()
         ? session
             .enrichment()
             .sensorNode(element)
-            .flatMap(sensor -> Areas.of(session.enrichment(), sensor))
+            .flatMap(sensor -> PlacedAreas.of(session.enrichment(), sensor))
         : Optional.empty();
   }
 
@@ -119,7 +119,7 @@ public final class NodeCommands {
   /** Puts a copy of a node beside it and selects it; an area a little aside, so that it is seen. */
   public void copy(DocumentElement node, Object origin) {
     String name = free(node.def().orElse(node.name()));
-    Optional<Area> area = area(node);
+    Optional<PlacedArea> area = area(node);
     if (area.isPresent()) {
       Vector3d aside = new Vector3d(area.get().box().size().x() * BESIDE, 0, 0);
       perform(() -> areas.copy(area.get(), name, aside), name, origin);
@@ -129,7 +129,7 @@ public final class NodeCommands {
   }
 
   /** Puts a copy of an area where it is wanted and selects it. */
-  public void copy(Area area, Vector3d shift, Object origin) {
+  public void copy(PlacedArea area, Vector3d shift, Object origin) {
     String name = free(area.name());
     perform(() -> areas.copy(area, name, shift), name, origin);
   }
@@ -146,8 +146,7 @@ public final class NodeCommands {
    */
   public boolean place(DocumentElement sensor, AreaBox box, String verb) {
     return area(sensor)
-        .map(
-            area -> perform(() -> areas.place(area, box, Texts.of("area." + verb, area.name()))))
+        .map(area -> perform(() -> areas.place(area, box, Texts.of("area." + verb, area.name()))))
         .orElse(false);
   }
 

@@ -14,9 +14,9 @@ import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.base.decimal.DecimalText;
-import org.selectiverenderer.document.area.Area;
 import org.selectiverenderer.document.area.AreaBox;
-import org.selectiverenderer.document.area.Areas;
+import org.selectiverenderer.document.area.PlacedArea;
+import org.selectiverenderer.document.area.PlacedAreas;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
@@ -126,7 +126,7 @@ final class BoxFields {
     if (input instanceof Input.Wrong<Double> wrong) {
       return Optional.of(wrong.why());
     }
-    Optional<Area> area = nodes.area(element);
+    Optional<PlacedArea> area = nodes.area(element);
     if (area.isEmpty()) {
       return Optional.empty();
     }
@@ -148,7 +148,7 @@ final class BoxFields {
 
   /** Says what the numbers are and what else is there. */
   void follow() {
-    Optional<Area> area = nodes.area(element);
+    Optional<PlacedArea> area = nodes.area(element);
     say(frame, area.map(BoxFields::about).orElseGet(this::unknown));
     say(relations, area.map(this::relations).orElse(""));
   }
@@ -165,7 +165,7 @@ final class BoxFields {
     return Texts.of("area.box.unknown", element.parent().map(String::valueOf).orElse(""));
   }
 
-  private static String about(Area area) {
+  private static String about(PlacedArea area) {
     List<String> lines = new ArrayList<>();
     lines.add(Texts.of("area.box.metres"));
     if (!area.frame().transforms().isEmpty()) {
@@ -179,12 +179,12 @@ final class BoxFields {
     return String.join(". ", lines) + ".";
   }
 
-  private String relations(Area area) {
-    List<Area> all = Areas.of(session.enrichment());
+  private String relations(PlacedArea area) {
+    List<PlacedArea> all = PlacedAreas.of(session.enrichment());
     List<String> lines = new ArrayList<>();
-    Areas.parts(area, all).forEach(part -> lines.add(Texts.of("area.part", part.name())));
-    List<Areas.Overlap> overlaps = Areas.overlaps(area, all);
-    for (Areas.Overlap overlap : overlaps) {
+    PlacedAreas.parts(area, all).forEach(part -> lines.add(Texts.of("area.part", part.name())));
+    List<PlacedAreas.Overlap> overlaps = PlacedAreas.overlaps(area, all);
+    for (PlacedAreas.Overlap overlap : overlaps) {
       String key =
           overlap.within()
               ? "area.overlap.within"

@@ -12,8 +12,8 @@ import java.util.OptionalDouble;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.area.Area;
 import org.selectiverenderer.document.area.AreaBox;
+import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NodeCommands;
@@ -47,7 +47,7 @@ final class PlanHands extends MouseAdapter {
   private boolean shifting;
   private boolean dragged;
   private boolean ended;
-  private @Nullable Area area;
+  private @Nullable PlacedArea area;
   private @Nullable PlanDrag drag;
 
   PlanHands(
@@ -83,7 +83,7 @@ final class PlanHands extends MouseAdapter {
     return session.document().locked().isEmpty() && session.document().fault().isEmpty();
   }
 
-  private Optional<Area> at(double x, double y) {
+  private Optional<PlacedArea> at(double x, double y) {
     return view.hitOrder().stream()
         .filter(each -> view.scale().rectangle(PlanView.bounds(each)).contains(x, y))
         .findFirst();
@@ -91,7 +91,7 @@ final class PlanHands extends MouseAdapter {
 
   /** The grip of the selected area at a place; sides of X and Z. */
   private Optional<int[]> grip(double x, double y) {
-    Optional<Area> selected = view.selected().filter(each -> !each.frame().turned());
+    Optional<PlacedArea> selected = view.selected().filter(each -> !each.frame().turned());
     if (selected.isEmpty()) {
       return Optional.empty();
     }
@@ -225,7 +225,7 @@ final class PlanHands extends MouseAdapter {
   @Override
   public void mouseReleased(MouseEvent event) {
     Optional<Bounds> done = view.drawing();
-    Area changed = area;
+    PlacedArea changed = area;
     PlanDrag of = drag;
     boolean still = !dragged;
     cancel();
@@ -248,7 +248,7 @@ final class PlanHands extends MouseAdapter {
   }
 
   /** A turned area keeps its own size. */
-  private static AreaBox placed(Area area, PlanDrag drag, Bounds now) {
+  private static AreaBox placed(PlacedArea area, PlanDrag drag, Bounds now) {
     Vector3d shift =
         new Vector3d(now.minX() - drag.start().minX(), 0, now.minZ() - drag.start().minZ());
     return area.frame().turned() || drag.sideX() == 0 && drag.sideZ() == 0

@@ -6,7 +6,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.document.area.Area;
+import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.NameQuestion;
 import org.selectiverenderer.enricher.text.Texts;
@@ -17,7 +17,7 @@ final class PlanMenu {
   private final PlanView view;
   private final AreaCommands commands;
   private final NameQuestion question;
-  private @Nullable Area copied;
+  private @Nullable PlacedArea copied;
 
   PlanMenu(PlanView view, AreaCommands commands, NameQuestion question) {
     this.view = view;
@@ -37,9 +37,11 @@ final class PlanMenu {
     copied = view.selected().orElse(copied);
   }
 
-  /** A copy where the plan is looked at: in its middle, or beside the copied one if that is seen. */
+  /**
+   * A copy where the plan is looked at: in its middle, or beside the copied one if that is seen.
+   */
   void paste() {
-    Area from = copied;
+    PlacedArea from = copied;
     if (from == null || !from.element().attached()) {
       return;
     }
@@ -56,7 +58,7 @@ final class PlanMenu {
   }
 
   void show(int x, int y) {
-    Optional<Area> selected = view.selected();
+    Optional<PlacedArea> selected = view.selected();
     JPopupMenu menu = new JPopupMenu();
     if (selected.isPresent()) {
       menu.add(item("area.rename", "F2", this::rename));

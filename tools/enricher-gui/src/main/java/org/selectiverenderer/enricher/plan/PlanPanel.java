@@ -18,8 +18,8 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.selectiverenderer.document.DocumentListener;
-import org.selectiverenderer.document.area.Area;
-import org.selectiverenderer.document.area.Areas;
+import org.selectiverenderer.document.area.PlacedArea;
+import org.selectiverenderer.document.area.PlacedAreas;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.area.NameQuestion;
@@ -48,7 +48,7 @@ public final class PlanPanel extends JPanel {
   private final JLabel hint = new JLabel(Texts.of("area.plan.hint"));
   private final Timer later = new Timer(PAUSE, event -> refresh());
   private transient Optional<Double> height = Optional.empty();
-  private transient List<Area> areas = List.of();
+  private transient List<PlacedArea> areas = List.of();
   private transient long read = -1;
   private boolean filling;
 
@@ -176,7 +176,7 @@ public final class PlanPanel extends JPanel {
 
   /** Selects another area, counted in the order of the document. */
   private void next(int by) {
-    List<Area> all = areas();
+    List<PlacedArea> all = areas();
     if (!all.isEmpty()) {
       int now = view.selected().map(all::indexOf).orElse(by > 0 ? -1 : 0);
       session.select(all.get(Math.floorMod(now + by, all.size())).element(), this);
@@ -203,10 +203,10 @@ public final class PlanPanel extends JPanel {
     view.grid(grid.step().step());
   }
 
-  private List<Area> areas() {
+  private List<PlacedArea> areas() {
     if (read != session.document().revision()) {
       read = session.document().revision();
-      areas = Areas.of(session.enrichment());
+      areas = PlacedAreas.of(session.enrichment());
     }
     return areas;
   }

@@ -23,7 +23,7 @@ import javax.swing.UIManager;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalText;
-import org.selectiverenderer.document.area.Area;
+import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.enricher.area.PlanPicture;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.Bounds;
@@ -42,15 +42,15 @@ final class PlanView extends JComponent implements Accessible {
   /** Lines of the grid nearer than this would be a grey. */
   private static final double CLOSEST = 7;
 
-  private final transient Supplier<List<Area>> areas;
+  private final transient Supplier<List<PlacedArea>> areas;
   private final transient Supplier<Optional<DocumentElement>> selection;
   private transient @Nullable PlanPicture picture;
   private transient @Nullable PlanScale scale;
   private transient @Nullable Bounds drawn;
-  private transient @Nullable Area moved;
+  private transient @Nullable PlacedArea moved;
   private double grid;
 
-  PlanView(Supplier<List<Area>> areas, Supplier<Optional<DocumentElement>> selection) {
+  PlanView(Supplier<List<PlacedArea>> areas, Supplier<Optional<DocumentElement>> selection) {
     this.areas = areas;
     this.selection = selection;
     setFocusable(true);
@@ -115,7 +115,7 @@ final class PlanView extends JComponent implements Accessible {
    * @param rectangle null for none
    * @param of null for a new one
    */
-  void drawing(@Nullable Bounds rectangle, @Nullable Area of) {
+  void drawing(@Nullable Bounds rectangle, @Nullable PlacedArea of) {
     drawn = rectangle;
     moved = of;
     repaint();
@@ -126,8 +126,8 @@ final class PlanView extends JComponent implements Accessible {
   }
 
   /** The areas, the selected one first, then the smallest first: in the order of being hit. */
-  List<Area> hitOrder() {
-    List<Area> all = new ArrayList<>(areas.get());
+  List<PlacedArea> hitOrder() {
+    List<PlacedArea> all = new ArrayList<>(areas.get());
     all.sort(
         (a, b) ->
             selected(a) != selected(b)
@@ -136,21 +136,21 @@ final class PlanView extends JComponent implements Accessible {
     return all;
   }
 
-  private static double ground(Area area) {
+  private static double ground(PlacedArea area) {
     Bounds bounds = bounds(area);
     return bounds.width() * bounds.depth();
   }
 
-  boolean selected(Area area) {
+  boolean selected(PlacedArea area) {
     return selection.get().filter(element -> element == area.element()).isPresent();
   }
 
-  Optional<Area> selected() {
+  Optional<PlacedArea> selected() {
     return areas.get().stream().filter(this::selected).findFirst();
   }
 
   /** The bounds of an area in the scene, turned or not. */
-  static Bounds bounds(Area area) {
+  static Bounds bounds(PlacedArea area) {
     return area.solid().map(solid -> solid.bounds()).orElse(area.box().bounds());
   }
 
@@ -234,7 +234,7 @@ final class PlanView extends JComponent implements Accessible {
     }
   }
 
-  private void paint(Graphics2D g, PlanScale at, Area area) {
+  private void paint(Graphics2D g, PlanScale at, PlacedArea area) {
     boolean selected = selected(area);
     boolean busy = moved != null && moved.element() == area.element();
     Color colour = selected ? SELECTED : AREA;

@@ -7,9 +7,9 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector4d;
-import org.selectiverenderer.document.area.Area;
 import org.selectiverenderer.document.area.AreaBox;
 import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.runtime.camera.Camera;
 
 /**
@@ -23,7 +23,7 @@ import org.selectiverenderer.runtime.camera.Camera;
  * @param x where the drag began
  * @param y likewise
  */
-record AreaDrag(Area area, int handle, Camera camera, double x, double y) {
+record AreaDrag(PlacedArea area, int handle, Camera camera, double x, double y) {
   static final int MIDDLE = 6;
   static final int HANDLES = 7;
 
@@ -42,7 +42,7 @@ record AreaDrag(Area area, int handle, Camera camera, double x, double y) {
   }
 
   /** Where a handle of an area is in the scene. */
-  static Vector3d place(Area area, int handle) {
+  static Vector3d place(PlacedArea area, int handle) {
     Vector3d at = new Vector3d(area.box().centre());
     if (handle != MIDDLE) {
       int axis = handle / 2;
@@ -78,8 +78,7 @@ record AreaDrag(Area area, int handle, Camera camera, double x, double y) {
     pulled = grid.nearest(edge + pulled) - edge;
     double grown = Math.max(sign() * pulled, Math.min(LEAST, size) - size);
     Vector3d newSize = new Vector3d(area.box().size()).setComponent(axis(), size + grown);
-    Vector3d centre =
-        new Vector3d(area.box().centre()).fma(sign() * grown / 2, direction);
+    Vector3d centre = new Vector3d(area.box().centre()).fma(sign() * grown / 2, direction);
     return new AreaBox(centre, newSize);
   }
 

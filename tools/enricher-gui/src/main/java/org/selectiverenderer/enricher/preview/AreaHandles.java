@@ -18,9 +18,9 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalText;
-import org.selectiverenderer.document.area.Area;
 import org.selectiverenderer.document.area.AreaBox;
 import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
@@ -54,7 +54,7 @@ final class AreaHandles extends MouseAdapter {
   /** Shows a box in the running scene. */
   @FunctionalInterface
   interface LiveBox {
-    void show(Area area, AreaBox box);
+    void show(PlacedArea area, AreaBox box);
   }
 
   AreaHandles(PictureView view, EnricherSession session, Supplier<GridStep> grid, LiveBox live) {
@@ -85,7 +85,7 @@ final class AreaHandles extends MouseAdapter {
     view.repaint();
   }
 
-  private Optional<Area> area() {
+  private Optional<PlacedArea> area() {
     boolean looking =
         view.frame().filter(frame -> !frame.walking()).isPresent()
             && session.document().locked().isEmpty();
@@ -93,7 +93,7 @@ final class AreaHandles extends MouseAdapter {
   }
 
   /** The handle at a position of the view; the nearest one of several, -1 for none. */
-  private int at(Area area, PreviewFrame frame, double x, double y) {
+  private int at(PlacedArea area, PreviewFrame frame, double x, double y) {
     double scale = view.scale();
     int found = -1;
     double nearest = REACH;
@@ -119,7 +119,7 @@ final class AreaHandles extends MouseAdapter {
   }
 
   private int handle(MouseEvent event) {
-    Optional<Area> area = area();
+    Optional<PlacedArea> area = area();
     return area.isPresent()
         ? at(area.get(), view.frame().orElseThrow(), event.getX(), event.getY())
         : -1;
@@ -131,7 +131,7 @@ final class AreaHandles extends MouseAdapter {
     hot = handle(event);
     if (hot >= 0 && SwingUtilities.isLeftMouseButton(event)) {
       view.requestFocusInWindow();
-      Area area = area().orElseThrow();
+      PlacedArea area = area().orElseThrow();
       double scale = view.scale();
       drag =
           new AreaDrag(
@@ -184,16 +184,16 @@ final class AreaHandles extends MouseAdapter {
   }
 
   private void paint(Graphics2D g, PreviewFrame frame) {
-    Optional<Area> selected = area();
+    Optional<PlacedArea> selected = area();
     if (selected.isEmpty()) {
       return;
     }
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    Area area = selected.get();
-    Area now =
+    PlacedArea area = selected.get();
+    PlacedArea now =
         drag == null
             ? area
-            : new Area(
+            : new PlacedArea(
                 area.element(),
                 area.name(),
                 area.schemas(),
@@ -228,7 +228,7 @@ final class AreaHandles extends MouseAdapter {
     g.draw(shape);
   }
 
-  private static String says(AreaDrag drag, Area now) {
+  private static String says(AreaDrag drag, PlacedArea now) {
     if (drag.handle() == AreaDrag.MIDDLE) {
       Vector3d by = now.box().centre().sub(drag.area().box().centre(), new Vector3d());
       return Texts.of("area.handle.moved", metres(by.x), metres(by.y), metres(by.z));

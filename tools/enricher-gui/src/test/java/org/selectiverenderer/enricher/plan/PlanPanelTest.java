@@ -13,7 +13,7 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.area.Areas;
+import org.selectiverenderer.document.area.PlacedAreas;
 import org.selectiverenderer.enricher.Swing;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
@@ -112,7 +112,7 @@ class PlanPanelTest {
 
   private String areas() {
     StringBuilder all = new StringBuilder();
-    Areas.of(session.enrichment())
+    PlacedAreas.of(session.enrichment())
         .forEach(
             area -> {
               Bounds b = area.box().bounds();

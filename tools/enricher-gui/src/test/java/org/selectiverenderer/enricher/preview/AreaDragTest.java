@@ -11,10 +11,10 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.document.area.Area;
 import org.selectiverenderer.document.area.AreaBox;
-import org.selectiverenderer.document.area.Areas;
 import org.selectiverenderer.document.area.GridStep;
+import org.selectiverenderer.document.area.PlacedArea;
+import org.selectiverenderer.document.area.PlacedAreas;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.runtime.camera.Camera;
@@ -25,9 +25,9 @@ class AreaDragTest {
 
   @TempDir Path folder;
 
-  private Area area(String nodes) throws IOException {
+  private PlacedArea area(String nodes) throws IOException {
     EnricherSession session = Sessions.with(folder, nodes);
-    return Areas.of(session.enrichment()).get(0);
+    return PlacedAreas.of(session.enrichment()).get(0);
   }
 
   /** From the front, the right and above. */
@@ -46,7 +46,8 @@ class AreaDragTest {
   }
 
   /** Drags a handle to where a place of the scene is seen. */
-  private static AreaBox dragged(Area area, int handle, Vector3d to, Camera camera, double step) {
+  private static AreaBox dragged(
+      PlacedArea area, int handle, Vector3d to, Camera camera, double step) {
     Vector2d from = pixel(AreaDrag.place(area, handle), camera);
     Vector2d now = pixel(to, camera);
     return new AreaDrag(area, handle, camera, from.x, from.y).at(now.x, now.y, new GridStep(step));
@@ -58,7 +59,7 @@ class AreaDragTest {
 
   @Test
   void aFaceFollowsThePointerAlongItsDirectionAndTheOppositeOneStays() throws IOException {
-    Area area = area("<ProximitySensor DEF='A' size='2 2 2'/>\n");
+    PlacedArea area = area("<ProximitySensor DEF='A' size='2 2 2'/>\n");
     Camera camera = camera(5, 4, 8);
     AreaBox wider = dragged(area, 1, new Vector3d(2.23, 0, 0), camera, 0);
     near(wider.size(), 3.23, 2, 2);
@@ -74,7 +75,7 @@ class AreaDragTest {
 
   @Test
   void theMiddleMovesOverTheGroundFromAboveAndUpAndDownFromTheSide() throws IOException {
-    Area area = area("<ProximitySensor DEF='A' size='2 2 2'/>\n");
+    PlacedArea area = area("<ProximitySensor DEF='A' size='2 2 2'/>\n");
     AreaBox over =
         dragged(area, AreaDrag.MIDDLE, new Vector3d(1.02, 0, 0.47), camera(3, 6, 6), 0.5);
     near(over.centre(), 1, 0, 0.5);
@@ -84,7 +85,7 @@ class AreaDragTest {
 
   @Test
   void aTurnedAreaGrowsAlongItsOwnSide() throws IOException {
-    Area area =
+    PlacedArea area =
         area(
             "<Transform rotation='0 1 0 0.5' scale='2 2 2'>"
                 + "<ProximitySensor DEF='A' size='1 1 1'/></Transform>\n");

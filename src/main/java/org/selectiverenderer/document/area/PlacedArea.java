@@ -17,7 +17,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * @param elsewhere names of groups around it that also stand at other places by USE, and take it
  *     along
  */
-public record Area(
+public record PlacedArea(
     DocumentElement element,
     String name,
     SensorSchemas schemas,
@@ -25,7 +25,7 @@ public record Area(
     AreaBox box,
     Optional<SensorBox> solid,
     List<String> elsewhere) {
-  public Area {
+  public PlacedArea {
     elsewhere = List.copyOf(elsewhere);
   }
 

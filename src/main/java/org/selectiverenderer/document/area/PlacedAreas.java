@@ -13,21 +13,21 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 
 /** The areas of a document as it is now. */
-public final class Areas {
+public final class PlacedAreas {
   /** Places on each side of a box at which it is asked whether a turned one is there too. */
   private static final int SAMPLES = 48;
 
-  private Areas() {}
+  private PlacedAreas() {}
 
   /** All areas whose place the text gives, in document order. */
-  public static List<Area> of(Enrichment enrichment) {
-    List<Area> areas = new ArrayList<>();
+  public static List<PlacedArea> of(Enrichment enrichment) {
+    List<PlacedArea> areas = new ArrayList<>();
     enrichment.sensors().forEach(sensor -> of(enrichment, sensor).ifPresent(areas::add));
     return areas;
   }
 
   /** The area that a sensor is; empty where the text does not give its place. */
-  public static Optional<Area> of(Enrichment enrichment, EnrichedSensor sensor) {
+  public static Optional<PlacedArea> of(Enrichment enrichment, EnrichedSensor sensor) {
     DocumentElement element = sensor.element();
     ElementTree tree = enrichment.document().tree().orElseThrow();
     return AreaFrame.of(element)
@@ -35,7 +35,7 @@ public final class Areas {
             frame -> {
               float[] centre = centre(element);
               float[] size = size(element);
-              return new Area(
+              return new PlacedArea(
                   element,
                   sensor.name(),
                   sensor.schemas(),
@@ -65,7 +65,7 @@ public final class Areas {
   }
 
   /** The other sensors that activate just the same: parts of one area. */
-  public static List<Area> parts(Area area, List<Area> all) {
+  public static List<PlacedArea> parts(PlacedArea area, List<PlacedArea> all) {
     return all.stream()
         .filter(other -> other.element() != area.element())
         .filter(other -> area.enriched() && other.schemas().equals(area.schemas()))
@@ -79,13 +79,13 @@ public final class Areas {
    * @param within whether all of the area lies in the other one
    * @param around whether all of the other one lies in the area
    */
-  public record Overlap(Area other, double volume, boolean within, boolean around) {}
+  public record Overlap(PlacedArea other, double volume, boolean within, boolean around) {}
 
   /** The areas that lie over an area, parts of the same area left out. */
-  public static List<Overlap> overlaps(Area area, List<Area> all) {
-    List<Area> parts = parts(area, all);
+  public static List<Overlap> overlaps(PlacedArea area, List<PlacedArea> all) {
+    List<PlacedArea> parts = parts(area, all);
     List<Overlap> found = new ArrayList<>();
-    for (Area other : all) {
+    for (PlacedArea other : all) {
       if (other.element() != area.element() && !parts.contains(other)) {
         overlap(area, other).ifPresent(found::add);
       }
@@ -93,7 +93,7 @@ public final class Areas {
     return found;
   }
 
-  private static Optional<Overlap> overlap(Area area, Area other) {
+  private static Optional<Overlap> overlap(PlacedArea area, PlacedArea other) {
     if (area.solid().isEmpty() || other.solid().isEmpty()) {
       return Optional.empty();
     }
@@ -106,7 +106,7 @@ public final class Areas {
         new Overlap(other, volume(area, other), two.contains(one), one.contains(two)));
   }
 
-  private static double volume(Area area, Area other) {
+  private static double volume(PlacedArea area, PlacedArea other) {
     Bounds a = area.solid().orElseThrow().bounds();
     Bounds b = other.solid().orElseThrow().bounds();
     Bounds both =
