@@ -34,8 +34,8 @@
  * tables).
  *
  * <p>In: bytes of a file, edits. Out: text, elements, bytes. Uses {@code x3d}, {@code base.problem}
- * and {@code base.files}; the packages within also {@code schema}, {@code geometry}, {@code polygon}
- * and the rest of {@code base}. No AWT, no GL, no running scene.
+ * and {@code base.files}; the packages within also {@code schema}, {@code geometry}, {@code
+ * polygon} and the rest of {@code base}. No AWT, no GL, no running scene.
  */
 @NullMarked
 package org.selectiverenderer.document;

@@ -13,12 +13,20 @@ import org.lwjgl.system.SharedLibrary;
  * both ask the environment how much to say. Java cannot set that of its own process, so the C
  * library does, before the loader is loaded. What the user has set is kept.
  *
- * <p>Monado's levels end at {@code error} (its {@code debug_string_to_log_level}; an unknown word is
- * its default, which says more): what its client says when the service dies stays.
+ * <p>Monado's levels end at {@code error} (its {@code debug_string_to_log_level}; an unknown word
+ * is its default, which says more): what its client says when the service dies stays.
  */
 final class LoaderNoise {
   private static final Map<String, String> QUIET =
-      Map.of("XR_LOADER_DEBUG", "none", "XRT_LOG", "error", "IPC_LOG", "error", "OXR_NO_PRINTING", "1");
+      Map.of(
+          "XR_LOADER_DEBUG",
+          "none",
+          "XRT_LOG",
+          "error",
+          "IPC_LOG",
+          "error",
+          "OXR_NO_PRINTING",
+          "1");
 
   private LoaderNoise() {}
 

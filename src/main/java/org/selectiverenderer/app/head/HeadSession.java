@@ -157,8 +157,7 @@ public final class HeadSession implements AutoCloseable {
       throws IOException {
     if (files != null || listener != null) {
       double cone = settings.log().map(HeadLogSettings::coneDegrees).orElse(HeadLogSettings.CONE);
-      recorder = HeadRecorder.open(
-              files, listener, cone, eyes != null, settings, walk, problem);
+      recorder = HeadRecorder.open(files, listener, cone, eyes != null, settings, walk, problem);
     }
     if (files != null && settings.tracker().tracked() && replay == null) {
       tap.open(

@@ -18,8 +18,7 @@ public record AreaBox(Vector3dc centre, Vector3dc size) {
 
   /** The box of bounds. */
   public static AreaBox of(Bounds bounds) {
-    return new AreaBox(
-        bounds.min().add(bounds.max()).mul(0.5), bounds.max().sub(bounds.min()));
+    return new AreaBox(bounds.min().add(bounds.max()).mul(0.5), bounds.max().sub(bounds.min()));
   }
 
   /** The bounds of the box, if it is not turned. */
@@ -35,10 +34,6 @@ public record AreaBox(Vector3dc centre, Vector3dc size) {
 
   /** Whether it has an inside that can be written. */
   public boolean sound() {
-    return centre.isFinite()
-        && size.isFinite()
-        && size.x() > 0
-        && size.y() > 0
-        && size.z() > 0;
+    return centre.isFinite() && size.isFinite() && size.x() > 0 && size.y() > 0 && size.z() > 0;
   }
 }

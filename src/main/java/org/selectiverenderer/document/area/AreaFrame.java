@@ -84,7 +84,10 @@ public record AreaFrame(
   static float[] numbers(
       DocumentElement element, String attribute, FieldType type, float... otherwise) {
     Object value =
-        element.text(attribute).map(text -> new FieldParser().parse(type, text).value()).orElse(null);
+        element
+            .text(attribute)
+            .map(text -> new FieldParser().parse(type, text).value())
+            .orElse(null);
     return value instanceof float[] read && read.length == otherwise.length ? read : otherwise;
   }
 

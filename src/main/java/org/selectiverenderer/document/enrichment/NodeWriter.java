@@ -127,7 +127,8 @@ final class NodeWriter {
     sharing.free(found.get().written());
     return List.of(
         layout.insertLast(
-            found.get().meant(), text(node.element()).part(node.object(), size, ChoiceValues.NONE)));
+            found.get().meant(),
+            text(node.element()).part(node.object(), size, ChoiceValues.NONE)));
   }
 
   /** Takes the part of a choice out; all of it if it says nothing of the others. */

@@ -120,15 +120,13 @@ public final class NodeEdits {
     check(name);
     Layout layout = document.layout();
     if (node.use().isPresent()) {
-      throw new EditRefused(
-          "this stands for %s (USE); copy that one".formatted(node.use().get()));
+      throw new EditRefused("this stands for %s (USE); copy that one".formatted(node.use().get()));
     }
     FreeNames free = new FreeNames(tree());
     free.unused(name);
     Map<String, String> renamed = new HashMap<>();
     node.def().ifPresent(def -> renamed.put(def, name));
-    node.visit(
-        each -> each.def().ifPresent(def -> renamed.computeIfAbsent(def, free::unused)));
+    node.visit(each -> each.def().ifPresent(def -> renamed.computeIfAbsent(def, free::unused)));
     List<TextChange> changes = new ArrayList<>(more);
     if (node.def().isEmpty()) {
       changes.add(layout.attribute(node, "DEF", name));
@@ -139,8 +137,7 @@ public final class NodeEdits {
             each.tag()
                 .attribute(attribute)
                 .filter(written -> renamed.containsKey(written.value()))
-                .ifPresent(
-                    written -> changes.add(replaced(written, renamed.get(written.value()))));
+                .ifPresent(written -> changes.add(replaced(written, renamed.get(written.value()))));
           }
         });
     changes.sort(Comparator.comparingInt(TextChange::from));

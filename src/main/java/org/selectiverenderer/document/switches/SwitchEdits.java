@@ -51,13 +51,7 @@ public final class SwitchEdits {
     if (layout.onItsOwnLine(node)) {
       String outer = layout.endOfLine(node) + layout.indentation(node);
       String step = layout.step(node);
-      text =
-          open
-              + outer
-              + step
-              + Reindent.deeper(document.text(node), step)
-              + outer
-              + "</Switch>";
+      text = open + outer + step + Reindent.deeper(document.text(node), step) + outer + "</Switch>";
     } else {
       text = open + document.text(node) + "</Switch>";
     }
@@ -101,7 +95,8 @@ public final class SwitchEdits {
       throw new EditRefused(node.name() + " has no choice that could take its place; delete it");
     }
     DocumentElement element = node.element();
-    int shown = node.whichChoice() < 0 ? 0 : Math.min(node.whichChoice(), node.choices().size() - 1);
+    int shown =
+        node.whichChoice() < 0 ? 0 : Math.min(node.whichChoice(), node.choices().size() - 1);
     DocumentElement kept = node.choices().get(shown).element();
     List<TextChange> changes = new ArrayList<>();
     if (element.def().isPresent()) {
@@ -120,8 +115,7 @@ public final class SwitchEdits {
         laid && layout.indentation(kept).startsWith(layout.indentation(element))
             ? layout.indentation(kept).substring(layout.indentation(element).length())
             : "";
-    changes.add(
-        new TextChange(element.start(), element.end(), Reindent.shallower(text, step)));
+    changes.add(new TextChange(element.start(), element.end(), Reindent.shallower(text, step)));
     return new Edit(
         "Unwrap " + node.name(),
         changes.stream().distinct().filter(change -> outside(change, element)).toList());
@@ -158,8 +152,7 @@ public final class SwitchEdits {
    */
   public Edit addInline(EnrichedSwitch node, String url) {
     char quote = document.layout().quote(node.element());
-    String name =
-        nodes.free("Inline_%s_v%d".formatted(node.object(), node.choices().size() + 1));
+    String name = nodes.free("Inline_%s_v%d".formatted(node.object(), node.choices().size() + 1));
     return added(
         node,
         "Add a choice to " + node.name(),
@@ -198,8 +191,7 @@ public final class SwitchEdits {
 
   /** Takes a choice out, with what the metadata says of it. */
   public Edit remove(EnrichedSwitch node, int index) {
-    List<TextChange> changes =
-        new ArrayList<>(nodes.removal(node.choices().get(index).element()));
+    List<TextChange> changes = new ArrayList<>(nodes.removal(node.choices().get(index).element()));
     changes.addAll(metadata.choiceRemoved(node, index));
     int shown = node.whichChoice();
     int left = node.choices().size() - 1;
@@ -223,8 +215,7 @@ public final class SwitchEdits {
     values.set(first, node.values().get(second));
     values.set(second, node.values().get(first));
     List<TextChange> changes = new ArrayList<>();
-    changes.addAll(
-        metadata.all("", List.of(new SwitchWish(node, values)), List.of()).changes());
+    changes.addAll(metadata.all("", List.of(new SwitchWish(node, values)), List.of()).changes());
     changes.add(new TextChange(a.start(), a.end(), document.text(b)));
     changes.add(new TextChange(b.start(), b.end(), document.text(a)));
     int shown = node.whichChoice();

@@ -129,6 +129,7 @@ class NodeEditsTest {
     with.perform(of.remove(with.sensor("P").element()));
     assertThat(with.nodes()).startsWith("<Group/>\n<Transform>\n  <!-- of").contains("DEF='Q'");
     with.perform(of.remove(with.sensor("Q").element()));
-    assertThat(with.nodes()).isEqualTo("<Group/>\n<Transform>\n  <!-- of the author -->\n</Transform>\n");
+    assertThat(with.nodes())
+        .isEqualTo("<Group/>\n<Transform>\n  <!-- of the author -->\n</Transform>\n");
   }
 }

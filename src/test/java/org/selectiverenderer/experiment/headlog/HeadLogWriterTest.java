@@ -146,7 +146,8 @@ class HeadLogWriterTest {
           }
         };
     HeadLogWriter writer =
-        HeadLogWriter.start(Path.of("p01.csv"), disk, false, HeadLogWriter.MOST_WAITING, problems::add);
+        HeadLogWriter.start(
+            Path.of("p01.csv"), disk, false, HeadLogWriter.MOST_WAITING, problems::add);
     for (int i = 0; i < 20_000; i++) {
       writer.add(sample(i * 0.001));
     }

@@ -1,6 +1,5 @@
 package org.selectiverenderer.runtime.render.mark;
 
-import org.selectiverenderer.runtime.render.context.GlInfo;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
@@ -13,6 +12,7 @@ import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.VisibleRange;
+import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher;
 
-import javax.swing.JLabel;
 import java.awt.Window;
 import java.io.File;
 import java.nio.file.Path;
@@ -8,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
+import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import org.selectiverenderer.base.files.FileFinder;
@@ -36,14 +36,7 @@ final class DialogQuestions implements Questions {
     JLabel said = new JLabel("<html><body width=420>" + Markup.text(sentence));
     said.getAccessibleContext().setAccessibleName(sentence);
     return JOptionPane.showOptionDialog(
-        owner,
-        said,
-        TITLE,
-        JOptionPane.DEFAULT_OPTION,
-        kind,
-        null,
-        choices,
-        choices[0]);
+        owner, said, TITLE, JOptionPane.DEFAULT_OPTION, kind, null, choices, choices[0]);
   }
 
   @Override

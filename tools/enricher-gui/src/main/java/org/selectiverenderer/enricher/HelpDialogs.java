@@ -41,9 +41,7 @@ final class HelpDialogs {
         entries.stream()
             .map(entry -> new Object[] {entry.part(), entry.key(), entry.does()})
             .toArray(Object[][]::new);
-    Object[] heads = {
-      Texts.of("about.part"), Texts.of("about.key"), Texts.of("about.does")
-    };
+    Object[] heads = {Texts.of("about.part"), Texts.of("about.key"), Texts.of("about.does")};
     return new DefaultTableModel(rows, heads) {
       private static final long serialVersionUID = 1L;
 

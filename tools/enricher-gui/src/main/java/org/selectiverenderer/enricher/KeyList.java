@@ -68,7 +68,8 @@ final class KeyList {
   }
 
   private void actions(JComponent component) {
-    for (int when : new int[] {JComponent.WHEN_FOCUSED, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT}) {
+    for (int when :
+        new int[] {JComponent.WHEN_FOCUSED, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT}) {
       InputMap keys = component.getInputMap(when);
       KeyStroke[] own = keys == null ? null : keys.keys();
       for (KeyStroke key : own == null ? new KeyStroke[0] : own) {

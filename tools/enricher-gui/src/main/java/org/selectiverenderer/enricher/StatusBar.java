@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher;
 
-import org.selectiverenderer.enricher.problems.SeverityIcon;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -9,6 +8,7 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.problems.ProblemCounts;
+import org.selectiverenderer.enricher.problems.SeverityIcon;
 import org.selectiverenderer.enricher.task.Task;
 import org.selectiverenderer.enricher.task.Tasks;
 

@@ -62,9 +62,7 @@ final class WindowIcon {
       g.setStroke(new BasicStroke(0.8f));
       for (int i = 1; i < CORNERS_MANY; i++) {
         double angle = Math.PI * i / CORNERS_MANY;
-        g.draw(
-            new Line2D.Double(
-                16.8, 16, 16.8 + 11 * Math.sin(angle), 16 - 11 * Math.cos(angle)));
+        g.draw(new Line2D.Double(16.8, 16, 16.8 + 11 * Math.sin(angle), 16 - 11 * Math.cos(angle)));
       }
     }
     g.dispose();

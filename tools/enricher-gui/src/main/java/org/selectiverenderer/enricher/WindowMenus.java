@@ -1,27 +1,26 @@
 package org.selectiverenderer.enricher;
 
-import javax.swing.KeyStroke;
-import javax.swing.JRootPane;
-import javax.swing.JComponent;
-import java.util.Map;
 import java.awt.event.KeyEvent;
-import org.selectiverenderer.enricher.settings.Language;
-import org.selectiverenderer.enricher.text.Texts;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JRadioButtonMenuItem;
+import javax.swing.JRootPane;
+import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import org.selectiverenderer.document.UndoHistory;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.GridSetting;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
+import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.source.SourcePanel;
 import org.selectiverenderer.enricher.text.Texts;
@@ -35,7 +34,8 @@ final class WindowMenus {
   private final EnricherSettings settings;
   private final JMenuBar bar = new JMenuBar();
   private final JMenu recent = menu("menu.recent");
-  private final JCheckBoxMenuItem review = new JCheckBoxMenuItem(command("menu.review", "", () -> {}));
+  private final JCheckBoxMenuItem review =
+      new JCheckBoxMenuItem(command("menu.review", "", () -> {}));
   private final Command save;
   private final Command saveAs;
   private final Command changes;

@@ -4,12 +4,14 @@
  *
  * <p>This package puts the window together of its parts: {@code session} (one open document and its
  * selection), {@code task} (work in the background), {@code tree}, {@code source}, {@code form},
- * {@code preview}, {@code compare}, {@code cost}, {@code run}, {@code problems}, {@code help}, and the dialogs {@code overview}, {@code
- * ratings}, {@code versions} and {@code diff}; {@code settings} remembers, {@code table} is shared.
+ * {@code preview}, {@code compare}, {@code cost}, {@code run}, {@code problems}, {@code help}, and
+ * the dialogs {@code overview}, {@code ratings}, {@code versions} and {@code diff}; {@code
+ * settings} remembers, {@code table} is shared.
  *
  * <p>In: a scene's file, the author's hands. Out: edits of the document. Swing with FlatLaf,
- * MigLayout and, for the source, RSyntaxTextArea. Uses these, {@code document}, {@code validation}, {@code polygon.count},
- * {@code x3d} and {@code base.markup}; no other package of ours uses it but {@code cli}.
+ * MigLayout and, for the source, RSyntaxTextArea. Uses these, {@code document}, {@code validation},
+ * {@code polygon.count}, {@code x3d} and {@code base.markup}; no other package of ours uses it but
+ * {@code cli}.
  */
 @NullMarked
 package org.selectiverenderer.enricher;

@@ -45,8 +45,7 @@ public final class AreaCommands {
    * nothing or an area is.
    */
   public void addAroundSelection() {
-    Optional<DocumentElement> around =
-        selected().filter(element -> !element.name().equals(SENSOR));
+    Optional<DocumentElement> around = selected().filter(element -> !element.name().equals(SENSOR));
     Consumer<Optional<Bounds>> answer =
         bounds ->
             bounds.ifPresentOrElse(
@@ -102,7 +101,6 @@ public final class AreaCommands {
   }
 
   private void withSelected(Consumer<DocumentElement> work) {
-    selected()
-        .ifPresentOrElse(work, () -> session.message(Texts.of("area.nothing")));
+    selected().ifPresentOrElse(work, () -> session.message(Texts.of("area.nothing")));
   }
 }

@@ -46,11 +46,7 @@ public final class NameDialog implements NameQuestion {
       panel.add(says, "wmin 0");
       int answer =
           JOptionPane.showConfirmDialog(
-              owner.get(),
-              panel,
-              title,
-              JOptionPane.OK_CANCEL_OPTION,
-              JOptionPane.PLAIN_MESSAGE);
+              owner.get(), panel, title, JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE);
       if (answer != JOptionPane.OK_OPTION) {
         return Optional.empty();
       }

@@ -14,6 +14,5 @@ public interface NameQuestion {
    * @param complaint why a name cannot be given; empty for one that can
    * @return empty if the author wants none of it
    */
-  Optional<String> ask(
-      String title, String proposal, Function<String, Optional<String>> complaint);
+  Optional<String> ask(String title, String proposal, Function<String, Optional<String>> complaint);
 }

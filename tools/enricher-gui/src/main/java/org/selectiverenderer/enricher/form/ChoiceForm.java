@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.form;
 
-import org.selectiverenderer.enricher.text.Texts;
 import java.util.List;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -16,6 +15,7 @@ import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.preview.VersionPicture;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyType;
 
 /** One choice of a Switch (a row of thesis Fig 44): the version, and what is said of it. */
@@ -138,8 +138,7 @@ final class ChoiceForm {
   private void taken(VersionPicture picture) {
     thumbnail.show(picture.image());
     String text =
-        Texts.of(
-            "counts.polygons", picture.polygons(), DecimalText.grouped(picture.polygons()));
+        Texts.of("counts.polygons", picture.polygons(), DecimalText.grouped(picture.polygons()));
     polygons.setText(text);
     polygons.getAccessibleContext().setAccessibleName(text);
   }

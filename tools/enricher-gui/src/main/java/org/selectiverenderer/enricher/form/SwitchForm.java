@@ -47,8 +47,7 @@ final class SwitchForm implements Form {
     NodeCommands nodes = new NodeCommands(session);
     name = new NameRow(session, nodes, element);
     tools = new SwitchTools(session, nodes, node);
-    name.add(
-        "area.switch.unwrap", "area.switch.unwrap.tip", "Unwrap", event -> tools.unwrap());
+    name.add("area.switch.unwrap", "area.switch.unwrap.tip", "Unwrap", event -> tools.unwrap());
     panel.add(name.component(), "wmin 0");
     panel.add(tools.component(), "wmin 0");
     if (size == 0) {
@@ -70,8 +69,7 @@ final class SwitchForm implements Form {
     int end = Math.min(size, choices.size() + PAGE);
     for (int i = choices.size(); i < end; i++) {
       ChoiceForm choice =
-          new ChoiceForm(
-              session, pictures, node, node.choices().get(i), tools.buttons(i, size));
+          new ChoiceForm(session, pictures, node, node.choices().get(i), tools.buttons(i, size));
       choices.add(choice);
       panel.add(new JSeparator());
       panel.add(choice.component(), "wmin 0");

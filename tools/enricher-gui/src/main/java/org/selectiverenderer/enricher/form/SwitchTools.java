@@ -104,8 +104,7 @@ final class SwitchTools {
               () -> edit(now -> nodes.switches().addCopy(now, index))));
     }
     menu.add(
-        item(
-            Texts.of("area.switch.add.empty"), () -> edit(now -> nodes.switches().addEmpty(now))));
+        item(Texts.of("area.switch.add.empty"), () -> edit(now -> nodes.switches().addEmpty(now))));
     return menu;
   }
 
@@ -137,8 +136,7 @@ final class SwitchTools {
   private String url(Path file) {
     Path folder = session.file().path().toAbsolutePath().getParent();
     Path path = file.toAbsolutePath().normalize();
-    boolean near =
-        folder != null && Objects.equals(folder.getRoot(), path.getRoot());
+    boolean near = folder != null && Objects.equals(folder.getRoot(), path.getRoot());
     return near
         ? folder.normalize().relativize(path).toString().replace(File.separatorChar, '/')
         : path.toUri().toString();

@@ -1,7 +1,5 @@
 package org.selectiverenderer.enricher.overview;
 
-import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.base.decimal.DecimalText;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JButton;
@@ -12,6 +10,7 @@ import javax.swing.JTextField;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.session.EnricherSession;

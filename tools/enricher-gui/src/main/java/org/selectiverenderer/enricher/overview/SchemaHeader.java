@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.overview;
 
-import org.selectiverenderer.enricher.text.Texts;
 import java.awt.Component;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -11,6 +10,7 @@ import javax.swing.UIManager;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableCellRenderer;
 import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The head of a column: its name, which way it is sorted, and a mark where its schema is amiss. */
 final class SchemaHeader implements TableCellRenderer {

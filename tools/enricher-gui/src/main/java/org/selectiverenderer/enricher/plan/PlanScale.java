@@ -57,7 +57,6 @@ record PlanScale(double left, double top, double scale) {
   }
 
   Bounds seen(Rectangle of) {
-    return new Bounds(
-        x(of.getMinX()), 0, z(of.getMinY()), x(of.getMaxX()), 0, z(of.getMaxY()));
+    return new Bounds(x(of.getMinX()), 0, z(of.getMinY()), x(of.getMaxX()), 0, z(of.getMaxY()));
   }
 }

@@ -1,7 +1,5 @@
 package org.selectiverenderer.enricher.preview;
 
-import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.base.decimal.DecimalText;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
@@ -22,7 +20,9 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.enricher.compare.CompareView;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * Shows frames with their labels and a few lines about them. The picture has the pixels of the

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.preview;
 
-import org.selectiverenderer.enricher.text.Texts;
 import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.ActionEvent;
@@ -54,7 +53,6 @@ public final class PreviewPanel extends JPanel {
 
   /** Before the name of an action: what it does, in the bundles. */
   private static final String KEYS = "preview.key.";
-
 
   private transient BiConsumer<Component, Point> menu = (over, at) -> {};
   private final transient EnricherSession session;
@@ -354,8 +352,7 @@ public final class PreviewPanel extends JPanel {
   }
 
   private void tellSelection() {
-    List<Anchor> anchors =
-        session.selection().map(this::anchors).orElse(List.of());
+    List<Anchor> anchors = session.selection().map(this::anchors).orElse(List.of());
     thread.ask(stage -> stage.select(anchors));
   }
 

@@ -23,8 +23,7 @@ final class PreviewProbe implements SceneProbe {
     this.anchors = anchors;
   }
 
-  private <T> void ask(
-      Function<PreviewScene, Optional<T>> question, Consumer<Optional<T>> answer) {
+  private <T> void ask(Function<PreviewScene, Optional<T>> question, Consumer<Optional<T>> answer) {
     thread.tell(
         stage -> {
           Optional<T> found = stage.scene().flatMap(question);
@@ -36,8 +35,7 @@ final class PreviewProbe implements SceneProbe {
   public void around(DocumentElement element, Consumer<Optional<Bounds>> answer) {
     List<Anchor> of = anchors.apply(element);
     ask(
-        scene ->
-            scene.nodes().find(of).flatMap(scene::bounds).map(new Rooms(scene)::around),
+        scene -> scene.nodes().find(of).flatMap(scene::bounds).map(new Rooms(scene)::around),
         answer);
   }
 
@@ -55,8 +53,7 @@ final class PreviewProbe implements SceneProbe {
   public void plan(Optional<Double> cut, Consumer<Optional<PlanPicture>> answer) {
     ask(
         scene ->
-            PlanMaker.of(
-                scene.world().instances().shapes(), cut.orElseGet(scene::startHeight)),
+            PlanMaker.of(scene.world().instances().shapes(), cut.orElseGet(scene::startHeight)),
         answer);
   }
 }

@@ -42,8 +42,7 @@ final class Rooms {
   /** The room around a place. */
   Bounds room(Vector3dc eye) {
     double floor = eye.y() - distance(eye, 0, -1, 0).orElse(1.6);
-    double ceiling =
-        distance(eye, 0, 1, 0).map(up -> eye.y() + up).orElse(floor + STANDARD_HEIGHT);
+    double ceiling = distance(eye, 0, 1, 0).map(up -> eye.y() + up).orElse(floor + STANDARD_HEIGHT);
     Vector3d high = new Vector3d(eye.x(), ceiling - UNDER_CEILING, eye.z());
     double right = distance(high, 1, 0, 0).orElse(NO_WALL);
     double left = distance(high, -1, 0, 0).orElse(NO_WALL);

@@ -15,9 +15,9 @@
  * {@code TextComparison} from the two texts on the loader's thread and sent as events on the
  * preview's thread; where one of its nodes is not there, all is loaded instead.
  *
- * <p>Comparing draws the same scene again with every object at its most detailed, and puts it back as
- * it was; {@code enricher.compare} says how both pictures share the component. {@code VersionChoice}
- * shows one object in another version.
+ * <p>Comparing draws the same scene again with every object at its most detailed, and puts it back
+ * as it was; {@code enricher.compare} says how both pictures share the component. {@code
+ * VersionChoice} shows one object in another version.
  *
  * <p>In: snapshots of a document, the selection, the author's mouse and keys. Out: pictures in a
  * Swing component; the object that was clicked. {@code PreviewPanel} and everything of Swing
@@ -25,9 +25,9 @@
  * PreviewThread}, which is told what to do and answers with {@code PreviewFrame}s; files are read
  * by {@code SceneFeed}'s thread.
  *
- * <p>Uses {@code enricher.session}, {@code enricher.compare}, {@code document}, {@code app.walk}, {@code control}, {@code
- * runtime} with its renderer but not JOGL, {@code schema}, {@code geometry}, {@code x3d} and {@code
- * base.problem}.
+ * <p>Uses {@code enricher.session}, {@code enricher.compare}, {@code document}, {@code app.walk},
+ * {@code control}, {@code runtime} with its renderer but not JOGL, {@code schema}, {@code
+ * geometry}, {@code x3d} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.preview;

@@ -13,8 +13,7 @@ import org.selectiverenderer.enricher.text.Texts;
  * @param unenriched objects and areas of which nothing is said yet, which is no problem
  * @param enrichable all objects and areas
  */
-public record ProblemCounts(
-    int errors, int warnings, int remarks, int unenriched, int enrichable) {
+public record ProblemCounts(int errors, int warnings, int remarks, int unenriched, int enrichable) {
   static ProblemCounts of(List<ProblemEntry> entries, int unenriched, int enrichable) {
     int[] counts = new int[Severity.values().length];
     entries.forEach(entry -> counts[entry.severity().ordinal()]++);

@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.problems;
 
-import org.selectiverenderer.enricher.text.Texts;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.ActionEvent;

@@ -195,8 +195,7 @@ class ProblemsModelTest {
             </Scene></X3D>
             """
                 .getBytes(StandardCharsets.UTF_8));
-    ProblemsModel counting =
-        new ProblemsModel(plain, new Enrichment(plain, NodeCatalogue.load()));
+    ProblemsModel counting = new ProblemsModel(plain, new Enrichment(plain, NodeCatalogue.load()));
     Location cup = plain.location(plain.text().toString().indexOf("<Switch"));
     Location desk = plain.location(plain.text().toString().indexOf("<Prox"));
     counting.checked(
