@@ -80,6 +80,11 @@ final class PictureView extends JComponent implements Accessible {
     return (int) Math.round(position * scale());
   }
 
+  /** Where the scene as the preview shows it begins: the other picture may stand at its left. */
+  int left() {
+    return CompareView.offset(frame().flatMap(PreviewFrame::compared), getWidth());
+  }
+
   /** How two pictures are shown. */
   CompareView comparison() {
     return comparison;
@@ -184,7 +189,7 @@ final class PictureView extends JComponent implements Accessible {
   private void paintLabels(Graphics2D g, PreviewFrame of, double scale) {
     FontMetrics metrics = g.getFontMetrics();
     List<Shown> all = new ArrayList<>();
-    int moved = CompareView.offset(of.compared(), getWidth());
+    int moved = left();
     List<PreviewFrame.Label> seenFirst = new ArrayList<>(of.labels());
     seenFirst.sort(Comparator.comparing(PreviewFrame.Label::hidden));
     for (PreviewFrame.Label label : seenFirst) {
