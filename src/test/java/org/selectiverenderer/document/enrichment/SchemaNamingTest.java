@@ -17,7 +17,7 @@ import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.schema.SensorSchemas;
 
 /** A name is written so that it is read as it was, or it is refused; it is never altered. */
-class SchemaNamesTest {
+class SchemaNamingTest {
   private static final String NODES =
       "<Switch DEF='Switch_A'><Shape/><Shape/></Switch>\n<ProximitySensor DEF='Prox'/>\n";
 
@@ -87,7 +87,7 @@ class SchemaNamesTest {
                 new ObjectMatching(ratings.means().keySet(), scene.enrichment.switches()),
                 true)
             .edit("ratings"));
-    assertThat(again().switchNode("Switch_A").values().get(0).schemas()).containsExactly(name);
+    assertThat(again().switchNode("Switch_A").values().get(1).schemas()).containsExactly(name);
     assertThat(problems.list()).isEmpty();
   }
 
