@@ -17,7 +17,7 @@ import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.schema.SensorSchemas;
 
 /** A name is written so that it is read as it was, or it is refused; it is never altered. */
-class SchemaNamingTest {
+class KeptNamesTest {
   private static final String NODES =
       "<Switch DEF='Switch_A'><Shape/><Shape/></Switch>\n<ProximitySensor DEF='Prox'/>\n";
 
