@@ -179,7 +179,7 @@ public final class SceneDocument {
    * @throws IOException if a file cannot be written, with one line that names it; nothing has
    *     changed then
    */
-  public void perform(Edit edit, List<StepFiles.Written> files) throws IOException {
+  public void perform(Edit edit, List<StepFile> files) throws IOException {
     unlocked();
     if (files.isEmpty()) {
       history.perform(edit);

@@ -19,16 +19,7 @@ import org.selectiverenderer.x3d.source.Gzip;
  *
  * <p>The contents are kept compressed in memory; {@link UndoHistory} bounds how much of them.
  */
-public final class StepFiles {
-  /**
-   * A file of a step.
-   *
-   * @param content after the step
-   * @param byHand whether what is replaced was not made by this program, so that it cannot be made
-   *     again: it is kept beside the file besides
-   */
-  public record Written(Path file, byte[] content, boolean byHand) {}
-
+final class StepFiles {
   /** Both contents, compressed; empty where there is no file. */
   private record Both(Path file, Optional<byte[]> before, Optional<byte[]> after) {}
 
@@ -46,10 +37,10 @@ public final class StepFiles {
    * @throws IOException if one cannot be read or written, with one line that names it; nothing has
    *     changed then
    */
-  public static StepFiles write(List<Written> wanted) throws IOException {
+  static StepFiles write(List<StepFile> wanted) throws IOException {
     List<Both> files = new ArrayList<>();
     List<Path> folders = new ArrayList<>();
-    for (Written file : wanted) {
+    for (StepFile file : wanted) {
       Path folder = file.file().toAbsolutePath().getParent();
       if (folder != null && !Files.exists(folder) && !folders.contains(folder)) {
         folders.add(folder);

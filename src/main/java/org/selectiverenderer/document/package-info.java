@@ -22,11 +22,12 @@
  * file to show one change.
  *
  * <p>A step may write files beside the document's own, such as versions of an object ({@link
- * org.selectiverenderer.document.StepFiles}): they belong to the step, undone and redone with it.
+ * org.selectiverenderer.document.StepFile}): they belong to the step, undone and redone with it.
  *
  * <p>A document belongs to one thread at a time. Snapshots of it are values.
  *
- * <p>Within: {@code nodes} (edits that fit every node: names, copies, taking out), {@code
+ * <p>Within: {@code nodes} (edits that fit every node: names, copies, taking out), {@code hand}
+ * (what is done to the text itself: search, comments, pasting, completion, fields), {@code
  * enrichment} (the vocabulary of the thesis in a document), {@code area} (where its areas are, in
  * the scene's frame), {@code switches} (Switches made of nodes, and their choices), {@code ratings}
  * (expectancy ratings to metadata), {@code versions} (the polygon count process as an edit), {@code

@@ -70,9 +70,9 @@ public final class LineMerge {
    * @param theirs with the ends of lines of {@code mine}, whatever it has
    */
   public static LineMerge of(Optional<String> base, String mine, String theirs) {
-    List<String> here = TextLines.of(mine);
-    List<String> there = TextLines.of(ends(theirs, mine.contains("\r\n")));
-    List<String> from = base.map(TextLines::of).orElseGet(() -> common(here, there));
+    List<String> here = LinesWithEnds.of(mine);
+    List<String> there = LinesWithEnds.of(ends(theirs, mine.contains("\r\n")));
+    List<String> from = base.map(LinesWithEnds::of).orElseGet(() -> common(here, there));
     return new LineMerge(parts(from, here, there, base.isPresent()));
   }
 

@@ -3,9 +3,7 @@ package org.selectiverenderer.document.hand;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -13,6 +11,7 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.FreeNames;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.nodes.NodeEdits;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.TextChange;
@@ -31,51 +30,20 @@ public final class ElementEdits {
     this.document = document;
   }
 
-  /** Whether an element may be taken out: all but those that every scene has. */
-  public static boolean removable(DocumentElement element) {
-    return element.parent().isPresent() && !KEPT.contains(element.name());
-  }
-
   /**
-   * Takes an element out, and the ROUTEs from and to what is in it.
+   * Takes just an element out, and what speaks of it or of anything in it: ROUTE, IMPORT, EXPORT.
    *
    * @param name of the step
    * @throws EditRefused if a node elsewhere stands for one in it by USE, or every scene has it
    */
   public Edit remove(DocumentElement element, String name) {
-    if (!removable(element)) {
-      throw new EditRefused("Every scene has the element " + element.name());
-    }
-    Set<String> names = new HashSet<>();
-    element.visit(each -> each.def().ifPresent(names::add));
-    List<DocumentElement> removed = new ArrayList<>(List.of(element));
-    ElementTree tree = tree();
-    tree.root()
-        .visit(
-            each -> {
-              boolean outside = !element.contains(each);
-              if (outside && each.use().filter(names::contains).isPresent()) {
-                throw new EditRefused(
-                    "The node in line %d stands for %s by USE; take that out first"
-                        .formatted(document.location(each.start()).line(), each.use().get()));
-              }
-              if (outside && each.name().equals("ROUTE") && routes(each, names)) {
-                removed.add(each);
-              }
-            });
-    removed.sort(Comparator.comparingInt(DocumentElement::start));
-    return new Edit(name, removed.stream().map(document.layout()::remove).toList());
+    return new Edit(name, new NodeEdits(document).removal(element));
   }
 
   private ElementTree tree() {
     return document
         .tree()
         .orElseThrow(() -> new EditRefused("The text is not well formed; correct it first"));
-  }
-
-  private boolean routes(DocumentElement route, Set<String> names) {
-    return document.tag(route).attributes().stream()
-        .anyMatch(each -> ROUTED.contains(each.name()) && names.contains(each.value()));
   }
 
   /**

@@ -4,17 +4,21 @@ import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.document.Edit;
+import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.nodes.NodeEdits;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.FieldLimits;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
-import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.source.WrittenAttribute;
 
-/** Writes single fields of elements: each edit changes the bytes of one attribute. */
+/**
+ * Writes single fields of elements: each edit changes the bytes of one attribute, and that of a
+ * name those of all that speak of it.
+ */
 public final class FieldEdits {
   private final SceneDocument document;
 
@@ -89,29 +93,21 @@ public final class FieldEdits {
     if (name.equals(element.def().orElse(""))) {
       return Optional.empty();
     }
-    Optional<ElementTree> tree = document.tree();
-    boolean used =
-        element.def().isPresent() && tree.filter(t -> t.used(element.def().get())).isPresent();
-    if (used) {
-      return Optional.of(
-          "Other nodes stand for this one by USE='"
-              + element.def().get()
-              + "'; replace the name everywhere in the source.");
-    }
+    NodeEdits nodes = new NodeEdits(document);
     if (name.isEmpty()) {
+      return nodes
+          .reference(element)
+          .map(
+              by ->
+                  "Line %d speaks of this node by its name; give it another one instead."
+                      .formatted(document.location(by.start()).line()));
+    }
+    try {
+      nodes.check(name);
       return Optional.empty();
+    } catch (EditRefused e) {
+      return Optional.of(String.valueOf(e.getMessage()));
     }
-    if (tree.flatMap(t -> t.named(name)).isPresent()) {
-      return Optional.of("Another node has this name already.");
-    }
-    // X3D 4.0, 4.4.2.2, as ClassicVRML writes names down.
-    boolean legal =
-        name.chars().noneMatch(c -> c <= ' ' || "\"'#+,.[]\\{}:<>&".indexOf(c) >= 0)
-            && !Character.isDigit(name.charAt(0))
-            && name.charAt(0) != '-';
-    return legal
-        ? Optional.empty()
-        : Optional.of("A name has no spaces, quotes or signs, and begins with a letter.");
   }
 
   private Optional<String> wrongUse(DocumentElement element, String name) {
@@ -125,11 +121,14 @@ public final class FieldEdits {
   }
 
   /**
-   * Gives a field another value.
+   * Gives a field another value. A name is changed with all that speak of it.
    *
    * @param value as the attribute is to mean it
    */
   public Edit set(DocumentElement element, String name, String value) {
+    if (name.equals("DEF")) {
+      return new NodeEdits(document).rename(element, value);
+    }
     boolean same = document.attribute(element, name).filter(value::equals).isPresent();
     return new Edit(
         "Set " + name + " of " + element,

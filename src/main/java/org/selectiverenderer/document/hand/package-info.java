@@ -13,8 +13,8 @@
  * org.selectiverenderer.document.hand.FieldEdits} says what is wrong with a value and writes it. A
  * value that comes out of an entity of the DOCTYPE is shown and not written.
  *
- * <p>Uses {@code document}, {@code x3d.catalogue}, {@code x3d.field} and {@code x3d.source}. For
- * the thread that owns the document.
+ * <p>Uses {@code document}, {@code document.nodes}, {@code x3d.catalogue}, {@code x3d.field} and
+ * {@code x3d.source}. For the thread that owns the document.
  */
 @NullMarked
 package org.selectiverenderer.document.hand;

@@ -6,7 +6,9 @@ import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.FreeNames;
@@ -23,6 +25,9 @@ import org.selectiverenderer.x3d.source.WrittenAttribute;
  * edit would do harm or the text is not well formed.
  */
 public final class NodeEdits {
+  /** What every scene has. */
+  private static final Set<String> KEPT = Set.of("X3D", "Scene");
+
   private static final List<String> GROUPS = List.of("Transform", "Group", "StaticGroup");
 
   private final SceneDocument document;
@@ -42,6 +47,17 @@ public final class NodeEdits {
                             .map(fault -> fault.location() + ": " + fault.message())
                             .orElse(document.name())
                         + "; correct it in the source view first"));
+  }
+
+  /** Whether an element may be taken out: all but those that every scene has. */
+  public static boolean removable(DocumentElement element) {
+    return element.parent().isPresent() && !KEPT.contains(element.name());
+  }
+
+  private static void removableOnly(DocumentElement element) {
+    if (!removable(element)) {
+      throw new EditRefused("Every scene has the element " + element.name());
+    }
   }
 
   /** A name that no node has yet, made of the one wanted. */
@@ -82,6 +98,11 @@ public final class NodeEdits {
       return new Edit("Rename " + from, List.of());
     }
     check(name);
+    node.use()
+        .ifPresent(
+            other -> {
+              throw new EditRefused("this stands for %s (USE); rename that one".formatted(other));
+            });
     Layout layout = document.layout();
     NodeReferences references = NodeReferences.to(node);
     List<TextChange> changes = new ArrayList<>();
@@ -118,6 +139,7 @@ public final class NodeEdits {
    */
   public TextChange copied(DocumentElement node, String name, List<TextChange> more) {
     check(name);
+    removableOnly(node);
     Layout layout = document.layout();
     if (node.use().isPresent()) {
       throw new EditRefused("this stands for %s (USE); copy that one".formatted(node.use().get()));
@@ -166,9 +188,22 @@ public final class NodeEdits {
     return new Edit("Delete " + called(node), removal(lonely(node)));
   }
 
-  /** The changes that take out just a node and what speaks of it. */
+  /** The first element that speaks of a node by its name; empty for none. */
+  public Optional<DocumentElement> reference(DocumentElement node) {
+    NodeReferences found = NodeReferences.to(node);
+    return Stream.of(found.uses(), found.routes(), found.exports(), found.imports())
+        .flatMap(List::stream)
+        .min(Comparator.comparingInt(DocumentElement::start));
+  }
+
+  /**
+   * The changes that take out just a node and what speaks of it.
+   *
+   * @throws EditRefused if something else stands for it by USE, or every scene has it
+   */
   public List<TextChange> removal(DocumentElement node) {
     tree();
+    removableOnly(node);
     Layout layout = document.layout();
     List<TextChange> changes = new ArrayList<>(released(node));
     changes.add(layout.remove(node));

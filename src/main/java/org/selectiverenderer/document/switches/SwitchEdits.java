@@ -66,7 +66,8 @@ public final class SwitchEdits {
     return nodes.free("Switch_" + object);
   }
 
-  private void child(DocumentElement node) {
+  /** Whether a node can be put into a Switch in its place: it is shown by itself. */
+  public boolean wraps(DocumentElement node) {
     boolean shown =
         node.name().equals("ProtoInstance")
             || catalogue.find(node.name()).filter(type -> type.is("X3DChildNode")).isPresent();
@@ -81,7 +82,11 @@ public final class SwitchEdits {
                             .isPresent())
             .isPresent();
     boolean field = node.text("containerField").filter(at -> !at.equals("children")).isPresent();
-    if (!shown || !place || field) {
+    return shown && place && !field;
+  }
+
+  private void child(DocumentElement node) {
+    if (!wraps(node)) {
       throw new EditRefused(
           "a Switch takes the place of something that is shown by itself; choose a Transform, Group,"
               + " Shape or Inline, not "

@@ -12,7 +12,7 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
-import org.selectiverenderer.document.StepFiles;
+import org.selectiverenderer.document.StepFile;
 import org.selectiverenderer.polygon.model.ModelReader;
 import org.selectiverenderer.polygon.simplify.Goal;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -215,7 +215,7 @@ public final class VersionsEdit {
         edit,
         files.stream()
             .filter(file -> file.state() != PlannedFile.State.UNCHANGED)
-            .map(file -> new StepFiles.Written(file.file(), file.content(), file.byHand()))
+            .map(file -> new StepFile(file.file(), file.content(), file.byHand()))
             .toList());
   }
 

@@ -16,10 +16,10 @@ import org.selectiverenderer.experiment.dataset.RecordedRun;
 import org.selectiverenderer.experiment.dataset.RecordedSession;
 import org.selectiverenderer.experiment.dataset.RunEvents;
 import org.selectiverenderer.experiment.dataset.TableColumn;
-import org.selectiverenderer.experiment.headlog.EyeView;
+import org.selectiverenderer.experiment.headlog.EyeFindings;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogAnalysis;
-import org.selectiverenderer.experiment.headlog.Looks;
+import org.selectiverenderer.experiment.headlog.LookSummary;
 import org.selectiverenderer.experiment.headlog.SceneMap;
 
 /** The tables of what was shown: exposures, what was looked at, events. */
@@ -162,7 +162,7 @@ final class RunTables {
     row.add(Rounded.to(3, run.paused()));
     row.add(log.map(read -> read.samples().size()).orElse(null));
     row.add(seen.map(HeadLogAnalysis::idle).orElse(null));
-    row.add(seen.flatMap(HeadLogAnalysis::eyes).map(EyeView::tracked).orElse(null));
+    row.add(seen.flatMap(HeadLogAnalysis::eyes).map(EyeFindings::tracked).orElse(null));
     row.add(number(figures.path("fps")));
     row.add(number(figures.path("frame_ms").path("p50")));
     row.add(number(figures.path("frame_ms").path("p99")));
@@ -200,18 +200,18 @@ final class RunTables {
   private void looks(
       RecordedRun run,
       HeadLogAnalysis analysis,
-      Looks looks,
+      LookSummary looks,
       DataTable table,
       Function<String, List<Object>> more) {
     Set<String> seen = new HashSet<>();
-    List<Looks.ObjectView> all = new ArrayList<>(looks.objects());
+    List<LookSummary.ObjectView> all = new ArrayList<>(looks.objects());
     all.forEach(view -> seen.add(view.object()));
     for (SceneMap.Box object : analysis.log().description().map().objects()) {
       if (seen.add(object.name())) {
-        all.add(new Looks.ObjectView(object.name(), 0, 0, Double.NaN, 0));
+        all.add(new LookSummary.ObjectView(object.name(), 0, 0, Double.NaN, 0));
       }
     }
-    for (Looks.ObjectView view : all) {
+    for (LookSummary.ObjectView view : all) {
       List<@Nullable Object> row = new ArrayList<>(keys(run));
       row.addAll(
           List.of(view.object(), view.seconds(), view.looks(), view.first(), view.longest()));

@@ -30,7 +30,7 @@ public final class AnalysisFormats {
         analysis.log().samples().size() - analysis.unshown().samples(),
         100 * analysis.idle());
     leftOut(text, analysis.unshown());
-    Looks head = analysis.head();
+    LookSummary head = analysis.head();
     line(text, "");
     line(text, "%-32s %8s %6s %8s %8s", "in the middle of the view", "s", "looks", "first", "long");
     views(text, head, analysis, view -> "");
@@ -50,7 +50,7 @@ public final class AnalysisFormats {
     return text.toString();
   }
 
-  private static void eyes(StringBuilder text, EyeView eyes, HeadLogAnalysis analysis) {
+  private static void eyes(StringBuilder text, EyeFindings eyes, HeadLogAnalysis analysis) {
     line(text, "");
     line(
         text,
@@ -77,9 +77,9 @@ public final class AnalysisFormats {
   /** Objects, those never looked at in rooms that were entered, and what surrounds them. */
   private static void views(
       StringBuilder text,
-      Looks looks,
+      LookSummary looks,
       HeadLogAnalysis analysis,
-      Function<Looks.ObjectView, String> more) {
+      Function<LookSummary.ObjectView, String> more) {
     SceneMap map = analysis.log().description().map();
     rows(text, looks.objects().stream().filter(view -> !map.surrounds(view.object())), more);
     Set<String> notEntered =
@@ -107,7 +107,9 @@ public final class AnalysisFormats {
   }
 
   private static void rows(
-      StringBuilder text, Stream<Looks.ObjectView> views, Function<Looks.ObjectView, String> more) {
+      StringBuilder text,
+      Stream<LookSummary.ObjectView> views,
+      Function<LookSummary.ObjectView, String> more) {
     views.forEach(
         view ->
             line(
@@ -172,7 +174,7 @@ public final class AnalysisFormats {
     return JsonText.of(root);
   }
 
-  private static void eyes(ObjectNode root, EyeView eyes, SceneMap map) {
+  private static void eyes(ObjectNode root, EyeFindings eyes, SceneMap map) {
     root.put("tracked", Rounded.to(3, eyes.tracked()));
     objects(root, eyes.looks(), map);
     for (JsonNode object : root.path("objects")) {
@@ -189,9 +191,9 @@ public final class AnalysisFormats {
     }
   }
 
-  private static void objects(ObjectNode root, Looks looks, SceneMap map) {
+  private static void objects(ObjectNode root, LookSummary looks, SceneMap map) {
     ArrayNode objects = root.putArray("objects");
-    for (Looks.ObjectView view : looks.objects()) {
+    for (LookSummary.ObjectView view : looks.objects()) {
       objects
           .addObject()
           .put("object", view.object())
@@ -205,7 +207,7 @@ public final class AnalysisFormats {
     looks.unseen().values().stream().flatMap(List::stream).sorted().forEach(unseen::add);
   }
 
-  private static void looks(ObjectNode root, Looks seen) {
+  private static void looks(ObjectNode root, LookSummary seen) {
     ArrayNode looks = root.putArray("looks");
     for (Dwell look : seen.all()) {
       ObjectNode node =

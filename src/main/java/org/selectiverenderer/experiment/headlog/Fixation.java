@@ -7,7 +7,7 @@ package org.selectiverenderer.experiment.headlog;
  * @param start seconds since the session began
  * @param end likewise
  */
-public record Fixation(String object, double start, double end) {
+record Fixation(String object, double start, double end) {
   /** Seconds. */
   public double duration() {
     return end - start;

@@ -50,7 +50,7 @@ final class Fixations {
     Vector3d direction = direction(sample, eyes);
     boolean rests =
         !counts.isEmpty()
-            && sample.t() - end <= Looks.GAP
+            && sample.t() - end <= LookSummary.GAP
             && sum.angle(direction) <= Math.toRadians(RADIUS);
     if (!rests) {
       finish();

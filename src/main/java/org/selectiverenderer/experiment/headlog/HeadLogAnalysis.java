@@ -18,8 +18,8 @@ public record HeadLogAnalysis(
     double seconds,
     Unshown unshown,
     double idle,
-    Looks head,
-    Optional<EyeView> eyes,
+    LookSummary head,
+    Optional<EyeFindings> eyes,
     List<RoomView> rooms) {
 
   /**
@@ -47,8 +47,8 @@ public record HeadLogAnalysis(
         all,
         unshown(log),
         all > 0 ? idle / all : 0,
-        Looks.ofHead(log),
-        EyeView.of(log),
+        LookSummary.ofHead(log),
+        EyeFindings.of(log),
         log.description().map().rooms().stream().map(room -> RoomView.of(room, log)).toList());
   }
 

@@ -44,7 +44,7 @@ public final class HeadLogPlot {
     Stream.concat(
             analysis.head().objects().stream(),
             analysis.eyes().stream().flatMap(eyes -> eyes.looks().objects().stream()))
-        .map(Looks.ObjectView::object)
+        .map(LookSummary.ObjectView::object)
         .forEach(
             object ->
                 colours.computeIfAbsent(

@@ -20,14 +20,14 @@ final class LookTimeline {
 
   private final String title;
   private final HeadLog log;
-  private final Looks looks;
+  private final LookSummary looks;
   private final Map<String, String> colours;
-  private final List<Looks.ObjectView> rows;
+  private final List<LookSummary.ObjectView> rows;
 
   /**
    * @param colours of objects
    */
-  LookTimeline(String title, HeadLog log, Looks looks, Map<String, String> colours) {
+  LookTimeline(String title, HeadLog log, LookSummary looks, Map<String, String> colours) {
     this.title = title;
     this.log = log;
     this.looks = looks;
@@ -68,7 +68,7 @@ final class LookTimeline {
           "middle");
     }
     for (int i = 0; i < rows.size(); i++) {
-      Looks.ObjectView view = rows.get(i);
+      LookSummary.ObjectView view = rows.get(i);
       double y = first + (double) ROW * i;
       HeadLogPlot.text(svg, view.object(), LABELS - 10, y + 12, 12, HeadLogPlot.INK, "end");
       for (Dwell look : looks.all()) {

@@ -46,8 +46,4 @@ final class KeptFiles {
       return Optional.empty(); // Not there: to open it will say so.
     }
   }
-
-  void clear() {
-    files.clear();
-  }
 }

@@ -14,7 +14,7 @@ import org.selectiverenderer.x3d.files.ContentAccess;
  * <p>Safe for use by several threads; one counts at a time.
  */
 public final class SceneCounter {
-  private final KeptFiles kept = new KeptFiles();
+  private volatile KeptFiles kept = new KeptFiles();
 
   /**
    * What a scene comes to. What is wrong with it is for its checks to say.
@@ -45,8 +45,8 @@ public final class SceneCounter {
         counting.count(name), counting.shares(), SceneModel.of(read.file()), read.filesRead());
   }
 
-  /** Reads all files anew next time. */
-  public synchronized void forget() {
-    kept.clear();
+  /** Reads all files anew next time; waits for no count that is under way. */
+  public void forget() {
+    kept = new KeptFiles();
   }
 }

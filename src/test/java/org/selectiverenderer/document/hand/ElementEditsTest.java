@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.document.nodes.NodeEdits;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Elements taken out of a document and put in. */
@@ -66,7 +67,21 @@ class ElementEditsTest {
         .hasMessageContaining("line 7");
     DocumentElement root = document.tree().orElseThrow().root();
     assertThatThrownBy(() -> edits.remove(root, "Cut")).isInstanceOf(EditRefused.class);
-    assertThat(ElementEdits.removable(root.children().get(0))).isFalse();
+    assertThat(NodeEdits.removable(root.children().get(0))).isFalse();
+  }
+
+  @Test
+  void namesOfPrototypesAreOthersAndExportsGo() throws IOException {
+    String kept =
+        "<ProtoDeclare name='P'><ProtoBody><Group DEF='A'/><Group USE='A'/></ProtoBody></ProtoDeclare>";
+    SceneDocument with =
+        SceneDocument.of(
+            "scene.x3d",
+            ("<X3D><Scene><Transform DEF='A'/><EXPORT localDEF='A'/>" + kept + "</Scene></X3D>")
+                .getBytes(StandardCharsets.UTF_8));
+    DocumentElement scene = with.tree().orElseThrow().root().children().get(0);
+    with.perform(new ElementEdits(with).remove(scene.children().get(0), "Cut"));
+    assertThat(with.snapshot().text()).isEqualTo("<X3D><Scene>" + kept + "</Scene></X3D>");
   }
 
   @Test

@@ -75,10 +75,21 @@ class FieldEditsTest {
     assertThat(wrong("M", "DEF", "F").orElseThrow()).contains("already");
     assertThat(wrong("M", "DEF", "a b")).isPresent();
     assertThat(wrong("M", "DEF", "Ύλη_2")).isEmpty();
-    assertThat(wrong("Used", "DEF", "Other").orElseThrow()).contains("USE='Used'");
+    assertThat(wrong("Used", "DEF", "Other")).isEmpty();
+    assertThat(wrong("Used", "DEF", "").orElseThrow()).contains("Line 2");
     DocumentElement use = named("Used").parent().orElseThrow().children().get(1);
     assertThat(fields(use).get(0).choices()).containsExactly("Used");
     assertThat(edits.wrong(use, fields(use).get(0), "M").orElseThrow()).contains("Material");
+  }
+
+  @Test
+  void anotherNameIsSaidByAllThatSpeakOfTheNode() {
+    document.perform(edits.set(named("Used"), "DEF", "Other"));
+    assertThat(document.snapshot().text())
+        .isEqualTo(
+            SCENE.replace("DEF='Used'", "DEF='Other'").replace("USE=\"Used\"", "USE=\"Other\""));
+    document.history().undo();
+    assertThat(document.snapshot().text()).isEqualTo(SCENE);
   }
 
   @Test

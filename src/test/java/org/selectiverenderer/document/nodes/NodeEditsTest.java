@@ -58,6 +58,17 @@ class NodeEditsTest {
   }
 
   @Test
+  void whatEveryScenesHasAndWhatStandsForOthersIsLeftAlone() {
+    DocumentElement sceneElement = named("Box").parent().orElseThrow();
+    assertThatThrownBy(() -> edits.remove(sceneElement)).isInstanceOf(EditRefused.class);
+    assertThatThrownBy(() -> edits.copy(sceneElement, "Other")).isInstanceOf(EditRefused.class);
+    DocumentElement use = sceneElement.children().get(3).children().get(0);
+    assertThatThrownBy(() -> edits.rename(use, "Other"))
+        .isInstanceOf(EditRefused.class)
+        .hasMessageContaining("rename that one");
+  }
+
+  @Test
   void namesOfPrototypesAreOthers() {
     Scenes with =
         Scenes.with(

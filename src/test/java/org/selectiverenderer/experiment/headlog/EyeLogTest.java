@@ -163,12 +163,12 @@ class EyeLogTest {
   void theEyesAreATargetOfTheirOwn() throws IOException {
     HeadLogAnalysis analysis = HeadLogAnalysis.of(read(write(true, session())));
     assertThat(analysis.head().objects())
-        .extracting(Looks.ObjectView::object)
+        .extracting(LookSummary.ObjectView::object)
         .containsExactly("Switch_Desk");
-    EyeView eyes = analysis.eyes().orElseThrow();
+    EyeFindings eyes = analysis.eyes().orElseThrow();
     assertThat(eyes.tracked()).isCloseTo(75 / 80.0, within(1e-9));
     assertThat(eyes.looks().objects())
-        .extracting(Looks.ObjectView::object, Looks.ObjectView::looks)
+        .extracting(LookSummary.ObjectView::object, LookSummary.ObjectView::looks)
         .containsExactly(tuple("Switch_Lamp", 1), tuple("Switch_Desk", 1));
     // The blink is within the look; what was black is not.
     assertThat(eyes.looks().objects().get(0).seconds()).isCloseTo(1.1, within(1e-9));

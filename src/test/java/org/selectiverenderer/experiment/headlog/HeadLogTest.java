@@ -230,7 +230,7 @@ class HeadLogTest {
         .extracting(Dwell::object)
         .containsExactly("Switch_Desk", "Leg", "Switch_Shelf", "Switch_Desk");
     assertThat(analysis.head().all().get(0).end()).isCloseTo(2, within(1e-9));
-    Looks.ObjectView desk = analysis.head().objects().get(0);
+    LookSummary.ObjectView desk = analysis.head().objects().get(0);
     assertThat(desk.object()).isEqualTo("Switch_Desk");
     assertThat(desk.looks()).isEqualTo(2);
     assertThat(desk.seconds()).isCloseTo(3, within(1e-9));
@@ -251,7 +251,7 @@ class HeadLogTest {
     assertThat(analysis.unshown().samples()).isEqualTo(22);
     assertThat(analysis.unshown().seconds()).isCloseTo(2.2, within(1e-9));
     assertThat(analysis.unshown().pauses()).isZero();
-    Looks.ObjectView desk = analysis.head().objects().get(0);
+    LookSummary.ObjectView desk = analysis.head().objects().get(0);
     assertThat(desk.seconds()).isCloseTo(1.8, within(1e-9));
     assertThat(desk.first()).isCloseTo(1, within(1e-9));
     assertThat(desk.looks()).isEqualTo(2);

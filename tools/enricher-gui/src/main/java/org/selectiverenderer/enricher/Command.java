@@ -5,6 +5,7 @@ import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.KeyStroke;
+import org.selectiverenderer.enricher.text.MenuTitle;
 
 /** Something the author can do from a menu or by a key. */
 final class Command extends AbstractAction {
@@ -18,10 +19,10 @@ final class Command extends AbstractAction {
    */
   Command(String name, String key, Runnable work) {
     this.work = work;
-    int letter = name.indexOf('&');
-    putValue(NAME, name.replace("&", ""));
-    if (letter >= 0) {
-      putValue(MNEMONIC_KEY, KeyEvent.getExtendedKeyCodeForChar(name.charAt(letter + 1)));
+    MenuTitle title = MenuTitle.of(name);
+    putValue(NAME, title.words());
+    if (title.letter() != KeyEvent.VK_UNDEFINED) {
+      putValue(MNEMONIC_KEY, title.letter());
     }
     if (!key.isEmpty()) {
       putValue(ACCELERATOR_KEY, KeyStroke.getKeyStroke(key));
@@ -35,6 +36,6 @@ final class Command extends AbstractAction {
 
   /** Shows another name. */
   void rename(String name) {
-    putValue(Action.NAME, name.replace("&", ""));
+    putValue(Action.NAME, MenuTitle.of(name).words());
   }
 }

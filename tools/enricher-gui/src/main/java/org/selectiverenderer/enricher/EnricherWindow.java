@@ -263,6 +263,7 @@ final class EnricherWindow {
     EnricherSession session = new EnricherSession(file, catalogue, access, tasks, status::say);
     Workbench opened = new Workbench(session, settings, recovery, status::count, dialogs::versions);
     opened.onElsewhere(this::openElsewhere);
+    opened.menu().add(runs.openInlineOfNode());
     bench = opened;
     saving = new Saving(session, questions);
     session.document().addListener(titles);

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.selectiverenderer.enricher.menu.NodeCommand;
 import org.selectiverenderer.enricher.run.InlineTarget;
 import org.selectiverenderer.enricher.run.Launcher;
 import org.selectiverenderer.enricher.run.RunChoice;
@@ -88,6 +89,12 @@ final class RunCommands {
                           Path from = session.file().path();
                           open.accept(file, () -> way.push(from));
                         }));
+  }
+
+  /** The same for the context menu of a node. */
+  NodeCommand openInlineOfNode() {
+    return new NodeCommand(
+        "openInline", Texts.of("run.inline"), InlineTarget::holds, element -> openInline());
   }
 
   /** Opens it in an enricher of its own. */

@@ -187,17 +187,19 @@ final class Saving {
           String mine = session.document().text().toString();
           LineMerge merge = LineMerge.of(common, mine, copy.text());
           if (merge.count(LineMerge.Kind.THEIRS) + merge.count(LineMerge.Kind.CONFLICT) == 0) {
-            take(copy, merge.edit(Texts.of("merge.step"), List.of()));
-            session.message(Texts.of("merge.nothing"));
-            merged.run();
+            if (take(copy, merge.edit(Texts.of("merge.step"), List.of()))) {
+              session.message(Texts.of("merge.nothing"));
+              merged.run();
+            }
             return;
           }
           questions
               .merge(merge)
               .ifPresent(
                   choices -> {
-                    take(copy, merge.edit(Texts.of("merge.step"), choices));
-                    merged.run();
+                    if (take(copy, merge.edit(Texts.of("merge.step"), choices))) {
+                      merged.run();
+                    }
                   });
         });
   }
@@ -222,9 +224,13 @@ final class Saving {
         });
   }
 
-  private void take(DiskCopy copy, Edit edit) {
-    session.attempt(() -> session.file().take(copy, edit));
-    known = DiskState.SAME;
+  /** Whether it could be taken; else the author has been told why not. */
+  private boolean take(DiskCopy copy, Edit edit) {
+    boolean taken = session.attempt(() -> session.file().take(copy, edit));
+    if (taken) {
+      known = DiskState.SAME;
+    }
+    return taken;
   }
 
   private void withDisk(Consumer<DiskCopy> use) {

@@ -65,7 +65,8 @@ final class SceneDialogs {
     }
   }
 
-  private static Optional<DocumentElement> object(DocumentElement element) {
+  /** The object that versions can be made of: the Switch around an element, or it itself. */
+  static Optional<DocumentElement> object(DocumentElement element) {
     for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
       if (at.name().equals("Switch")) {
         return Optional.of(at);

@@ -23,6 +23,7 @@ import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.source.SourcePanel;
+import org.selectiverenderer.enricher.text.MenuTitle;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** The menus: all that can be done, with its keys. */
@@ -299,7 +300,7 @@ final class WindowMenus {
   }
 
   private static void name(Command command, String text, Optional<String> step) {
-    String verb = Texts.of(text).replace("&", "");
+    String verb = MenuTitle.of(Texts.of(text)).words();
     command.rename(step.map(name -> verb + " " + name).orElse(verb));
     command.setEnabled(step.isPresent());
   }

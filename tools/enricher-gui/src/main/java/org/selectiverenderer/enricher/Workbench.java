@@ -117,7 +117,7 @@ final class Workbench {
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
-    addMenus();
+    addMenus(makeVersions);
     disposals.add(autosave::dispose);
     disposals.add(problems::dispose);
     disposals.add(tree::dispose);
@@ -138,8 +138,27 @@ final class Workbench {
     }
   }
 
-  private void addMenus() {
+  private void addMenus(Consumer<DocumentElement> makeVersions) {
+    MetadataClipboard metadata = new MetadataClipboard(session);
     menu.add(NodeEditing.of(session, Toolkit.getDefaultToolkit().getSystemClipboard()));
+    menu.add(areas.commands(this::commit));
+    menu.add(
+        List.of(
+            new NodeCommand(
+                "makeVersions",
+                Texts.of("menu.versions"),
+                element -> SceneDialogs.object(element).isPresent(),
+                element -> SceneDialogs.object(element).ifPresent(makeVersions)),
+            new NodeCommand(
+                "copyMetadata",
+                Texts.of("overview.copy"),
+                metadata::fits,
+                element -> copyMetadata()),
+            new NodeCommand(
+                "pasteMetadata",
+                Texts.of("overview.paste"),
+                element -> metadata.fits(element) && session.document().locked().isEmpty(),
+                element -> pasteMetadata())));
     menu.add(
         List.of(
             new NodeCommand(

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.document.Edit;
-import org.selectiverenderer.document.StepFiles;
+import org.selectiverenderer.document.StepFile;
 import org.selectiverenderer.document.file.LineMerge;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -335,9 +335,7 @@ class SavingTest {
     Path file = folder.resolve("cup_v2.x3d");
     session
         .document()
-        .perform(
-            new Edit("Make", List.of()),
-            List.of(new StepFiles.Written(file, new byte[] {'a'}, false)));
+        .perform(new Edit("Make", List.of()), List.of(new StepFile(file, new byte[] {'a'}, false)));
     Files.writeString(file, "theirs");
     Steps steps = new Steps(session.document().history(), answers);
     answers.agree = false;

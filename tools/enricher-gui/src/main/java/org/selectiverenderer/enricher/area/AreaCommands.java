@@ -1,8 +1,11 @@
 package org.selectiverenderer.enricher.area;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.selectiverenderer.document.area.AreaBox;
+import org.selectiverenderer.enricher.menu.NodeCommand;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.Bounds;
@@ -87,17 +90,56 @@ public final class AreaCommands {
 
   /** Asks for another name of what is selected. */
   public void rename() {
-    withSelected(node -> nodes.rename(node, question));
+    withNamed(node -> nodes.rename(node, question));
   }
 
   /** Copies what is selected. */
   public void copy() {
-    withSelected(node -> nodes.copy(node, this));
+    withNamed(node -> nodes.copy(node, this));
+  }
+
+  private void withNamed(Consumer<DocumentElement> work) {
+    withSelected(
+        node -> {
+          if (nodes.named(node)) {
+            work.accept(node);
+          } else {
+            session.message(Texts.of("area.noname", node));
+          }
+        });
   }
 
   /** Takes out what is selected. */
   public void delete() {
     withSelected(nodes::delete);
+  }
+
+  /**
+   * What can be done with the selected node, for its context menu.
+   *
+   * @param before takes over what is typed elsewhere, so that the commands see it
+   */
+  public List<NodeCommand> commands(Runnable before) {
+    Predicate<DocumentElement> free = element -> session.document().locked().isEmpty();
+    Predicate<DocumentElement> named = free.and(nodes::named);
+    Predicate<DocumentElement> wrapped = free.and(nodes.switches()::wraps);
+    return List.of(
+        command("renameNode", "rename.node", named, before, this::rename),
+        command("duplicateNode", "copy.node", named, before, this::copy),
+        command("makeSwitch", "switch", wrapped, before, this::makeSwitch),
+        command("addArea", "add", free, before, this::addAroundSelection));
+  }
+
+  private static NodeCommand command(
+      String id, String text, Predicate<DocumentElement> fits, Runnable before, Runnable work) {
+    return new NodeCommand(
+        id,
+        Texts.of("area." + text),
+        fits,
+        element -> {
+          before.run();
+          work.run();
+        });
   }
 
   private void withSelected(Consumer<DocumentElement> work) {

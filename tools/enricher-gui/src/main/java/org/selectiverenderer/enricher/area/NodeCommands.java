@@ -41,6 +41,14 @@ public final class NodeCommands {
     return switches;
   }
 
+  /** Whether an element is a node of its own, which can have a name and copies. */
+  public boolean named(DocumentElement element) {
+    boolean node =
+        element.name().equals("ProtoInstance")
+            || session.catalogue().find(element.name()).isPresent();
+    return node && element.use().isEmpty();
+  }
+
   /** The area that an element is, if it is one whose place is known. */
   public Optional<PlacedArea> area(DocumentElement element) {
     return element.attached()

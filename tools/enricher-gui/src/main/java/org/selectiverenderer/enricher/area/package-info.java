@@ -8,8 +8,9 @@
  * answers, later and on the event dispatch thread, so that this package does not know it. {@link
  * org.selectiverenderer.enricher.area.GridSetting} is the grid that every view snaps to.
  *
- * <p>Uses {@code enricher.session}, {@code enricher.settings}, {@code enricher.text}, {@code
- * document}, {@code geometry} and {@code base.decimal}. For the event dispatch thread.
+ * <p>Uses {@code enricher.menu}, {@code enricher.session}, {@code enricher.settings}, {@code
+ * enricher.text}, {@code document}, {@code geometry} and {@code base.decimal}. For the event
+ * dispatch thread.
  */
 @NullMarked
 package org.selectiverenderer.enricher.area;

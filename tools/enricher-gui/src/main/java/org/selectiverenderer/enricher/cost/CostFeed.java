@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 import org.jspecify.annotations.Nullable;
@@ -40,6 +42,10 @@ final class CostFeed {
   private final BudgetPlace place;
   private final Consumer<Found> listener;
   private final SceneCounter counter = new SceneCounter();
+
+  /** One counts at a time; who waits and is cancelled meanwhile frees its thread at once. */
+  private final Lock turn = new ReentrantLock();
+
   private final DocumentListener onChange = change -> changed();
   private final Timer pause = new Timer(PAUSE, event -> now());
   private boolean seen;
@@ -99,7 +105,7 @@ final class CostFeed {
   }
 
   private Found count(Snapshot snapshot, Path file, boolean wanted, TaskProgress progress)
-      throws IOException {
+      throws IOException, InterruptedException {
     Problems problems = new Problems();
     Optional<ValidationSettings> settings = place.settings(problems);
     Optional<String> fault = problems.list().stream().map(Problem::toString).findFirst();
@@ -107,15 +113,20 @@ final class CostFeed {
     if (!wanted && budgets.isEmpty()) {
       return new Found(Optional.empty(), fault);
     }
-    progress.check();
-    SceneCounter.Counted counted =
-        counter.count(
-            file,
-            snapshot.name(),
-            snapshot.bytes(),
-            settings.map(s -> s.access().and(session.access())).orElse(session.access()));
-    progress.check();
-    return new Found(Optional.of(CostRow.of(counted, budgets)), fault);
+    turn.lockInterruptibly();
+    try {
+      progress.check();
+      SceneCounter.Counted counted =
+          counter.count(
+              file,
+              snapshot.name(),
+              snapshot.bytes(),
+              settings.map(s -> s.access().and(session.access())).orElse(session.access()));
+      progress.check();
+      return new Found(Optional.of(CostRow.of(counted, budgets)), fault);
+    } finally {
+      turn.unlock();
+    }
   }
 
   private void found(Found found) {

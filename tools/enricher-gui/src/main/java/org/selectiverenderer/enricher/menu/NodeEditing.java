@@ -11,6 +11,7 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.hand.Commenting;
 import org.selectiverenderer.document.hand.ElementEdits;
+import org.selectiverenderer.document.nodes.NodeEdits;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -28,7 +29,7 @@ public final class NodeEditing {
   public static List<NodeCommand> of(EnricherSession session, Clipboard clipboard) {
     NodeEditing editing = new NodeEditing(session, clipboard);
     Predicate<DocumentElement> free = element -> session.document().locked().isEmpty();
-    Predicate<DocumentElement> removable = free.and(ElementEdits::removable);
+    Predicate<DocumentElement> removable = free.and(NodeEdits::removable);
     return List.of(
         new NodeCommand("cutNode", Texts.of("node.cut"), removable, editing::cut),
         new NodeCommand("copyNode", Texts.of("node.copy"), element -> true, editing::copy),
@@ -70,8 +71,7 @@ public final class NodeEditing {
   }
 
   private void delete(DocumentElement element) {
-    session.attempt(
-        () -> document().perform(edits().remove(element, Texts.of("node.deleteStep", element))));
+    session.attempt(() -> document().perform(new NodeEdits(document()).remove(element)));
   }
 
   private void comment(DocumentElement element) {

@@ -31,6 +31,11 @@ public final class MetadataClipboard {
     this.clipboard = clipboard;
   }
 
+  /** Whether an element, or one around it, is an object or area that can have metadata. */
+  public boolean fits(DocumentElement element) {
+    return enriched(element).isPresent();
+  }
+
   /** Copies what the first of some elements, or the Switch or sensor around it, has. */
   public void copy(List<DocumentElement> from) {
     Optional<String> text =

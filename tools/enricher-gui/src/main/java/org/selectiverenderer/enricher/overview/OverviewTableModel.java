@@ -17,7 +17,7 @@ import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.document.enrichment.SchemaNames;
+import org.selectiverenderer.document.enrichment.SchemaNaming;
 import org.selectiverenderer.document.enrichment.SchemaOverview;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Cell;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
@@ -147,7 +147,7 @@ final class OverviewTableModel extends AbstractTableModel {
     if (schema.isEmpty()) {
       throw new EditRefused("a schema needs a name of at least one letter");
     }
-    SchemaNames.complaint(schema)
+    SchemaNaming.complaint(schema)
         .ifPresent(
             why -> {
               throw new EditRefused(why);

@@ -173,8 +173,12 @@ final class AreaHandles extends MouseAdapter {
       AreaDrag done = drag;
       drag = null;
       event.consume();
-      nodes.place(
-          done.area().element(), dragged, done.handle() == AreaDrag.MIDDLE ? "move" : "resize");
+      boolean made =
+          nodes.place(
+              done.area().element(), dragged, done.handle() == AreaDrag.MIDDLE ? "move" : "resize");
+      if (!made) { // No edit comes that would show it where it is.
+        live.show(done.area(), done.area().box());
+      }
       view.repaint();
     }
   }

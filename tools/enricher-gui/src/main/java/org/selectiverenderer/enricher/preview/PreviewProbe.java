@@ -24,6 +24,10 @@ final class PreviewProbe implements SceneProbe {
   }
 
   private <T> void ask(Function<PreviewScene, Optional<T>> question, Consumer<Optional<T>> answer) {
+    if (!thread.alive()) {
+      SwingUtilities.invokeLater(() -> answer.accept(Optional.empty()));
+      return;
+    }
     thread.tell(
         stage -> {
           Optional<T> found = stage.scene().flatMap(question);

@@ -95,7 +95,7 @@ final class PreviewScene implements AutoCloseable {
     revision = patch.revision();
     areas = new AreaBoxes(world, nodes);
     asIf = new AsIf(nodes.switches(), world.cascade());
-    asIf.apply(schemas);
+    asIf(schemas); // The version that is shown in place stays, too.
     counted = -1;
     return true;
   }

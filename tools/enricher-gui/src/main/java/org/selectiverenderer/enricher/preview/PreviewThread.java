@@ -76,6 +76,11 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
         });
   }
 
+  /** Whether there is a preview: not where there is no OpenGL, nor after the end. Thread-safe. */
+  boolean alive() {
+    return thread.isAlive();
+  }
+
   /** Where the picture drawn last was seen from; empty before the first. Thread-safe. */
   Optional<Pose> pose() {
     return pose;

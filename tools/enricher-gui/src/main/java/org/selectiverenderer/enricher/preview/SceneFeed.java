@@ -99,7 +99,10 @@ final class SceneFeed implements AutoCloseable {
 
   /** Loads all of it, without waiting for a pause. */
   void now() {
-    given.set(null);
+    synchronized (given) {
+      given.set(null);
+      wanted.incrementAndGet(); // What is read now is of before.
+    }
     follow();
   }
 
@@ -135,8 +138,7 @@ final class SceneFeed implements AutoCloseable {
     tell(mine, listener::loading);
     try {
       LoadedPreview loaded = LoadedPreview.of(snapshot, folder, access);
-      if (wanted.get() == mine) {
-        given.set(new Given(snapshot, folder));
+      if (gave(mine, new Given(snapshot, folder))) {
         target.show(loaded);
         tell(mine, listener::loaded);
       } else {
@@ -146,6 +148,17 @@ final class SceneFeed implements AutoCloseable {
       tell(mine, () -> listener.stale("The preview cannot show the scene: " + e.getMessage()));
     } catch (RuntimeException e) {
       tell(mine, () -> listener.stale("The preview cannot show the scene: " + e));
+    }
+  }
+
+  /** Remembers what is handed over, unless it is overtaken. */
+  private boolean gave(long mine, Given state) {
+    synchronized (given) {
+      boolean newest = wanted.get() == mine;
+      if (newest) {
+        given.set(state);
+      }
+      return newest;
     }
   }
 

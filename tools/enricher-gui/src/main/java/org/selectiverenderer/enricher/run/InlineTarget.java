@@ -46,6 +46,11 @@ public final class InlineTarget {
     return new Answer(Optional.empty(), reason);
   }
 
+  /** Whether an element is or holds an Inline. */
+  public static boolean holds(DocumentElement element) {
+    return inline(element).isPresent();
+  }
+
   private static Optional<DocumentElement> inline(DocumentElement element) {
     return element.name().equals("Inline")
         ? Optional.of(element)

@@ -5,16 +5,24 @@ import static org.selectiverenderer.enricher.Swing.edt;
 import static org.selectiverenderer.enricher.Swing.get;
 
 import java.awt.datatransfer.Clipboard;
+import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.enricher.area.AreaCommands;
+import org.selectiverenderer.enricher.area.NameQuestion;
+import org.selectiverenderer.enricher.area.PlanPicture;
+import org.selectiverenderer.enricher.area.SceneProbe;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** What can be done with the selected node. */
@@ -72,7 +80,7 @@ class NodeMenuTest {
     choose("A", "deleteNode");
     assertThat(text()).doesNotContain("DEF='A'/>");
     assertThat(get(() -> session.document().history().names()))
-        .isEqualTo(List.of("Cut Group A", "Paste", "Paste", "Comment Group B", "Delete Group A"));
+        .isEqualTo(List.of("Cut Group A", "Paste", "Paste", "Comment Group B", "Delete A"));
     for (int i = 0; i < 5; i++) {
       edt(() -> session.document().history().undo());
     }
@@ -89,6 +97,64 @@ class NodeMenuTest {
     assertThat(enabled()).hasSize(6).endsWith("mine");
     edt(() -> session.select(null, this));
     assertThat(get(() -> filled().getComponentCount())).isZero();
+  }
+
+  @Test
+  void areasAndSwitchesAreThereWithTheLettersThatChooseThem() throws IOException {
+    open();
+    edt(
+        () -> {
+          SceneProbe probe = new NoScene();
+          NameQuestion question = (title, proposal, complaint) -> Optional.of(proposal);
+          menu.add(new AreaCommands(session, probe, question).commands(() -> {}));
+        });
+    String before = text();
+    choose("A", "makeSwitch");
+    assertThat(text()).contains("<Switch DEF='Switch_A' whichChoice='0'>");
+    choose("B", "duplicateNode");
+    assertThat(text()).contains("<Group DEF='B'/>\n<Group DEF='B_2'/>");
+    choose("B", "deleteNode");
+    assertThat(text()).doesNotContain("DEF='B'/>");
+    for (int i = 0; i < 3; i++) {
+      edt(() -> session.document().history().undo());
+    }
+    assertThat(text()).isEqualTo(before);
+    edt(() -> session.select(named("A"), this));
+    JMenuItem rename =
+        get(
+            () ->
+                Stream.of(filled().getComponents())
+                    .filter(each -> "renameNode".equals(each.getName()))
+                    .map(JMenuItem.class::cast)
+                    .findFirst()
+                    .orElseThrow());
+    assertThat(rename.getText()).isEqualTo("Rename Node...");
+    assertThat(rename.getMnemonic()).isEqualTo(KeyEvent.VK_N);
+    edt(() -> session.select(session.document().tree().orElseThrow().root(), this));
+    assertThat(enabled()).containsExactly("copyNode", "pasteNode", "addArea");
+  }
+
+  /** Where no preview runs. */
+  private static final class NoScene implements SceneProbe {
+    @Override
+    public void around(DocumentElement element, Consumer<Optional<Bounds>> answer) {
+      answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void room(Consumer<Optional<Bounds>> answer) {
+      answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void raised(Bounds of, Consumer<Optional<Bounds>> answer) {
+      answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void plan(Optional<Double> cut, Consumer<Optional<PlanPicture>> answer) {
+      answer.accept(Optional.empty());
+    }
   }
 
   private List<String> enabled() {

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodesBelow;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -100,6 +101,18 @@ class ScenePatchTest {
       loaded.asIf(List.of("DeskSchema"));
       assertThat(told(running)).isEqualTo(told(loaded));
       assertThat(running.revision()).isEqualTo(edited[1].revision());
+    }
+  }
+
+  @Test
+  void theVersionShownInPlaceStaysWhenAnEditIsTakenOver() throws IOException {
+    Snapshot[] edited = edited("diffuseColor='0 1 0'", "diffuseColor='1 0 0'");
+    try (PreviewScene running = load(edited[0])) {
+      SwitchNode can = (SwitchNode) running.world().scene().find("Can").orElseThrow();
+      running.version(can, 1);
+      assertThat(running.patch(patch(edited).orElseThrow())).isTrue();
+      assertThat(running.versioned()).contains(can);
+      assertThat(can.whichChoice()).isEqualTo(1);
     }
   }
 

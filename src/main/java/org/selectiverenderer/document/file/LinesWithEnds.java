@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** A text's lines. */
-final class TextLines {
-  private TextLines() {}
+final class LinesWithEnds {
+  private LinesWithEnds() {}
 
   /** With their ends; the last one may have none. */
   static List<String> of(String text) {

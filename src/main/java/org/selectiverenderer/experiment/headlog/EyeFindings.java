@@ -10,9 +10,9 @@ import java.util.Optional;
  * @param looks at objects
  * @param fixations in order of time
  */
-public record EyeView(double tracked, Looks looks, List<Fixation> fixations) {
+public record EyeFindings(double tracked, LookSummary looks, List<Fixation> fixations) {
   /** Looks at a log; empty for one that says nothing of the eyes. */
-  static Optional<EyeView> of(HeadLog log) {
+  static Optional<EyeFindings> of(HeadLog log) {
     if (log.samples().stream().allMatch(sample -> sample.eyes() == null)) {
       return Optional.empty();
     }
@@ -27,7 +27,7 @@ public record EyeView(double tracked, Looks looks, List<Fixation> fixations) {
       }
     }
     return Optional.of(
-        new EyeView(all > 0 ? tracked / all : 0, Looks.ofEyes(log), Fixations.of(log)));
+        new EyeFindings(all > 0 ? tracked / all : 0, LookSummary.ofEyes(log), Fixations.of(log)));
   }
 
   /** The fixations of an object. */

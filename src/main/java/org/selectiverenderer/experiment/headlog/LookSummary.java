@@ -19,7 +19,7 @@ import java.util.stream.Collectors;
  * @param unseen objects of the scene that were never looked at, by room; walls, floors and ceilings
  *     are not among them
  */
-public record Looks(List<Dwell> all, List<ObjectView> objects, Map<String, List<String>> unseen) {
+public record LookSummary(List<Dwell> all, List<ObjectView> objects, Map<String, List<String>> unseen) {
 
   /** Shorter gaps in a look are blinks of the log: an edge, a leg of a chair passing. */
   static final double GAP = 0.15;
@@ -36,12 +36,12 @@ public record Looks(List<Dwell> all, List<ObjectView> objects, Map<String, List<
       String object, double seconds, int looks, double first, double longest) {}
 
   /** What was in the middle of the view. */
-  static Looks ofHead(HeadLog log) {
+  static LookSummary ofHead(HeadLog log) {
     return of(log, HeadSample::object, HeadSample::version);
   }
 
   /** What the eyes looked at; nothing while they were not tracked. */
-  static Looks ofEyes(HeadLog log) {
+  static LookSummary ofEyes(HeadLog log) {
     return of(log, sample -> eyes(sample).object(), sample -> eyes(sample).version());
   }
 
@@ -50,12 +50,12 @@ public record Looks(List<Dwell> all, List<ObjectView> objects, Map<String, List<
     return eyes == null ? EyeSample.LOST : eyes;
   }
 
-  private static Looks of(
+  private static LookSummary of(
       HeadLog log, Function<HeadSample, String> object, ToIntFunction<HeadSample> version) {
     List<Dwell> looks = looks(log, object, version);
     List<ObjectView> objects = objects(looks);
     List<String> seen = objects.stream().map(ObjectView::object).toList();
-    return new Looks(looks, objects, unseen(log.description().map(), seen));
+    return new LookSummary(looks, objects, unseen(log.description().map(), seen));
   }
 
   private static Map<String, List<String>> unseen(SceneMap map, List<String> seen) {
