@@ -113,10 +113,10 @@ final class PictureView extends JComponent implements Accessible {
   static List<String> lines(PreviewFrame frame) {
     List<String> lines = new ArrayList<>();
     if (frame.walking()) {
-      lines.add("Walking. Areas entered: " + list(frame.areas()));
-      lines.add("Schemas active: " + list(frame.schemas()));
+      lines.add(Texts.of("preview.walking", list(frame.areas())));
+      lines.add(Texts.of("preview.active", list(frame.schemas())));
     } else if (!frame.schemas().isEmpty()) {
-      lines.add("As if in " + list(frame.schemas()));
+      lines.add(Texts.of("preview.asif.one", list(frame.schemas())));
     }
     frame.version().ifPresent(lines::add);
     lines.add(
@@ -129,7 +129,7 @@ final class PictureView extends JComponent implements Accessible {
   }
 
   private static String list(List<String> names) {
-    return names.isEmpty() ? "none" : String.join(", ", names);
+    return names.isEmpty() ? Texts.of("preview.nonames") : String.join(", ", names);
   }
 
   static String text(PreviewFrame.Label label) {
