@@ -63,13 +63,13 @@ class AuthorsDayTest {
   private static final Pattern SWITCH =
       Pattern.compile(
           "<Switch DEF='Switch_(\\w+)' whichChoice='1'>\\s*<Inline [^>]*(url='[^']*')/>"
-              + "\\s*<Inline [^>]*(url='[^']*')/>\\s*</Switch>");
+              + "\\s*<Inline [^>]*/>\\s*</Switch>");
 
   @TempDir Path folder;
   private final Hands hands = new Hands();
   private EnricherWindow window;
 
-  /** The apartment of ten objects in all their polygons, and all others in few; no areas. */
+  /** The rooms of the apartment with ten objects in all their polygons; no areas, no versions. */
   private Path apartment() throws IOException {
     Path scenes = Files.createDirectories(folder.resolve("scenes"));
     Path models = Files.createDirectories(folder.resolve("inlineNodes"));
@@ -82,9 +82,9 @@ class AuthorsDayTest {
             .matcher(text)
             .replaceAll(
                 found ->
-                    "<Inline DEF='%s' %s/>"
-                        .formatted(
-                            found.group(1), found.group(TEN.contains(found.group(1)) ? 2 : 3)));
+                    TEN.contains(found.group(1))
+                        ? "<Inline DEF='%s' %s/>".formatted(found.group(1), found.group(2))
+                        : "");
     assertThat(flat).doesNotContain("<Switch").doesNotContain("Sensor");
     Matcher url = Pattern.compile("\\.\\./inlineNodes/([^\"]*)").matcher(flat);
     while (url.find()) {
@@ -328,7 +328,7 @@ class AuthorsDayTest {
         PlacedAreas.of(Sessions.open(SCENES.resolve("apartment.x3d")).enrichment()).stream()
             .collect(Collectors.toMap(PlacedArea::name, Function.identity()));
     JComponent plan = plan();
-    hands.await("the plan", () -> colours(plan) > 200);
+    hands.await("the plan", () -> colours(plan) > 50);
     draw(session, areas.get("SofaProx"), 0.1, 0.42, 0.3, 0.58);
     fillArea("SofaSchema", "LoungeSchema");
     draw(session, areas.get("BookcaseProx"), 0.63, 0.42, 0.7, 0.52);
