@@ -50,7 +50,7 @@ import org.selectiverenderer.testing.ShowsWindows;
  * one that switches as in thesis 5.4, with mouse and keyboard in the window only.
  */
 @ShowsWindows
-@Timeout(value = 300, unit = TimeUnit.SECONDS)
+@Timeout(value = 600, unit = TimeUnit.SECONDS)
 class AuthorsDayTest {
   private static final Path SCENES = Path.of("scenes");
   private static final Path MODELS = Path.of("inlineNodes");
