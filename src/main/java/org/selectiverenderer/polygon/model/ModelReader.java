@@ -31,6 +31,7 @@ public final class ModelReader {
   private final NodeCatalogue catalogue;
   private final X3dReader reader;
   private final ContentAccess access;
+  private final Optional<Path> rootFolder;
   private final Tessellator tessellator = new Tessellator();
 
   public ModelReader(NodeCatalogue catalogue) {
@@ -41,9 +42,19 @@ public final class ModelReader {
    * @param access what models may name besides their own files
    */
   public ModelReader(NodeCatalogue catalogue, ContentAccess access) {
+    this(catalogue, access, Optional.empty());
+  }
+
+  private ModelReader(NodeCatalogue catalogue, ContentAccess access, Optional<Path> rootFolder) {
     this.access = access;
+    this.rootFolder = rootFolder;
     this.catalogue = catalogue;
     this.reader = new X3dReader(catalogue);
+  }
+
+  /** The same for nodes that a scene in that folder inlines: they may name what it may name. */
+  public ModelReader ofSceneIn(Path folder) {
+    return new ModelReader(catalogue, access, Optional.of(folder));
   }
 
   /**
@@ -87,7 +98,7 @@ public final class ModelReader {
 
   private Model gather(
       List<? extends NodeView> nodes, Path folder, X3dFile scene, Problems problems) {
-    ContentRoot root = new ContentRoot(folder.toAbsolutePath(), access);
+    ContentRoot root = new ContentRoot(rootFolder.orElse(folder).toAbsolutePath(), access);
     ShapeGatherer gatherer = new ShapeGatherer(reader, tessellator, root, problems);
     gatherer.gather(nodes, folder, ShapeGatherer.metres(scene));
     return new Model(gatherer.parts(), scene.units());

@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher;
 
 import java.awt.Container;
 import java.awt.Toolkit;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -40,6 +41,8 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.tree.SceneTreePanel;
 import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.validation.run.RuleCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** All views of one session, laid out as the author left them. */
@@ -82,7 +85,7 @@ final class Workbench {
     this.session = session;
     this.settings = settings;
     menu = new NodeMenu(session);
-    pictures = new VersionPictures(session.access());
+    pictures = new VersionPictures(asScene(session));
     autosave = new Autosave(session, recovery);
     BudgetPlace budgets = new BudgetPlace(() -> session.file().path(), settings);
     problems = new ProblemsPanel(session, List.of(validator(session, budgets)));
@@ -142,6 +145,15 @@ final class Workbench {
   private void addTab(String name, String title, JComponent view) {
     views.add(name);
     tabs.addTab(title, view);
+  }
+
+  /** Files of versions may name what the scene may that they are versions for. */
+  private static ContentAccess asScene(EnricherSession session) {
+    Path folder = session.file().path().toAbsolutePath().resolveSibling("");
+    List<Path> folders = new ArrayList<>(session.access().folders());
+    folders.add(folder);
+    folders.add(folder.resolveSibling(ContentRoot.INLINE_FOLDER));
+    return new ContentAccess(folders, session.access().network());
   }
 
   private void addMenus(Consumer<DocumentElement> makeVersions) {

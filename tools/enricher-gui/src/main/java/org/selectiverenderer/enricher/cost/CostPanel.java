@@ -106,12 +106,19 @@ public final class CostPanel extends JPanel {
     return table;
   }
 
-  /** Tells in a tooltip what a narrow column cuts off. */
+  /**
+   * Scrolls sideways where it has no room, and tells in a tooltip what a narrow column cuts off.
+   */
   private static final class WholeTexts extends JTable {
     private static final long serialVersionUID = 1L;
 
     WholeTexts(TableModel model) {
       super(model);
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+      return getParent() == null || getMinimumSize().width <= getParent().getWidth();
     }
 
     @Override
@@ -146,7 +153,7 @@ public final class CostPanel extends JPanel {
   }
 
   private void dressStates() {
-    widths(statesTable, 9, 18, -9, -7, -9, -17);
+    widths(statesTable, -9, -16, -9, -7, -9, -17);
     right(statesTable, StatesModel.POLYGONS, StatesModel.PERCENT);
     LimitCell limits = new LimitCell();
     limits.setHorizontalAlignment(SwingConstants.TRAILING);
@@ -182,7 +189,7 @@ public final class CostPanel extends JPanel {
   }
 
   private void dressObjects() {
-    widths(objectsTable, 20, -8, -7, 8, 16);
+    widths(objectsTable, -18, -8, -7, -8, -14);
     right(objectsTable, ObjectsModel.POLYGONS, ObjectsModel.POLYGONS + 1);
     objectsTable
         .getSelectionModel()

@@ -144,7 +144,7 @@ public final class SceneTreePanel {
       tree.requestFocusInWindow();
       return;
     }
-    List<DocumentElement> hits = model.hits();
+    List<DocumentElement> hits = hits();
     if (hits.isEmpty()) {
       session.message(Texts.of("nodes.nohit", search.getText().strip()));
       return;
@@ -161,6 +161,20 @@ public final class SceneTreePanel {
     if (hits.size() == 1) {
       tree.requestFocusInWindow();
     }
+  }
+
+  /**
+   * What is found; where objects and areas have no hit, in the whole scene, which is shown then.
+   */
+  private List<DocumentElement> hits() {
+    int before = extent.getSelectedIndex();
+    if (model.hits().isEmpty() && before != WHOLE) {
+      extent.setSelectedIndex(WHOLE);
+      if (model.hits().isEmpty()) {
+        extent.setSelectedIndex(before);
+      }
+    }
+    return model.hits();
   }
 
   /**

@@ -90,6 +90,7 @@ record ComputedVersions(
     X3dFile scene = new X3dReader(catalogue).read(file.toString(), content, unheard);
     Path folder = file.toAbsolutePath().getParent();
     return new ModelReader(catalogue, request.access())
+        .ofSceneIn(request.scene().toAbsolutePath().resolveSibling(""))
         .of(scene.nodes(), scene, folder, Location.of(file.toString()), "the version", unheard)
         .map(ObjectShape::of);
   }

@@ -226,6 +226,47 @@ public final class Hands {
     settle();
   }
 
+  /** Drags over a part of a component, from one share of its width and height to another. */
+  public void drag(Component component, double fromX, double fromY, double toX, double toY) {
+    Rectangle on = onEdt(() -> new Rectangle(component.getLocationOnScreen(), component.getSize()));
+    robot.mouseMove(at(on.x, on.width, fromX), at(on.y, on.height, fromY));
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+    for (int i = 1; i <= 4; i++) {
+      double share = i / 4.0;
+      robot.mouseMove(
+          at(on.x, on.width, fromX + share * (toX - fromX)),
+          at(on.y, on.height, fromY + share * (toY - fromY)));
+    }
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    settle();
+  }
+
+  private static int at(int start, int length, double share) {
+    return start + (int) Math.round(share * length);
+  }
+
+  /** Writes letters without accents, digits, points, minus signs and underscores. */
+  public void write(String text) {
+    for (char each : text.toCharArray()) {
+      boolean shift = Character.isUpperCase(each) || each == '_';
+      int key =
+          switch (each) {
+            case '_', '-' -> KeyEvent.VK_MINUS;
+            case '.' -> KeyEvent.VK_PERIOD;
+            default -> Character.toUpperCase(each);
+          };
+      if (shift) {
+        robot.keyPress(KeyEvent.VK_SHIFT);
+      }
+      robot.keyPress(key);
+      robot.keyRelease(key);
+      if (shift) {
+        robot.keyRelease(KeyEvent.VK_SHIFT);
+      }
+    }
+    settle();
+  }
+
   /** Types digits and points. */
   public void type(String digits) {
     digits.chars().forEach(c -> press(c == '.' ? KeyEvent.VK_PERIOD : c));
