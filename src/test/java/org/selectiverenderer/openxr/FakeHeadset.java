@@ -15,6 +15,12 @@ public final class FakeHeadset {
     return this;
   }
 
+  /** Its frames are due a hundred times a second, not at once. */
+  public FakeHeadset paced() {
+    runtime.pauseNanos = FakeRuntime.PERIOD;
+    return this;
+  }
+
   /** The eyes look somewhere, in the frame of the head; or nobody sees them. */
   public void look(Optional<Quaterniond> turn) {
     runtime.gaze = turn.map(eyes -> new SpacePose(new Vector3d(), eyes));

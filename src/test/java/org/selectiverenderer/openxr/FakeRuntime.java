@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
+import java.util.concurrent.locks.LockSupport;
 import org.joml.Quaterniond;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
@@ -47,6 +48,10 @@ final class FakeRuntime implements XrLoader {
 
   long display = 1_000_000_000;
   long period = PERIOD;
+
+  /** How long it is waited for a frame. */
+  long pauseNanos;
+
   List<XrSession.EyePicture> shown = List.of();
   long shownAt;
   int open;
@@ -294,6 +299,9 @@ final class FakeRuntime implements XrLoader {
       require(running && !waited, "WaitFrame");
       waited = true;
       display += period;
+      if (pauseNanos > 0) {
+        LockSupport.parkNanos(pauseNanos);
+      }
       return new FrameTime(display, PERIOD, drawn);
     }
 

@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.session;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -51,7 +52,7 @@ final class QuestionGuide implements RunGuide {
   private @Nullable World world;
   private Optional<SpacePose> aim = Optional.empty();
   private @Nullable Shown shown;
-  private QuestionSheet.@Nullable Target lit;
+  private @Nullable SheetTarget lit;
   private boolean taken;
   private int frames;
 
@@ -61,20 +62,24 @@ final class QuestionGuide implements RunGuide {
   /**
    * @param layout knows how large the participant is in the scene
    * @param dark whether nothing of the scene may be seen
+   * @throws IOException with a one-line message if a page's picture is none
    */
   QuestionGuide(
       Session session,
       SessionStep.Questions step,
       OperatorControls controls,
       HeadsetLayout layout,
-      boolean dark) {
+      boolean dark)
+      throws IOException {
     this.session = session;
     this.step = step;
     this.controls = controls;
     this.layout = layout;
     this.dark = dark;
     told = new ToldAnswers(session, step);
-    sheet = new QuestionSheet(session.material().wording());
+    sheet =
+        new QuestionSheet(
+            session.material().wording(), PanelPictures.of(session.questionnaire(step)));
     simulated = new Random(session.material().study().seed() + step.id().hashCode());
   }
 
@@ -124,15 +129,15 @@ final class QuestionGuide implements RunGuide {
     Optional<Vector2d> at = point();
     Shown seen = shown;
     taken = seen != null && at.filter(to -> seen.sheet.has(to.x, to.y)).isPresent();
-    Optional<QuestionSheet.Target> target = at.flatMap(to -> target(to));
-    QuestionSheet.Target was = lit;
+    Optional<SheetTarget> target = at.flatMap(to -> target(to));
+    SheetTarget was = lit;
     if (was != null && target.filter(now -> now == was).isPresent()) {
       lit = null; // Once: what comes next was not pointed at yet.
       was.choose().run();
     }
   }
 
-  private Optional<QuestionSheet.Target> target(Vector2d at) {
+  private Optional<SheetTarget> target(Vector2d at) {
     Shown seen = shown;
     return seen == null ? Optional.empty() : seen.sheet.at(at.x, at.y);
   }
@@ -191,7 +196,7 @@ final class QuestionGuide implements RunGuide {
     shown = new Shown(drawn, stands);
     List<Mark> marks = new ArrayList<>(drawn.marks());
     Optional<Vector2d> at = point().filter(to -> drawn.has(to.x, to.y));
-    QuestionSheet.Target target = at.flatMap(this::target).orElse(null);
+    SheetTarget target = at.flatMap(this::target).orElse(null);
     lit = target;
     if (target != null) {
       marks.addAll(target.lit());

@@ -32,11 +32,6 @@ public final class ButtonCourse {
     toFirstOpen();
   }
 
-  /** Whether a questionnaire can be answered so: on pages without pictures. */
-  public static boolean fits(Questionnaire questionnaire) {
-    return questionnaire.pages().stream().allMatch(page -> page.picture().isEmpty());
-  }
-
   /** The page, with what is answered on it. */
   public QuestionnaireCourse course() {
     return course;

@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.experiment.questionnaire.ButtonCourse;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.experiment.study.Study;
@@ -64,9 +63,8 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
   /** Whether the questions of a step are answered inside the headset. */
   public boolean insideHeadset(SessionStep step) {
     return study.display().worn().asked()
-        && asked.stream()
-            .filter(each -> each.step().equals(step))
-            .anyMatch(each -> scenery().isPresent() && fits(each.questionnaire()));
+        && scenery().isPresent()
+        && asked.stream().anyMatch(each -> each.step().equals(step));
   }
 
   /** What is shown behind questions inside the headset: the practice, else what is asked about. */
@@ -74,31 +72,13 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
     return study.practice().map(Study.Practice::scene).or(study::scene);
   }
 
-  private boolean fits(Questionnaire questionnaire) {
-    return ButtonCourse.fits(questionnaire);
-  }
-
   /** Says what a participant has to take the headset off for. */
   private void tellDesk(Problems problems) {
-    if (!study.display().worn().asked()) {
-      return;
-    }
-    Location place = Location.of(study.file().toString());
-    if (scenery().isEmpty()) {
+    if (study.display().worn().asked() && scenery().isEmpty()) {
       problems.warning(
-          place, "there is no scene to show questions in; all of them are asked at the desk");
-      return;
+          Location.of(study.file().toString()),
+          "there is no scene to show questions in; all of them are asked at the desk");
     }
-    asked.stream()
-        .filter(each -> !fits(each.questionnaire()))
-        .map(each -> each.questionnaire().name())
-        .distinct()
-        .forEach(
-            name ->
-                problems.info(
-                    place,
-                    "%s has a picture, so it is asked at the desk; inside the headset there are none"
-                        .formatted(name)));
   }
 
   /** Whether each step has an id of its own: the journal knows them by it, BIDS by its letters. */

@@ -41,6 +41,14 @@ public sealed interface Mark {
    */
   record Text(String text, double x, double y, double size, int color) implements Mark {}
 
+  /**
+   * A picture, stretched to fill an upright rectangle.
+   *
+   * @param x of its left side
+   * @param y of its upper side
+   */
+  record Picture(Pixels pixels, double x, double y, double width, double height) implements Mark {}
+
   /** A filled upright rectangle. */
   static Area rectangle(double x, double y, double width, double height, int color) {
     return new Area(new double[] {x, y, x + width, y, x + width, y + height, x, y + height}, color);

@@ -109,6 +109,17 @@ public final class FileRules {
           .good("(a scene that inlines 30 MB)")
           .see("docs/validate.md");
 
+  static final Rule FOREIGN_MOVIE =
+      Rule.warning("SR313", "no url of the MovieTexture names a film of a kind that X3D promises")
+          .because(
+              """
+              The standard asks browsers for MPEG-1 only; this program shows that and animated \
+              GIFs. MP4, WebM and the like are shown by some browsers. `ffmpeg -i FILE -r 25 \
+              FILE.mpg` makes such a film; name it beside the other.""")
+          .bad("<MovieTexture url='\"clip.mp4\"'/>")
+          .good("<MovieTexture url='\"clip.mp4\" \"clip.mpg\"'/>")
+          .see("X3D 4.0, 18.4.2");
+
   private FileRules() {}
 
   public static RuleGroup group() {
@@ -126,7 +137,8 @@ public final class FileRules {
             UNREADABLE,
             ABSOLUTE,
             BACKSLASH,
-            SIZE),
+            SIZE,
+            FOREIGN_MOVIE),
         List.of(),
         List.of(new UrlCheck(), new CircleCheck(), new SizeCheck()));
   }

@@ -25,6 +25,12 @@ final class UrlCheck implements SceneCheck {
   private static final Pattern CONTENT =
       Pattern.compile("(?is)\\s*(javascript|ecmascript|vrmlscript):.*");
 
+  /** Films that some browsers show, and the standard asks nobody to. */
+  private static final Pattern FOREIGN_MOVIE =
+      Pattern.compile(
+          "(?is)[^?#]*\\.(mp4|m4v|webm|ogv|mov|avi|mkv|wmv)([?#].*)?"
+              + "|\\s*data:video/(mp4|webm|ogg|quicktime)\\b.*");
+
   private static final Set<String> SHOWN_WITHOUT = Set.of("Anchor", "Script");
   private static final int SHOWN = 80;
 
@@ -64,6 +70,7 @@ final class UrlCheck implements SceneCheck {
         }
         return;
       }
+      movie(urls);
       urls.forEach(this::spelling);
       urls.removeIf(url -> ABSOLUTE.matcher(url.text.strip()).matches());
       if (!urls.isEmpty()) {
@@ -74,6 +81,15 @@ final class UrlCheck implements SceneCheck {
     private boolean hasContent() {
       return node.type().field("sourceCode").isPresent() && !node.string("sourceCode").isBlank()
           || node.type().field("children").isPresent() && !node.nodes("children").isEmpty();
+    }
+
+    /** Whoever has the files sees no film; whoever has not is told that. */
+    private void movie(List<Url> urls) {
+      if (node.type().name().equals("MovieTexture")
+          && urls.stream().allMatch(url -> FOREIGN_MOVIE.matcher(url.text).matches())
+          && urls.stream().anyMatch(url -> url.target instanceof Target.Found)) {
+        add(FileRules.FOREIGN_MOVIE);
+      }
     }
 
     private void spelling(Url url) {
@@ -130,6 +146,10 @@ final class UrlCheck implements SceneCheck {
       Object[] words = new Object[more.length + 1];
       words[0] = shown;
       System.arraycopy(more, 0, words, 1, more.length);
+      add(rule, words);
+    }
+
+    private void add(Rule rule, Object... words) {
       String name = node.name() == null ? "" : " " + node.name();
       findings.add(rule, file.place(node, "url"), node.type().name() + name, words);
     }

@@ -31,7 +31,13 @@ public final class FieldLimits {
 
   /** Types whose field {@code type} or {@code mode} is closed all the same. */
   private static final Set<String> CLOSED =
-      Set.of("BiquadFilter", "PeriodicWave", "ProjectionVolumeStyle", "TextureCoordinateGenerator");
+      Set.of(
+          "BiquadFilter",
+          "PeriodicWave",
+          "ProjectionVolumeStyle",
+          "ShaderPart",
+          "ShaderProgram",
+          "TextureCoordinateGenerator");
 
   private static final String BOX_SIZE = "must be at least 0, or -1 -1 -1 for unknown";
 
@@ -111,7 +117,10 @@ public final class FieldLimits {
     return String.valueOf(value.getClass().isArray() ? Array.get(value, index) : value);
   }
 
-  /** The words that the standard knows for a field of strings, one by one; empty for any. */
+  /**
+   * The words that may stand in a field of strings, one by one; empty for any. They are the
+   * standard's, and {@code GEOMETRY} of shaders, which X_ITE and Castle have too.
+   */
   public static Set<String> words(FieldDefinition field) {
     Set<String> known = new LinkedHashSet<>();
     for (String value : field.values()) {
@@ -120,6 +129,9 @@ public final class FieldLimits {
           known.add(word);
         }
       }
+    }
+    if (known.contains("VERTEX") && known.contains("FRAGMENT")) {
+      known.add("GEOMETRY");
     }
     return known;
   }

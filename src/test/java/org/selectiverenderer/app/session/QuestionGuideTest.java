@@ -1,8 +1,10 @@
 package org.selectiverenderer.app.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import javax.imageio.ImageIO;
 import org.joml.Matrix4dc;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -64,9 +67,12 @@ class QuestionGuideTest {
     Files.writeString(
         folder.resolve("words.json"),
         """
-        {"name": "words", "pages": [{"name": "w", "questions": [
+        {"name": "words", "pages": [{"name": "w", "picture": "hall.png", "questions": [
           {"id": "say", "kind": "text", "text": "Anything else?"}]}]}
         """);
+    BufferedImage hall = new BufferedImage(2048, 1024, BufferedImage.TYPE_INT_RGB);
+    hall.setRGB(0, 0, 0xFF0000);
+    ImageIO.write(hall, "png", folder.resolve("hall.png").toFile());
     Path file =
         Files.writeString(
             folder.resolve("study.json"),
@@ -164,6 +170,48 @@ class QuestionGuideTest {
       assertThat(guide.over(1)).isTrue();
     }
     assertThat(session.answers(left.get(2))).containsOnly(Map.entry("say", new Answer("Hi ώς", 0)));
+  }
+
+  @Test
+  void aPageShowsItsPicture() throws IOException {
+    for (SessionStep step : session.remaining().subList(0, 2)) {
+      session.began(step, false);
+      session.finished(step, Map.of());
+    }
+    RunGuide guide = steps.next().orElseThrow().guide();
+    try (Walkthrough walk = scene()) {
+      guide.opened(walk);
+      Mark.Picture large = picture(guide);
+      assertThat(large.pixels().width()).isEqualTo(1024); // A headset shows no more.
+      assertThat(large.pixels().height()).isEqualTo(512);
+      assertThat(large.pixels().color(0, 0)).isNotEqualTo(0xFF000000);
+      assertThat(large.pixels().color(1023, 511)).isEqualTo(0xFF000000);
+      assertThat(large.width()).isEqualTo(2 * large.height());
+      assertThat(2 * large.x() + large.width()).isEqualTo(QuestionSheet.WIDTH);
+      guide.pointed(Optional.of(new SpacePose(new Vector3d(), new Quaterniond())));
+      assertThat(picture(guide).height()).isLessThan(large.height()); // There are keys below it.
+      assertThat(picture(guide).pixels()).isSameAs(large.pixels());
+    }
+  }
+
+  @Test
+  void aPictureThatIsNoneIsNamed() throws IOException {
+    for (SessionStep step : session.remaining().subList(0, 2)) {
+      session.began(step, false);
+      session.finished(step, Map.of());
+    }
+    Files.writeString(folder.resolve("hall.png"), "no picture");
+    assertThatThrownBy(() -> steps.next())
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("hall.png is not a picture that can be shown");
+  }
+
+  private static Mark.Picture picture(RunGuide guide) {
+    return guide.panels().get(0).marks().stream()
+        .filter(Mark.Picture.class::isInstance)
+        .map(Mark.Picture.class::cast)
+        .findFirst()
+        .orElseThrow();
   }
 
   @Test

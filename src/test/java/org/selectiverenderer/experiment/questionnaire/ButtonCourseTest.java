@@ -216,13 +216,4 @@ class ButtonCourseTest {
     assertThat(asked.question()).isEmpty();
     assertThat(told).last().isEqualTo("1 say 0");
   }
-
-  @Test
-  void aPageWithAPictureDoesNotFit() throws IOException {
-    assertThat(ButtonCourse.fits(memory())).isTrue();
-    assertThat(ButtonCourse.fits(own(SEVERAL))).isTrue();
-    Page page = new Page("p", "", "", Optional.of(folder), List.of(), false, Optional.empty());
-    assertThat(ButtonCourse.fits(new Questionnaire("q", "q", "", List.of(page), List.of())))
-        .isFalse();
-  }
 }

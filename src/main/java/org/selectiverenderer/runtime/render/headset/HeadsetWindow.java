@@ -39,6 +39,7 @@ public final class HeadsetWindow implements WorldScreen {
   private final RunWindows stage;
   private final int samples;
   private final Mirror mirror;
+  private final MirrorWindow desk;
   private final @Nullable MirrorOperator operator;
   private final ConcurrentLinkedQueue<InputEvent> input = new ConcurrentLinkedQueue<>();
   private final ConcurrentLinkedQueue<InputEvent> operatorInput = new ConcurrentLinkedQueue<>();
@@ -63,6 +64,7 @@ public final class HeadsetWindow implements WorldScreen {
     this.host = host;
     this.screen = screen;
     mirror = new Mirror(side);
+    desk = new MirrorWindow(mirror, () -> lines, () -> over, host::closing);
     operator = stage.operator().isPresent() ? new MirrorOperator(mirror) : null;
   }
 
@@ -95,8 +97,7 @@ public final class HeadsetWindow implements WorldScreen {
           new SideWindow(
               stage.operator().orElseThrow(), operator, Optional.of(operatorInput::add)));
     }
-    MirrorWindow main = new MirrorWindow(mirror, () -> lines, () -> over, host::closing);
-    return new RenderWindow(stage.main(), main, input::add, sides);
+    return new RenderWindow(stage.main(), desk, input::add, sides);
   }
 
   @Override
@@ -122,7 +123,6 @@ public final class HeadsetWindow implements WorldScreen {
       screen.open(context.handles());
       Frames frames = new Frames(gl);
       try {
-        host.started();
         begun.countDown();
         frames.run();
       } finally {
@@ -146,6 +146,7 @@ public final class HeadsetWindow implements WorldScreen {
     private Optional<World> world = Optional.empty();
     private HeadsetScreen.@Nullable Due size;
     private @Nullable World ready;
+    private boolean told;
 
     Frames(GL3 gl) {
       this.gl = gl;
@@ -155,6 +156,7 @@ public final class HeadsetWindow implements WorldScreen {
     void run() {
       while (!windowsClosed) {
         drain();
+        started();
         Optional<HeadsetScreen.Due> due = screen.next();
         host.presented(screen.visible());
         world = host.step();
@@ -174,6 +176,18 @@ public final class HeadsetWindow implements WorldScreen {
         if (operator != null) {
           operator.update(host);
         }
+      }
+    }
+
+    /**
+     * Tells the host once that the windows are open. Frames do not wait for them; but a host that
+     * wants to hear of the end of the process must ask for it after all windows, or JOGL takes them
+     * away first.
+     */
+    private void started() {
+      if (!told && desk.open()) {
+        told = true;
+        host.started();
       }
     }
 

@@ -20,6 +20,7 @@ final class MirrorWindow implements FrameSource {
   private final PictureCopy picture = new PictureCopy();
   private final Overlay overlay = new Overlay(new TextMesher());
   private long shown;
+  private volatile boolean open;
 
   /**
    * @param lines what is written over the picture
@@ -36,7 +37,12 @@ final class MirrorWindow implements FrameSource {
 
   @Override
   public void start(GL3 gl) {
-    // The headset's thread says when there is something to draw with.
+    open = true;
+  }
+
+  /** Whether it and the windows beside it have been opened; any thread. */
+  boolean open() {
+    return open;
   }
 
   @Override

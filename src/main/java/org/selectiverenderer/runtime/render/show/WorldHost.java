@@ -9,7 +9,9 @@ import org.selectiverenderer.runtime.render.window.InputEvent;
 
 /** Whoever runs the world that a window shows. All calls come from the render thread. */
 public interface WorldHost {
-  /** The windows are open; once, before their first picture. */
+  /**
+   * All windows are open; once, before their first picture. A headset may have shown frames before.
+   */
   default void started() {}
 
   /** The user did something. Comes before the next {@link #step()}. */

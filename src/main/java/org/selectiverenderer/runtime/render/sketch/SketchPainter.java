@@ -4,11 +4,12 @@ import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.joml.Matrix4d;
-import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.font.FontFamily;
 import org.selectiverenderer.geometry.font.FontStyle;
 import org.selectiverenderer.geometry.mesh.Mesh;
@@ -16,11 +17,15 @@ import org.selectiverenderer.geometry.tessellate.TextMesher;
 import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.Panel;
+import org.selectiverenderer.runtime.camera.Pixels;
 import org.selectiverenderer.runtime.render.gpu.Program;
 
 /** Draws marks, later ones over earlier ones. Belongs to the thread that owns the context. */
 public final class SketchPainter {
   private static final int FLOATS = 6;
+
+  /** Of the two triangles of a picture. */
+  private static final int CORNERS = 6;
 
   /** Letters kept; a page has fewer. */
   private static final int KEPT = 2000;
@@ -29,11 +34,15 @@ public final class SketchPainter {
   private final Map<String, Mesh> letters = new HashMap<>();
   private final Matrix4d place = new Matrix4d();
   private final float[] numbers = new float[16];
-  private @Nullable Program program;
-  private @Nullable Program inWorld;
+  private final Map<List<String>, Program> programs = new HashMap<>();
+  private final SketchPictures pictures = new SketchPictures();
+  private final List<Placed> placed = new ArrayList<>();
   private int vertexArray;
   private int buffer;
   private FloatBuffer vertices = Buffers.newDirectFloatBuffer(FLOATS * 3 * 4096);
+
+  /** A picture, and the first of its vertices among all. */
+  private record Placed(Pixels pixels, int first) {}
 
   public SketchPainter(TextMesher mesher) {
     this.mesher = mesher;
@@ -52,11 +61,8 @@ public final class SketchPainter {
       return;
     }
     fill(gl, marks);
-    Program used = program == null ? new Program(gl, "sketch", List.of()) : program;
-    program = used;
-    used.use(gl);
-    gl.glUniform2f(used.uniform(gl, "page"), width, height);
-    show(gl, x, y, width, height);
+    gl.glViewport(x, y, width, height);
+    show(gl, List.of(), used -> gl.glUniform2f(used.uniform(gl, "page"), width, height));
   }
 
   /**
@@ -69,16 +75,18 @@ public final class SketchPainter {
       return;
     }
     fill(gl, panel.marks());
-    Program used = inWorld == null ? new Program(gl, "sketch", List.of("IN_WORLD")) : inWorld;
-    inWorld = used;
-    used.use(gl);
     camera.projection().mul(camera.view(), place).mul(panel.place());
-    gl.glUniformMatrix4fv(used.uniform(gl, "place"), 1, false, place.get(numbers), 0);
-    show(gl, camera.x(), camera.y(), camera.width(), camera.height());
+    place.get(numbers);
+    gl.glViewport(camera.x(), camera.y(), camera.width(), camera.height());
+    show(
+        gl,
+        List.of("IN_WORLD"),
+        used -> gl.glUniformMatrix4fv(used.uniform(gl, "place"), 1, false, numbers, 0));
   }
 
   private void fill(GL3 gl, List<Mark> marks) {
     vertices.clear();
+    placed.clear();
     if (letters.size() > KEPT) {
       letters.clear();
     }
@@ -91,8 +99,13 @@ public final class SketchPainter {
     }
   }
 
-  private void show(GL3 gl, int x, int y, int width, int height) {
-    gl.glViewport(x, y, width, height);
+  /**
+   * Draws what was filled in.
+   *
+   * @param kind of the program
+   * @param page tells a program in use where the page is
+   */
+  private void show(GL3 gl, List<String> kind, Consumer<Program> page) {
     gl.glDisable(GL.GL_DEPTH_TEST);
     gl.glDisable(GL.GL_CULL_FACE);
     gl.glEnable(GL.GL_BLEND);
@@ -100,9 +113,30 @@ public final class SketchPainter {
     gl.glBindVertexArray(vertexArray);
     gl.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer);
     gl.glBufferData(GL.GL_ARRAY_BUFFER, 4L * vertices.limit(), vertices, GL.GL_DYNAMIC_DRAW);
-    gl.glDrawArrays(GL.GL_TRIANGLES, 0, vertices.limit() / FLOATS);
+    int from = 0;
+    for (Placed picture : placed) {
+      part(gl, kind, page, from, picture.first);
+      gl.glActiveTexture(GL.GL_TEXTURE0);
+      pictures.bind(gl, picture.pixels);
+      List<String> textured = new ArrayList<>(kind);
+      textured.add("PICTURE");
+      from = picture.first + CORNERS;
+      part(gl, textured, page, picture.first, from);
+      gl.glBindTexture(GL.GL_TEXTURE_2D, 0);
+    }
+    part(gl, kind, page, from, vertices.limit() / FLOATS);
     gl.glBindVertexArray(0);
     gl.glDisable(GL.GL_BLEND);
+  }
+
+  private void part(GL3 gl, List<String> kind, Consumer<Program> page, int from, int to) {
+    if (from == to) {
+      return;
+    }
+    Program used = programs.computeIfAbsent(kind, wanted -> new Program(gl, "sketch", wanted));
+    used.use(gl);
+    page.accept(used);
+    gl.glDrawArrays(GL.GL_TRIANGLES, from, to - from);
   }
 
   private void start(GL3 gl) {
@@ -145,6 +179,21 @@ public final class SketchPainter {
       fan(area.corners(), area.color());
     } else if (mark instanceof Mark.Text text) {
       write(text);
+    } else if (mark instanceof Mark.Picture picture) {
+      place(picture);
+    }
+  }
+
+  /** Its corners, with the place in the picture instead of a colour. */
+  private void place(Mark.Picture picture) {
+    placed.add(new Placed(picture.pixels(), vertices.position() / FLOATS));
+    for (int corner : new int[] {0, 1, 3, 0, 3, 2}) {
+      int right = corner & 1;
+      int down = corner >> 1;
+      room();
+      vertices.put((float) (picture.x() + right * picture.width()));
+      vertices.put((float) (picture.y() + down * picture.height()));
+      vertices.put(right).put(down).put(0).put(1);
     }
   }
 
@@ -169,12 +218,16 @@ public final class SketchPainter {
     }
   }
 
-  private void vertex(double x, double y, int color) {
+  private void room() {
     if (vertices.remaining() < FLOATS) {
       FloatBuffer more = Buffers.newDirectFloatBuffer(2 * vertices.capacity());
       more.put(vertices.flip());
       vertices = more;
     }
+  }
+
+  private void vertex(double x, double y, int color) {
+    room();
     vertices.put((float) x).put((float) y);
     vertices.put((color >> 16 & 255) / 255f).put((color >> 8 & 255) / 255f);
     vertices.put((color & 255) / 255f).put((color >>> 24) / 255f);
@@ -182,13 +235,9 @@ public final class SketchPainter {
 
   /** Frees what it has on the graphics card. */
   public void dispose(GL3 gl) {
-    for (Program known : new @Nullable Program[] {program, inWorld}) {
-      if (known != null) {
-        known.dispose(gl);
-      }
-    }
-    program = null;
-    inWorld = null;
+    programs.values().forEach(known -> known.dispose(gl));
+    programs.clear();
+    pictures.dispose(gl);
     if (vertexArray != 0) {
       gl.glDeleteVertexArrays(1, new int[] {vertexArray}, 0);
       gl.glDeleteBuffers(1, new int[] {buffer}, 0);

@@ -6,11 +6,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.base.files.WholeFile;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.file.ForeignScene;
 import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** Offers to convert a scene that is no XML, as only XML is edited. On the window's thread. */
@@ -42,7 +44,7 @@ final class ConversionOffer {
    */
   void open(Path path, Runnable asItIs, Runnable nothing) {
     tasks.run(
-        "Looking at " + path.getFileName(),
+        Texts.of("window.looking", String.valueOf(path.getFileName())),
         () -> ForeignScene.of(path),
         foreign -> foreign.ifPresentOrElse(scene -> offer(path, scene, nothing), asItIs),
         failed -> tell(nothing, failed));
@@ -57,23 +59,21 @@ final class ConversionOffer {
     Path target = scene.beside();
     boolean wanted =
         questions.convert(
-            path.getFileName()
-                + " is written in "
-                + scene.encoding()
-                + ", and the enricher changes X3D XML only. Convert it, with its comments, to "
-                + target.getFileName()
-                + " beside it, and open that? "
-                + path.getFileName()
-                + " stays as it is.");
+            Texts.of(
+                "window.convert",
+                String.valueOf(path.getFileName()),
+                scene.encoding(),
+                String.valueOf(target.getFileName())));
     if (!wanted
         || Files.exists(target)
-            && !questions.overwrite(target.getFileName() + " exists already.")) {
+            && !questions.overwrite(
+                Texts.of("keep.exists", String.valueOf(target.getFileName())))) {
       nothing.run();
       return;
     }
     Problems problems = new Problems();
     tasks.run(
-        "Converting " + path.getFileName(),
+        Texts.of("window.converting", String.valueOf(path.getFileName())),
         () -> write(scene, target, problems),
         written -> {
           tell(problems);
@@ -100,6 +100,8 @@ final class ConversionOffer {
       sentence.append(problem).append(". ");
     }
     int more = problems.list().size() - TOLD;
-    questions.tell(sentence + (more > 0 ? "There are " + more + " more such problems." : ""));
+    questions.tell(
+        sentence
+            + (more > 0 ? Texts.of("window.morefaults", more, DecimalText.grouped(more)) : ""));
   }
 }

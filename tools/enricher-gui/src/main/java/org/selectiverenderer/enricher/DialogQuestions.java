@@ -20,7 +20,6 @@ import org.selectiverenderer.enricher.text.Texts;
 
 /** Asks by dialogs. */
 final class DialogQuestions implements Questions {
-  private static final String TITLE = "Enricher";
 
   private final Window owner;
 
@@ -36,12 +35,23 @@ final class DialogQuestions implements Questions {
     JLabel said = new JLabel("<html><body width=420>" + Markup.text(sentence));
     said.getAccessibleContext().setAccessibleName(sentence);
     return JOptionPane.showOptionDialog(
-        owner, said, TITLE, JOptionPane.DEFAULT_OPTION, kind, null, choices, choices[0]);
+        owner,
+        said,
+        Texts.of("window.title"),
+        JOptionPane.DEFAULT_OPTION,
+        kind,
+        null,
+        choices,
+        choices[0]);
   }
 
   @Override
   public Unsaved unsaved(String name) {
-    return switch (choose(name + " has changes that are not saved.", "Save", "Discard", "Cancel")) {
+    return switch (choose(
+        Texts.of("window.unsaved", name),
+        Texts.of("window.save"),
+        Texts.of("window.discard"),
+        Texts.of("keep.cancel"))) {
       case 0 -> Unsaved.SAVE;
       case 1 -> Unsaved.DISCARD;
       default -> Unsaved.CANCEL;
@@ -50,7 +60,11 @@ final class DialogQuestions implements Questions {
 
   @Override
   public Left left(String sentence) {
-    return switch (choose(sentence, "Restore", "Discard the Kept Copy", "Decide Later")) {
+    return switch (choose(
+        sentence,
+        Texts.of("window.restore"),
+        Texts.of("window.discardkept"),
+        Texts.of("window.later"))) {
       case 0 -> Left.RESTORE;
       case 1 -> Left.DISCARD;
       default -> Left.LATER;
@@ -59,12 +73,12 @@ final class DialogQuestions implements Questions {
 
   @Override
   public boolean convert(String sentence) {
-    return choose(sentence, "Cancel", "Convert") == 1;
+    return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.doconvert")) == 1;
   }
 
   @Override
   public boolean overwrite(String sentence) {
-    return choose(sentence, "Cancel", "Overwrite") == 1;
+    return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.overwrite")) == 1;
   }
 
   @Override
@@ -93,7 +107,7 @@ final class DialogQuestions implements Questions {
 
   @Override
   public boolean leaveBehind(String sentence) {
-    return choose(sentence, "Cancel", "Save There Anyway") == 1;
+    return choose(sentence, Texts.of("keep.cancel"), Texts.of("window.savethere")) == 1;
   }
 
   @Override
@@ -103,7 +117,7 @@ final class DialogQuestions implements Questions {
 
   private static JFileChooser chooser(Optional<Path> near) {
     JFileChooser chooser = new JFileChooser();
-    chooser.setFileFilter(new FileNameExtensionFilter("X3D scenes", endings()));
+    chooser.setFileFilter(new FileNameExtensionFilter(Texts.of("window.scenes"), endings()));
     near.ifPresent(path -> chooser.setSelectedFile(path.toAbsolutePath().toFile()));
     return chooser;
   }
@@ -142,6 +156,6 @@ final class DialogQuestions implements Questions {
 
   @Override
   public void tell(String sentence) {
-    show(JOptionPane.WARNING_MESSAGE, sentence, "OK");
+    show(JOptionPane.WARNING_MESSAGE, sentence, Texts.of("window.ok"));
   }
 }

@@ -189,7 +189,7 @@ final class EnricherWindow {
   /** Asks again what is to become of changes that a crash has left. */
   void askAboutKept() {
     if (kept.offer(this::restore).isEmpty()) {
-      questions.tell("There are no kept changes of sessions that ended unexpectedly.");
+      questions.tell(Texts.of("window.nokept"));
     }
   }
 
@@ -346,7 +346,7 @@ final class EnricherWindow {
     if (session().filter(session -> session.document().modified()).isPresent()) {
       save(true);
     } else {
-      status.say("Nothing has changed since the file was opened or saved");
+      status.say(Texts.of("window.unchanged"));
     }
   }
 
@@ -462,7 +462,7 @@ final class EnricherWindow {
           try {
             settings.store();
           } catch (IOException e) {
-            questions.tell("The layout cannot be remembered: " + e.getMessage());
+            questions.tell(Texts.of("window.nolayout", String.valueOf(e.getMessage())));
           }
           dispose();
         });

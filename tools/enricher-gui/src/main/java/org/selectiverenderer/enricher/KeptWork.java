@@ -11,14 +11,14 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.document.file.Recovery;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * Offers the changes that sessions have left which ended unexpectedly, one after the other. They
  * are kept until the author decides. Without widgets.
  */
 final class KeptWork {
-  private static final DateTimeFormatter WHEN =
-      DateTimeFormatter.ofPattern("d MMMM uuuu, HH:mm", Locale.ENGLISH);
+  private static final String WHEN = "d MMMM uuuu, HH:mm";
 
   private final Recovery recovery;
   private final Questions questions;
@@ -49,34 +49,30 @@ final class KeptWork {
         switch (answer) {
           case RESTORE -> restore.accept(found.get(i));
           case DISCARD -> recovery.forget(found.get(i));
-          case LATER -> say.accept("File > Kept Changes asks again, as does the next start");
+          case LATER -> say.accept(Texts.of("window.askagain"));
         }
       }
     } catch (IOException e) {
-      say.accept("Cannot look for kept changes: " + e.getMessage());
+      say.accept(Texts.of("window.nolook", String.valueOf(e.getMessage())));
     }
     return last;
   }
 
   private static String sentence(Recovery.Kept kept) throws IOException {
-    String when = WHEN.format(kept.when().atZone(ZoneId.systemDefault()));
-    return "%s has changes that were not saved when the enricher ended unexpectedly (%s). %s %s"
-        .formatted(
-            kept.file(),
-            when,
-            "Restoring opens the file with these changes; the file itself does not "
-                + "change until you save.",
-            disk(kept));
+    String when =
+        DateTimeFormatter.ofPattern(WHEN, Locale.getDefault(Locale.Category.DISPLAY))
+            .format(kept.when().atZone(ZoneId.systemDefault()));
+    return Texts.of("window.kept", kept.file().toString(), when, disk(kept));
   }
 
   private static String disk(Recovery.Kept kept) throws IOException {
     Path file = kept.file();
     if (!Files.isRegularFile(file)) {
-      return "The file itself no longer exists.";
+      return Texts.of("window.kept.gone");
     }
     Instant written = Files.getLastModifiedTime(file).toInstant();
     return written.isAfter(kept.when())
-        ? "The file has been saved since then; one undo after restoring shows its newer text."
-        : "One undo takes all of them back.";
+        ? Texts.of("window.kept.newer")
+        : Texts.of("window.kept.undo");
   }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.function.Consumer;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.Snapshot;
@@ -109,17 +110,15 @@ final class Saving {
     if (left.isEmpty()) {
       return true;
     }
-    boolean one = left.size() == 1;
+
     return questions.leaveBehind(
-        ("From %s the scene does not find %s that it names relative to its own "
-                + "folder, such as %s; %s will be missing. Save it beside %s instead, or copy "
-                + "the files too.")
-            .formatted(
-                other.getParent(),
-                one ? "a file" : left.size() + " files",
-                left.get(0),
-                one ? "it" : "they",
-                now.getFileName()));
+        Texts.of(
+            "window.left",
+            String.valueOf(other.getParent()),
+            left.size(),
+            DecimalText.grouped(left.size()),
+            left.get(0),
+            String.valueOf(now.getFileName())));
   }
 
   private void write(Writing what, Runnable saved) {
@@ -127,7 +126,7 @@ final class Saving {
     session
         .tasks()
         .runToEnd(
-            "Saving " + what.target().getFileName(),
+            Texts.of("window.saving", String.valueOf(what.target().getFileName())),
             () -> {
               what.write();
               return what;
@@ -135,7 +134,7 @@ final class Saving {
             done -> {
               session.file().written(done);
               known = DiskState.SAME;
-              session.message("Saved " + done.target());
+              session.message(Texts.of("window.saved", done.target().toString()));
               writing = false;
               saved.run();
               goOn();
@@ -258,7 +257,7 @@ final class Saving {
       switch (questions.unsaved(String.valueOf(session.file().path().getFileName()))) {
         case SAVE -> save(review, () -> leaving(review, leave));
         case DISCARD -> leave.run();
-        case CANCEL -> session.message("Nothing was closed");
+        case CANCEL -> session.message(Texts.of("window.notclosed"));
       }
     }
   }
@@ -274,7 +273,7 @@ final class Saving {
       session
           .tasks()
           .run(
-              "Looking at " + session.file().path().getFileName(),
+              Texts.of("window.looking", String.valueOf(session.file().path().getFileName())),
               guard::state,
               state -> heard(state, reload),
               failed -> session.message(String.valueOf(failed.getMessage())));
@@ -288,7 +287,7 @@ final class Saving {
     known = now;
     Path path = session.file().path();
     if (now == DiskState.GONE) {
-      session.message(path + " no longer exists on the disk; saving writes it again");
+      session.message(Texts.of("window.gone", path.toString()));
     } else if (now == DiskState.CHANGED) {
       boolean mergeable = session.document().modified() && session.document().locked().isEmpty();
       List<OnDisk> possible =

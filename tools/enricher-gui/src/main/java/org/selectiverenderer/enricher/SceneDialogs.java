@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -50,9 +51,7 @@ final class SceneDialogs {
         .map(Workbench::session)
         .flatMap(EnricherSession::selection)
         .flatMap(SceneDialogs::object)
-        .ifPresentOrElse(
-            this::versions,
-            () -> say.accept("Choose an object with a DEF name first, then make versions of it"));
+        .ifPresentOrElse(this::versions, () -> say.accept(Texts.of("window.chooseobject")));
   }
 
   /** Makes versions of an object. */

@@ -11,6 +11,7 @@ import org.selectiverenderer.enricher.problems.ProblemCounts;
 import org.selectiverenderer.enricher.problems.SeverityIcon;
 import org.selectiverenderer.enricher.task.Task;
 import org.selectiverenderer.enricher.task.Tasks;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The last line of the window: what was said last, and what takes longer, with cancel. */
 final class StatusBar {
@@ -24,13 +25,13 @@ final class StatusBar {
   private final JLabel message = new JLabel(" ");
   private final JLabel problems = new JLabel();
   private final JProgressBar bar = new JProgressBar(0, STEPS);
-  private final JButton cancel = new JButton("Cancel");
+  private final JButton cancel = new JButton(Texts.of("keep.cancel"));
   private final Timer timer = new Timer(EVERY_MILLISECONDS, event -> refresh());
 
   StatusBar(Tasks tasks) {
     this.tasks = tasks;
-    message.getAccessibleContext().setAccessibleName("Message");
-    bar.getAccessibleContext().setAccessibleName("Progress");
+    message.getAccessibleContext().setAccessibleName(Texts.of("window.message"));
+    bar.getAccessibleContext().setAccessibleName(Texts.of("window.progress"));
     bar.setStringPainted(true);
     cancel.addActionListener(event -> tasks.running().forEach(Task::cancel));
     panel.add(message, "growx, wmin 0");
@@ -66,7 +67,7 @@ final class StatusBar {
     if (!slow.isEmpty()) {
       Task first = slow.get(0);
       bar.setString(
-          first.name() + (slow.size() > 1 ? " (and %d more)".formatted(slow.size() - 1) : ""));
+          Texts.of("window.tasks", first.name(), slow.size() - 1, String.valueOf(slow.size() - 1)));
       bar.setIndeterminate(first.fraction() < 0);
       bar.setValue((int) (first.fraction() * STEPS));
     }

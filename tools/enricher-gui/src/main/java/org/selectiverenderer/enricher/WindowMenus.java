@@ -24,6 +24,7 @@ import org.selectiverenderer.enricher.settings.Language;
 import org.selectiverenderer.enricher.settings.Theme;
 import org.selectiverenderer.enricher.source.SourcePanel;
 import org.selectiverenderer.enricher.text.MenuTitle;
+import org.selectiverenderer.enricher.text.StepNames;
 import org.selectiverenderer.enricher.text.Texts;
 
 /** The menus: all that can be done, with its keys. */
@@ -41,6 +42,7 @@ final class WindowMenus {
   private final Command saveAs;
   private final Command changes;
   private final Command merge;
+  private final StepNames steps = new StepNames();
   private final Command undo;
   private final Command redo;
 
@@ -295,8 +297,8 @@ final class WindowMenus {
     back.rename(from.isEmpty() ? Texts.of("run.backnone") : Texts.of("run.back", from));
     back.setEnabled(!from.isEmpty());
     merge.setEnabled(open);
-    name(undo, "menu.undo", history.flatMap(UndoHistory::undoName));
-    name(redo, "menu.redo", history.flatMap(UndoHistory::redoName));
+    name(undo, "menu.undo", history.flatMap(UndoHistory::undoName).map(steps::shown));
+    name(redo, "menu.redo", history.flatMap(UndoHistory::redoName).map(steps::shown));
   }
 
   private static void name(Command command, String text, Optional<String> step) {

@@ -62,6 +62,7 @@ final class Workbench {
   private final HelpPanel help;
   private final ProblemsPanel problems;
   private final JTabbedPane tabs = new JTabbedPane();
+  private final List<String> views = new ArrayList<>();
   private final JSplitPane left;
   private final JSplitPane right;
   private final JSplitPane all;
@@ -97,7 +98,7 @@ final class Workbench {
     form = new FormPanel(session, pictures);
     form.onMakeVersions(makeVersions);
     help = new HelpPanel(session);
-    tabs.getAccessibleContext().setAccessibleName("Views of the scene");
+    tabs.getAccessibleContext().setAccessibleName(Texts.of("window.views"));
     preview = new PreviewPanel(session);
     overview = new OverviewPanel(session);
     cost = new CostPanel(session, budgets, problems::checkAgain);
@@ -109,11 +110,11 @@ final class Workbench {
     preview.addAction(
         Texts.of("area.add.short"), Texts.of("area.add.tip"), areas::addAroundSelection);
     plan = new PlanPanel(session, areas, names, grid);
-    tabs.addTab("Preview", preview);
-    tabs.addTab("Schemas", schemas);
-    tabs.addTab("Source", source.component());
-    tabs.addTab(Texts.of("area.plan"), plan);
-    tabs.addTab("Help", help);
+    addTab("Preview", Texts.of("window.tab.preview"), preview);
+    addTab("Schemas", Texts.of("window.tab.schemas"), schemas);
+    addTab("Source", Texts.of("window.tab.source"), source.component());
+    addTab("Plan", Texts.of("area.plan"), plan);
+    addTab("Help", Texts.of("window.tab.help"), help);
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
@@ -130,12 +131,17 @@ final class Workbench {
     disposals.add(cost::dispose);
     disposals.add(pictures::close);
     disposals.add(session::dispose);
-    int before = tabs.indexOfTab(settings.word("tab", ""));
-    tabs.setSelectedIndex(Math.max(0, before));
+    tabs.setSelectedIndex(Math.max(0, views.indexOf(settings.word("tab", ""))));
     if (session.document().fault().isPresent()) {
       tabs.setSelectedComponent(source.component());
       source.showFault();
     }
+  }
+
+  /** A tab with the name that the settings know it by, whatever the language. */
+  private void addTab(String name, String title, JComponent view) {
+    views.add(name);
+    tabs.addTab(title, view);
   }
 
   private void addMenus(Consumer<DocumentElement> makeVersions) {
@@ -199,7 +205,7 @@ final class Workbench {
           .put(KeyStroke.getKeyStroke(key), "none"); // the window's
     }
     split.setName(name);
-    split.getAccessibleContext().setAccessibleName("Border of the " + name);
+    split.getAccessibleContext().setAccessibleName(Texts.of("window.border." + name));
     return split;
   }
 
@@ -224,7 +230,7 @@ final class Workbench {
 
   /** Remembers where the borders are, and which view is in front. */
   void remember() {
-    settings.put("tab", tabs.getTitleAt(tabs.getSelectedIndex()));
+    settings.put("tab", views.get(tabs.getSelectedIndex()));
     settings.put("split.tree", left.getDividerLocation());
     settings.put("split.form", right.getWidth() - right.getDividerLocation());
     settings.put("split.cost", schemas.getDividerLocation());

@@ -16,9 +16,11 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
+import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
@@ -240,6 +242,79 @@ class WindowFeelTest {
       Hands.picture(window.frame().getRootPane(), "window-greek", 1);
     } finally {
       Locale.setDefault(Locale.Category.DISPLAY, before);
+    }
+  }
+
+  @Test
+  @ResourceLock(Resources.LOCALE)
+  void inGreekNothingThatIsShownIsEnglishAndLettersOfAMenuAreUnique() throws IOException {
+    Locale before = Locale.getDefault(Locale.Category.DISPLAY);
+    try {
+      Path settings = Files.createDirectories(folder.resolve("settings"));
+      Files.writeString(settings.resolve("enricher.properties"), "theme=light\nlanguage=el\n");
+      window = Hands.onEdt(() -> new EnricherWindow(settings, () -> {}));
+      hands.show(window.frame());
+      Path scene = scene();
+      Hands.onEdt(
+          () -> {
+            window.open(scene);
+            return true;
+          });
+      hands.await("the scene", () -> window.session().isPresent());
+      List<String> english =
+          Hands.onEdt(
+              () -> {
+                List<String> shown = new ArrayList<>();
+                shown(window.frame().getJMenuBar(), shown);
+                shown(window.frame().getContentPane(), shown);
+                return shown.stream()
+                    .filter(text -> text.matches("(?s).*[A-Za-z]{3}.*"))
+                    .filter(text -> !text.matches("(?s).*\\p{IsGreek}.*"))
+                    .filter(text -> !text.matches("(?s).*\\b(Switch|Cup|Chair|X3D|English)\\b.*"))
+                    .distinct()
+                    .toList();
+              });
+      assertThat(english).isEmpty();
+      Hands.onEdt(
+          () -> {
+            for (int i = 0; i < window.frame().getJMenuBar().getMenuCount(); i++) {
+              List<Integer> letters = new ArrayList<>();
+              for (Component item : window.frame().getJMenuBar().getMenu(i).getMenuComponents()) {
+                if (item instanceof AbstractButton button && button.getMnemonic() != 0) {
+                  letters.add(button.getMnemonic());
+                }
+              }
+              assertThat(letters)
+                  .as(window.frame().getJMenuBar().getMenu(i).getText())
+                  .doesNotHaveDuplicates();
+            }
+            return true;
+          });
+    } finally {
+      Locale.setDefault(Locale.Category.DISPLAY, before);
+    }
+  }
+
+  /** The texts of menus, buttons, labels and tabs in a container, and their tooltips. */
+  private static void shown(Container in, List<String> texts) {
+    Component[] all =
+        in instanceof JMenu menu ? menu.getMenuComponents() : in.getComponents();
+    if (in instanceof JComponent one && one.getToolTipText() != null) {
+      texts.add(one.getToolTipText());
+    }
+    if (in instanceof AbstractButton button) {
+      texts.add(String.valueOf(button.getText()));
+    } else if (in instanceof JLabel label) {
+      texts.add(String.valueOf(label.getText()));
+    } else if (in instanceof JTabbedPane tabs) {
+      for (int i = 0; i < tabs.getTabCount(); i++) {
+        texts.add(tabs.getTitleAt(i));
+      }
+    }
+    for (Component each : all) {
+      if (each instanceof Container more) {
+        shown(more, texts);
+      }
     }
   }
 

@@ -13,11 +13,14 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.experiment.window.PackedWindow;
 
 /** Shows what saving will change in the file, and asks whether to. */
@@ -26,15 +29,15 @@ public final class DiffDialog extends JDialog {
   private static final long serialVersionUID = 1L;
 
   private final DiffView view = new DiffView();
-  private final JLabel summary = new JLabel("Comparing with the file\u2026");
-  private final JButton previous = new JButton("Previous Change");
-  private final JButton next = new JButton("Next Change");
-  private final JButton save = new JButton("Save");
+  private final JLabel summary = new JLabel(Texts.of("diff.comparing"));
+  private final JButton previous = Letters.button("diff.previous");
+  private final JButton next = Letters.button("diff.next");
+  private final JButton save = Letters.button("diff.save");
   private final Task comparing;
   private boolean confirmed;
 
   public DiffDialog(Window owner, EnricherSession session) {
-    super(owner, "Changes to Save", ModalityType.DOCUMENT_MODAL);
+    super(owner, Texts.of("diff.title"), ModalityType.DOCUMENT_MODAL);
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     JPanel content =
         new JPanel(new MigLayout("insets dialog, fill", "[]push[][]unrel[][]", "[][grow,fill][]"));
@@ -44,10 +47,10 @@ public final class DiffDialog extends JDialog {
     int line = view.getFontMetrics(view.getFont()).getHeight();
     scrolling.setPreferredSize(new Dimension(60 * line, 28 * line));
     content.add(scrolling, "span, grow, wrap");
-    JButton cancel = new JButton("Cancel");
-    button(previous, 'P', "F3 with Shift, or p", view::previous);
-    button(next, 'N', "F3, or n", view::next);
-    button(save, 'S', "Write the file", this::confirm);
+    JButton cancel = new JButton(Texts.of("keep.cancel"));
+    button(previous, "diff.previous.tip", view::previous);
+    button(next, "diff.next.tip", view::next);
+    button(save, "diff.save.tip", this::confirm);
     cancel.addActionListener(e -> dispose());
     content.add(previous, "skip 1");
     content.add(next);
@@ -82,9 +85,8 @@ public final class DiffDialog extends JDialog {
     }
   }
 
-  private static void button(JButton button, char mnemonic, String help, Runnable work) {
-    button.setMnemonic(mnemonic);
-    button.setToolTipText(help);
+  private static void button(JButton button, String help, Runnable work) {
+    button.setToolTipText(Texts.of(help));
     button.addActionListener(e -> work.run());
   }
 
@@ -100,12 +102,11 @@ public final class DiffDialog extends JDialog {
     return session
         .tasks()
         .run(
-            "Comparing with " + file.getFileName(),
+            Texts.of("diff.task", String.valueOf(file.getFileName())),
             () -> diff(file, snapshot),
             this::show,
             failure ->
-                summary.setText(
-                    "The file cannot be read for the comparison: " + failure.getMessage()));
+                summary.setText(Texts.of("diff.unread", String.valueOf(failure.getMessage()))));
   }
 
   /** A file that is gone is an empty one. */
@@ -115,16 +116,22 @@ public final class DiffDialog extends JDialog {
         Files.exists(file)
             ? SceneDocument.of(name, Files.readAllBytes(file)).text().toString()
             : "";
-    return DiffLines.of(UnifiedDiff.of(name, name + " (edited)", before, snapshot.text()));
+    return DiffLines.of(
+        UnifiedDiff.of(name, Texts.of("diff.edited", name), before, snapshot.text()));
   }
 
   private void show(DiffLines lines) {
     view.show(lines);
     summary.setText(
         lines.lines().isEmpty()
-            ? "Nothing has changed."
-            : "%,d places change: %,d lines added, %,d removed."
-                .formatted(lines.changes().size(), lines.added(), lines.removed()));
+            ? Texts.of("diff.nothing")
+            : Texts.of(
+                "diff.summary",
+                lines.changes().size(),
+                DecimalText.grouped(lines.changes().size()),
+                lines.added(),
+                DecimalText.grouped(lines.added()),
+                DecimalText.grouped(lines.removed())));
     enableButtons(!lines.changes().isEmpty());
     view.requestFocusInWindow();
   }

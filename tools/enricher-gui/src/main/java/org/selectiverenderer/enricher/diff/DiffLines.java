@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.diff;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * The lines of a unified diff, and where its changes begin.
@@ -11,21 +12,21 @@ import java.util.List;
 record DiffLines(List<Line> lines, List<Integer> changes) {
   /** What a line of a diff is. */
   enum Kind {
-    FILE("file"),
-    PLACE("place"),
-    SAME("unchanged"),
-    ADDED("added"),
-    REMOVED("removed");
+    FILE("diff.line.file"),
+    PLACE("diff.line.place"),
+    SAME("diff.line.unchanged"),
+    ADDED("diff.line.added"),
+    REMOVED("diff.line.removed");
 
-    private final String word;
+    private final String key;
 
-    Kind(String word) {
-      this.word = word;
+    Kind(String key) {
+      this.key = key;
     }
 
     /** How it is read out. */
     String word() {
-      return word;
+      return Texts.of(key);
     }
   }
 

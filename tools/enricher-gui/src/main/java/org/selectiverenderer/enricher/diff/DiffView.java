@@ -8,6 +8,7 @@ import javax.swing.DefaultListCellRenderer;
 import javax.swing.JList;
 import javax.swing.ListSelectionModel;
 import javax.swing.UIManager;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * The lines of a diff. Only those on the screen are ever laid out, so a million of them scroll like
@@ -30,7 +31,7 @@ final class DiffView extends JList<DiffLines.Line> {
     setFont(plain);
     setSelectionMode(ListSelectionModel.SINGLE_INTERVAL_SELECTION);
     setCellRenderer(new LineRenderer());
-    getAccessibleContext().setAccessibleName("Changes of the file");
+    getAccessibleContext().setAccessibleName(Texts.of("diff.view"));
   }
 
   void show(DiffLines lines) {

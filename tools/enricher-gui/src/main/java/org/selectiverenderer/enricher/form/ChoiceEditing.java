@@ -14,8 +14,10 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * the document; a text that means nothing is not written, and the answer says why.
  */
 final class ChoiceEditing {
-  /** What stands for no type. */
-  static final String NONE = DegreeInput.NONE;
+  /** What stands for a type that is not said. */
+  static String none() {
+    return DegreeInput.none();
+  }
 
   private final EnricherSession session;
   private final DocumentElement element;
@@ -43,7 +45,7 @@ final class ChoiceEditing {
   }
 
   String type() {
-    return values().type().map(ConsistencyType::spelling).orElse(NONE);
+    return values().type().map(ConsistencyType::spelling).orElse(none());
   }
 
   String degree() {

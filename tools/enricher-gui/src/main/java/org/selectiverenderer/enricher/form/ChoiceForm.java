@@ -41,35 +41,35 @@ final class ChoiceForm {
     this.session = session;
     this.pictures = pictures;
     this.choice = choice;
-    String name = "choice " + choice.index();
+    String number = String.valueOf(choice.index());
     ChoiceEditing editing = new ChoiceEditing(session, node.element(), choice.index());
     JComboBox<String> type = new JComboBox<>();
-    type.addItem(ChoiceEditing.NONE);
+    type.addItem(ChoiceEditing.none());
     for (ConsistencyType each : ConsistencyType.values()) {
       type.addItem(each.spelling());
     }
-    name(type, "Type of " + name, HelpTopic.TYPE);
-    JComboBox<String> degree = new JComboBox<>(new String[] {DegreeInput.NONE, "low", "high"});
+    name(type, Texts.of("form.type", number), HelpTopic.TYPE);
+    JComboBox<String> degree = new JComboBox<>(new String[] {DegreeInput.none(), "low", "high"});
     degree.setEditable(true);
     JTextField typed = (JTextField) degree.getEditor().getEditorComponent();
     typed.setColumns(4); // as long as the longest degree, without what the editor keeps in reserve
-    name(degree, "Degree of " + name, HelpTopic.DEGREE);
-    name(typed, "Degree of " + name, HelpTopic.DEGREE);
-    typed.setName("Typed degree of " + name);
+    name(degree, Texts.of("form.degree", number), HelpTopic.DEGREE);
+    name(typed, Texts.of("form.degree", number), HelpTopic.DEGREE);
+    typed.setName("Typed degree of choice " + number);
     SchemasField schemas = new SchemasField(() -> session.enrichment().schemas());
-    name(schemas, "Schemas of " + name, HelpTopic.SCHEMAS);
-    schemas.putClientProperty("JTextField.placeholderText", "schemas, separated by commas");
+    name(schemas, Texts.of("form.schemas.of", number), HelpTopic.SCHEMAS);
+    schemas.putClientProperty("JTextField.placeholderText", Texts.of("form.commas"));
     title = Labels.of("", type);
     title.putClientProperty("FlatLaf.styleClass", "h4");
     if (choice.index() < 10) {
       title.setDisplayedMnemonic('0' + choice.index());
     }
-    thumbnail = new VersionThumbnail("Picture of " + name);
+    thumbnail = new VersionThumbnail(Texts.of("form.picture", number));
     url = new JLabel(shortly(choice));
     url.setToolTipText(where(choice));
-    url.getAccessibleContext().setAccessibleName("Model of " + name + ": " + where(choice));
-    polygons.setName("Polygons of " + name);
-    polygons.getAccessibleContext().setAccessibleName("Polygons of " + name);
+    url.getAccessibleContext().setAccessibleName(Texts.of("form.model", number, where(choice)));
+    polygons.setName("Polygons of choice " + number);
+    polygons.getAccessibleContext().setAccessibleName(Texts.of("form.polygons", number));
     boolean writable = session.document().locked().isEmpty();
     type.setEnabled(writable);
     degree.setEnabled(writable);
@@ -93,7 +93,7 @@ final class ChoiceForm {
     panel.add(schemas, "spanx 3, wmin 0");
     JPanel complaints = Labels.room(typeComplaint, degreeComplaint, schemasComplaint);
     panel.add(complaints, "skip 1, spanx 3, wmin 0, hmin pref");
-    panel.getAccessibleContext().setAccessibleName("Choice " + choice.index());
+    panel.getAccessibleContext().setAccessibleName(Texts.of("form.choice", number));
     fields =
         List.of(
             FormField.of(type, typeComplaint, new FormField.Source(editing::type, editing::type)),
@@ -113,7 +113,9 @@ final class ChoiceForm {
   }
 
   private static String where(ChoiceNode choice) {
-    return choice.url().isEmpty() ? choice.element() + ", in the scene itself" : choice.url();
+    return choice.url().isEmpty()
+        ? Texts.of("form.inscene", choice.element().toString())
+        : choice.url();
   }
 
   /** The file's name: folders would push it out of view. */
@@ -156,9 +158,9 @@ final class ChoiceForm {
 
   void follow(EnrichedSwitch node) {
     title.setText(
-        "Choice %d%s"
-            .formatted(
-                choice.index(), node.whichChoice() == choice.index() ? " (at the start)" : ""));
+        Texts.of(
+            node.whichChoice() == choice.index() ? "form.choice.start" : "form.choice",
+            String.valueOf(choice.index())));
     fields.forEach(FormField::follow);
   }
 

@@ -1,27 +1,30 @@
 package org.selectiverenderer.enricher.form;
 
 import java.util.Optional;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.Degree;
 
 /** A degree of consistency as an author types it: low, high, a number from 0 to 1, or none. */
 final class DegreeInput {
   /** What stands for nothing said. */
-  static final String NONE = "none";
+  static String none() {
+    return Texts.of("form.none");
+  }
 
   private DegreeInput() {}
 
   static Input<Optional<Degree>> parse(String text) {
     String word = text.strip().replace(',', '.');
-    if (word.isEmpty() || word.equalsIgnoreCase(NONE)) {
+    if (word.isEmpty() || word.equalsIgnoreCase(none())) {
       return new Input.Valid<>(Optional.empty());
     }
     Optional<Degree> degree = Degree.of(word);
     return degree.isPresent()
         ? new Input.Valid<>(degree)
-        : new Input.Wrong<>("Write low, high or a number from 0 to 1");
+        : new Input.Wrong<>(Texts.of("form.degree.wrong"));
   }
 
   static String format(Optional<Degree> degree) {
-    return degree.map(Degree::spelling).orElse(NONE);
+    return degree.map(Degree::spelling).orElse(none());
   }
 }

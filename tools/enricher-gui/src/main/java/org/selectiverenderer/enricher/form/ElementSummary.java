@@ -45,16 +45,13 @@ record ElementSummary(
     if (node.isReference()) {
       advice = reference(document, node);
     } else if (around.isPresent()) {
-      advice = "It is part of " + around.get() + ", which has a form.";
+      advice = Texts.of("form.part", around.get().toString());
     } else if (object && named && free) {
-      advice = "Versions of it with fewer polygons can be made. A Switch then shows one of them.";
+      advice = Texts.of("form.versions");
     } else if (object && free) {
-      advice =
-          "To make versions of it with fewer polygons, first give it a name (DEF) in the source.";
+      advice = Texts.of("form.name");
     } else {
-      advice =
-          "Only Switches (objects) and ProximitySensors (areas) have forms. Choose one "
-              + "of them.";
+      advice = Texts.of("form.formless");
     }
     return new ElementSummary(
         String.join(" \u203a ", names),

@@ -56,10 +56,10 @@ public final class FormPanel extends JPanel {
     scroll.setBorder(null);
     scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
     scroll.getVerticalScrollBar().setUnitIncrement(16);
-    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the form");
+    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName(Texts.of("form.scroll"));
     add(scroll, "wmin 0, hmin 0");
     add(findings, "wmin 0");
-    getAccessibleContext().setAccessibleName("Form of the selected node");
+    getAccessibleContext().setAccessibleName(Texts.of("form.panel"));
     session.addSelectionListener(onSelection);
     session.document().addListener(onChange);
     rebuild();
@@ -130,9 +130,8 @@ public final class FormPanel extends JPanel {
         .fault()
         .map(
             fault ->
-                "Line %d: %s. Correct it in the source."
-                    .formatted(fault.location().line(), fault.message()))
-        .orElse("Choose a Switch (an object) or a ProximitySensor (an area) to describe it here.");
+                Texts.of("form.fault", String.valueOf(fault.location().line()), fault.message()))
+        .orElse(Texts.of("form.choose"));
   }
 
   private Form form(DocumentElement of) {
@@ -158,18 +157,21 @@ public final class FormPanel extends JPanel {
     place.setText(
         of == null
             ? " "
-            : "%s in line %d".formatted(of.name(), session.document().location(of.start()).line()));
+            : Texts.of(
+                "form.line",
+                of.name(),
+                String.valueOf(session.document().location(of.start()).line())));
     place.setToolTipText(place.getText());
     findings.show(Optional.ofNullable(of));
   }
 
   private String nothing() {
     boolean waits = session.document().fault().isPresent();
-    return waits ? Texts.of("node.formsWait") : "Nothing is selected";
+    return waits ? Texts.of("node.formsWait") : Texts.of("form.nothing");
   }
 
   private static String name(DocumentElement of) {
-    return of.def().or(of::use).orElse(of.name() + " without a name");
+    return of.def().or(of::use).orElse(Texts.of("form.nameless", of.name()));
   }
 
   /** Follows nothing any more. */

@@ -53,7 +53,7 @@ final class Labels {
             return red == null ? super.getForeground() : red;
           }
         };
-    label.getAccessibleContext().setAccessibleName("What is wrong");
+    label.getAccessibleContext().setAccessibleName(Texts.of("form.wrong"));
     return label;
   }
 

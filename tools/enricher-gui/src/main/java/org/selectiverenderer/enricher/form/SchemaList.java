@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * Schemas as an author types them: names separated by commas. A name that has a comma in it or
@@ -29,7 +30,7 @@ final class SchemaList {
       int to = end(text, from);
       String part = text.substring(from, to).strip();
       if (part.chars().anyMatch(Character::isISOControl)) {
-        return new Input.Wrong<>("Names of schemas are on one line");
+        return new Input.Wrong<>(Texts.of("form.oneline"));
       }
       Optional<String> wrong = wrong(part);
       if (wrong.isPresent()) {
@@ -72,10 +73,10 @@ final class SchemaList {
     }
     int behind = closed(part, 0);
     if (behind < part.length()) {
-      return Optional.of("Behind a name in quotation marks a comma follows");
+      return Optional.of(Texts.of("form.comma"));
     }
     boolean open = part.chars().filter(c -> c == MARK).count() % 2 == 1;
-    return open ? Optional.of("A quotation mark is not closed") : Optional.empty();
+    return open ? Optional.of(Texts.of("form.quotation")) : Optional.empty();
   }
 
   /** What stands in quotation marks, if anything does; the last one may lack. */

@@ -11,6 +11,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.selectiverenderer.enricher.proposal.ProposalList;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * A text of schemas separated by commas that proposes those which the scene knows: while one types,
@@ -24,7 +25,7 @@ final class SchemasField extends JTextField {
 
   SchemasField(Supplier<List<String>> known) {
     this.known = known;
-    proposals = new ProposalList<>(this, "Schemas of the scene", this::take);
+    proposals = new ProposalList<>(this, Texts.of("form.known"), this::take);
     addKeyListener(
         new KeyAdapter() {
           @Override

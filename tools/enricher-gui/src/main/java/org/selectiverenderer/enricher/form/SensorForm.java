@@ -15,6 +15,8 @@ import org.selectiverenderer.document.enrichment.EnrichedSensor;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The form of a ProximitySensor (thesis Fig 47): its name, its schemas and where it is. */
 final class SensorForm implements Form {
@@ -39,27 +41,30 @@ final class SensorForm implements Form {
     fields.addAll(box.fields());
     panel.add(name.component(), "wmin 0");
     SensorEditing editing = new SensorEditing(session, node.element());
-    add("On entering", "enterTimeSchema", 'N', HelpTopic.ENTER, editing::enter, editing::enter);
-    add("On leaving", "exitTimeSchema", 'L', HelpTopic.EXIT, editing::exit, editing::exit);
+    add("form.enter", "enterTimeSchema", HelpTopic.ENTER, editing::enter, editing::enter);
+    add("form.exit", "exitTimeSchema", HelpTopic.EXIT, editing::exit, editing::exit);
     panel.add(new JSeparator());
     panel.add(box.component(), "wmin 0");
   }
 
   private void add(
-      String title,
+      String key,
       String name,
-      char mnemonic,
       HelpTopic topic,
       Supplier<String> read,
       Function<String, Optional<String>> write) {
     SchemasField schemas = new SchemasField(() -> session.enrichment().schemas());
+    String lettered = Texts.of(key);
+    String title = Letters.without(lettered);
     schemas.setName(title);
-    schemas.getAccessibleContext().setAccessibleName("Schemas " + title.toLowerCase(Locale.ROOT));
-    schemas.putClientProperty("JTextField.placeholderText", "schemas, separated by commas");
+    schemas
+        .getAccessibleContext()
+        .setAccessibleName(Texts.of("form.schemas", title.toLowerCase(Locale.ROOT)));
+    schemas.putClientProperty("JTextField.placeholderText", Texts.of("form.commas"));
     schemas.setEditable(session.document().locked().isEmpty());
     topic.explain(schemas);
     JLabel label = Labels.of(title + "  (" + name + ")", schemas, name);
-    label.setDisplayedMnemonic(mnemonic);
+    label.setDisplayedMnemonic(Letters.code(lettered));
     JLabel complaint = Labels.complaint();
     panel.add(label);
     panel.add(schemas, "wmin 0");

@@ -6,6 +6,8 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** What is shown of an element without a form: where it stands and what can be done. */
@@ -24,21 +26,19 @@ final class SummaryForm implements Form {
     this.element = element;
     summary = summary();
     if (!summary.path().isEmpty()) {
-      panel.add(Labels.sentences("In " + summary.path()), "wmin 0");
+      panel.add(Labels.sentences(Texts.of("form.in", summary.path())), "wmin 0");
     }
     panel.add(Labels.sentences(summary.advice()), "wmin 0");
     summary
         .around()
         .ifPresent(
             around -> {
-              JButton go = new JButton("Go to " + around);
-              go.setMnemonic('G');
+              JButton go = Letters.button("form.go", around.toString());
               go.addActionListener(event -> session.select(around, this));
               panel.add(go, "growx 0");
             });
     if (summary.versions()) {
-      JButton make = new JButton("Make versions\u2026");
-      make.setMnemonic('M');
+      JButton make = Letters.button("form.make");
       make.addActionListener(event -> makeVersions.accept(element));
       panel.add(make, "growx 0");
     }

@@ -8,10 +8,12 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Letters;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -55,7 +57,7 @@ final class SwitchForm implements Form {
     }
     panel.add(
         Labels.names("consistencyType", "degreeOfConsistency", "schemaBelonginess"), "wmin 0");
-    more.setMnemonic('M');
+
     more.addActionListener(event -> node().ifPresent(this::page));
     page(node);
   }
@@ -75,7 +77,7 @@ final class SwitchForm implements Form {
       panel.add(choice.component(), "wmin 0");
     }
     if (end < size) {
-      more.setText("More choices (%d)".formatted(size - end));
+      Letters.on(more, Texts.of("form.more", DecimalText.grouped(size - end)));
       panel.add(more, "growx 0");
     }
     panel.revalidate();

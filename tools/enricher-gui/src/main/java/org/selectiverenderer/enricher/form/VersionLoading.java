@@ -15,6 +15,7 @@ import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.preview.VersionSource;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -60,26 +61,26 @@ final class VersionLoading {
           session
               .tasks()
               .run(
-                  "Finding " + choice.url(),
+                  Texts.of("form.finding", choice.url()),
                   () -> file(scene, choice.url(), session.access()),
                   file -> ask(new VersionSource.OfFile(file)),
                   e -> failed.accept(String.valueOf(e.getMessage())));
       return;
     }
     inScene(choice.element(), scene)
-        .ifPresentOrElse(this::ask, () -> failed.accept("No picture of a version in the scene"));
+        .ifPresentOrElse(this::ask, () -> failed.accept(Texts.of("form.nopicture")));
   }
 
   private static Path file(Path scene, String url, ContentAccess access) throws IOException {
     Path folder = Optional.ofNullable(scene.toAbsolutePath().getParent()).orElse(scene);
     ContentRoot.Target target = new ContentRoot(folder, access).resolve(url, folder);
     if (target instanceof ContentRoot.Target.Refused refused) {
-      throw new IOException("This version " + refused.reason());
+      throw new IOException(Texts.of("form.refused", refused.reason()));
     }
     return ((ContentRoot.Target.Found) target)
         .content()
         .file()
-        .orElseThrow(() -> new IOException("This version is no file of this machine"));
+        .orElseThrow(() -> new IOException(Texts.of("form.nofile")));
   }
 
   /** The choice alone, as a scene of its own. */

@@ -14,6 +14,7 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -38,13 +39,16 @@ public final class HelpPanel extends JPanel {
     this.session = session;
     page.putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
     page.setEditable(false);
-    page.getAccessibleContext().setAccessibleName("Help");
+    page.getAccessibleContext().setAccessibleName(Texts.of("help.panel"));
     JScrollPane scroll = new JScrollPane(page);
     scroll.setBorder(null);
-    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the help");
-    scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the help");
+    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName(Texts.of("help.scroll"));
+    scroll
+        .getHorizontalScrollBar()
+        .getAccessibleContext()
+        .setAccessibleName(Texts.of("help.scroll"));
     add(scroll, "wmin 0, hmin 0");
-    getAccessibleContext().setAccessibleName("Help");
+    getAccessibleContext().setAccessibleName(Texts.of("help.panel"));
     write(Optional.empty());
     session.addSelectionListener(onSelection);
     KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener(FOCUS, onFocus);

@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import org.selectiverenderer.base.decimal.DecimalText;
 import java.util.Map;
 import java.util.TreeSet;
 import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * Cells to and from text with tabs, as spreadsheets have it. A text whose first line begins with
@@ -57,7 +59,7 @@ final class CellClipboard {
     List<List<String>> lines =
         text.lines().map(line -> Arrays.asList(line.split("\t", -1))).toList();
     if (lines.isEmpty()) {
-      throw new EditRefused("there is nothing to paste");
+      throw new EditRefused(Texts.of("overview.nothing"));
     }
     if (lines.get(0).get(0).strip().equalsIgnoreCase(OBJECT)) {
       return named(lines);
@@ -80,8 +82,7 @@ final class CellClipboard {
         CellAt at = new CellAt(top + i, left + j);
         if (at.row() >= model.getRowCount() || at.column() >= model.getColumnCount()) {
           throw new EditRefused(
-              "%d lines of %d cells do not fit at this place; nothing is pasted"
-                  .formatted(lines.size(), lines.get(i).size()));
+              Texts.of("overview.nofit", lines.size(), DecimalText.grouped(lines.size()), lines.get(i).size(), DecimalText.grouped(lines.get(i).size())));
         }
         cells.put(at, input(lines.get(i).get(j)));
       }
@@ -99,14 +100,12 @@ final class CellClipboard {
     for (List<String> line : lines.subList(1, lines.size())) {
       Integer row = rows.get(line.get(0).strip());
       if (row == null) {
-        throw new EditRefused(
-            "there is no object '%s' in the table; nothing is pasted".formatted(line.get(0)));
+        throw new EditRefused(Texts.of("overview.noobject", line.get(0)));
       }
       for (int j = 1; j < line.size() && j < heads.size(); j++) {
         int column = 1 + model.schemas().indexOf(heads.get(j).strip());
         if (column == 0) {
-          throw new EditRefused(
-              "there is no schema '%s' in the table; add its column first".formatted(heads.get(j)));
+          throw new EditRefused(Texts.of("overview.noschema", heads.get(j)));
         }
         cells.put(new CellAt(row, column), input(line.get(j)));
       }
@@ -116,11 +115,6 @@ final class CellClipboard {
 
   private static CellInput input(String text) {
     return CellInput.of(text)
-        .orElseThrow(
-            () ->
-                new EditRefused(
-                    ("'%s' is not a degree (low, high or a number from 0 to 1); "
-                            + "nothing is pasted")
-                        .formatted(text)));
+        .orElseThrow(() -> new EditRefused(Texts.of("overview.nodegree", text)));
   }
 }

@@ -40,13 +40,24 @@ final class OverviewActions {
     this.model = model;
     this.cells = new CellClipboard(model);
     this.say = say;
-    this.high = new KeyedAction("High", "H", () -> fill(Optional.of(Degree.HIGH))).in(table);
-    this.low = new KeyedAction("Low", "L", () -> fill(Optional.of(Degree.LOW))).in(table);
-    this.clear = new KeyedAction("Clear", "DELETE", () -> fill(Optional.empty())).in(table);
-    this.sort = new KeyedAction("Sort by this schema", "S", this::sort).in(table);
-    new KeyedAction("Clear too", "BACK_SPACE", () -> fill(Optional.empty())).in(table);
+    this.high =
+        new KeyedAction(Texts.of("overview.high"), "H", () -> fill(Optional.of(Degree.HIGH)))
+            .in(table);
+    this.low =
+        new KeyedAction(Texts.of("overview.low"), "L", () -> fill(Optional.of(Degree.LOW)))
+            .in(table);
+    this.clear =
+        new KeyedAction(Texts.of("overview.clear"), "DELETE", () -> fill(Optional.empty()))
+            .in(table);
+    this.sort = new KeyedAction(Texts.of("overview.sort.schema"), "S", this::sort).in(table);
+    new KeyedAction(Texts.of("overview.clear.too"), "BACK_SPACE", () -> fill(Optional.empty()))
+        .in(table);
     for (char digit : "0123456789.".toCharArray()) {
-      new KeyedAction("Write " + digit, "typed " + digit, () -> table.write(digit)).in(table);
+      new KeyedAction(
+              Texts.of("overview.write", String.valueOf(digit)),
+              "typed " + digit,
+              () -> table.write(digit))
+          .in(table);
     }
     table.setComponentPopupMenu(menu());
   }
@@ -57,10 +68,13 @@ final class OverviewActions {
     menu.add(low);
     menu.add(clear);
     menu.addSeparator();
-    menu.add(new KeyedAction("Cut", "menu X", this::cut).in(table));
-    menu.add(new KeyedAction("Copy", "menu C", () -> copy(false)).in(table));
-    menu.add(new KeyedAction("Copy with Names", "menu shift C", () -> copy(true)).in(table));
-    menu.add(new KeyedAction("Paste", "menu V", this::paste).in(table));
+    menu.add(new KeyedAction(Texts.of("overview.cut"), "menu X", this::cut).in(table));
+    menu.add(
+        new KeyedAction(Texts.of("overview.copy.cells"), "menu C", () -> copy(false)).in(table));
+    menu.add(
+        new KeyedAction(Texts.of("overview.copy.names"), "menu shift C", () -> copy(true))
+            .in(table));
+    menu.add(new KeyedAction(Texts.of("overview.paste.cells"), "menu V", this::paste).in(table));
     menu.addSeparator();
     menu.add(
         new KeyedAction(
@@ -75,10 +89,12 @@ final class OverviewActions {
                 () -> metadata.paste(table.selectedElements()))
             .in(table));
     menu.addSeparator();
-    menu.add(new KeyedAction("Select Column", "ctrl SPACE", this::selectColumn).in(table));
+    menu.add(
+        new KeyedAction(Texts.of("overview.select.column"), "ctrl SPACE", this::selectColumn)
+            .in(table));
     menu.addSeparator();
     menu.add(sort);
-    menu.add(new KeyedAction("Sort by Object", "N", () -> sort(0)).in(table));
+    menu.add(new KeyedAction(Texts.of("overview.sort.object"), "N", () -> sort(0)).in(table));
     return menu;
   }
 
@@ -86,7 +102,7 @@ final class OverviewActions {
   void fill(Optional<Degree> degree) {
     List<CellAt> selected = table.selectedCells();
     if (selected.isEmpty()) {
-      say.accept("Select the cells to fill first: drag, or hold Shift and use the arrow keys.");
+      say.accept(Texts.of("overview.fill"));
     } else {
       attempt(() -> model.fill(selected, degree));
     }
@@ -126,7 +142,7 @@ final class OverviewActions {
             Object text = clipboard().getData(DataFlavor.stringFlavor);
             model.put(cells.paste(String.valueOf(text), table.selectedCells()));
           } catch (UnsupportedFlavorException | IOException e) {
-            throw new EditRefused("the clipboard contains no text to paste");
+            throw new EditRefused(Texts.of("overview.noclipboard"));
           }
         });
   }

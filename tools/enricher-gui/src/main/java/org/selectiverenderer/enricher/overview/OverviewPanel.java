@@ -15,6 +15,7 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
+import org.selectiverenderer.enricher.text.Letters;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -52,7 +53,7 @@ public final class OverviewPanel extends JPanel {
     add(findings, "grow, hidemode 3, wrap");
     add(status, "split 2, growx, wmin 0");
     add(legend(), "growx 0");
-    status.getAccessibleContext().setAccessibleName("Result of the last action");
+    status.getAccessibleContext().setAccessibleName(Texts.of("overview.result"));
     table
         .getSelectionModel()
         .addListSelectionListener(
@@ -77,33 +78,32 @@ public final class OverviewPanel extends JPanel {
 
   private JPanel tools() {
     JPanel tools = new JPanel(new MigLayout("insets 0", "[][grow][]"));
-    JLabel filter = new JLabel("Filter:");
-    filter.setDisplayedMnemonic('i');
+    JLabel filter = Letters.label("overview.filter");
     filter.setLabelFor(name);
-    name.putClientProperty("JTextField.placeholderText", "part of a name");
+    name.putClientProperty("JTextField.placeholderText", Texts.of("overview.filter.part"));
     name.putClientProperty("JTextField.showClearButton", true);
-    name.getAccessibleContext().setAccessibleName("Show objects whose name contains");
+    name.getAccessibleContext().setAccessibleName(Texts.of("overview.filter.name"));
     name.getDocument().addDocumentListener(new Typed());
-    which.getAccessibleContext().setAccessibleName("Objects that are shown");
+    which.getAccessibleContext().setAccessibleName(Texts.of("overview.filter.which"));
     which.addActionListener(e -> filter());
     tools.add(filter);
     tools.add(name, "growx, wmin 60");
     tools.add(which, "wrap");
     SchemaNaming naming = new SchemaNaming(this);
-    tools.add(new JLabel("Schema:"), "span, split 4");
-    tools.add(button("Add\u2026", 'A', "Add a column for another schema", () -> addSchema(naming)));
-    tools.add(button("Rename\u2026", 'R', "Rename wherever named", () -> rename(naming)));
-    tools.add(button("Remove", 'M', "Take out of all objects and areas", this::remove));
+    tools.add(new JLabel(Texts.of("overview.schema")), "span, split 4");
+    tools.add(button("overview.add", () -> addSchema(naming)));
+    tools.add(button("overview.rename", () -> rename(naming)));
+    tools.add(button("overview.remove", this::remove));
     return tools;
   }
 
   private static JPanel cellTools(OverviewActions actions) {
     JPanel tools = new JPanel(new MigLayout("insets 0"));
-    tools.add(new JLabel("Selected cells:"));
-    tools.add(button(actions.high, "People expect the object there (h)"));
-    tools.add(button(actions.low, "People do not expect the object there (l)"));
-    tools.add(button(actions.clear, "The object does not belong there (Delete)"));
-    tools.add(new JLabel("Keys: h, l, 0 to 1, Delete, F2"), "wmin 0, wrap");
+    tools.add(new JLabel(Texts.of("overview.cells")));
+    tools.add(button(actions.high, Texts.of("overview.high.tip")));
+    tools.add(button(actions.low, Texts.of("overview.low.tip")));
+    tools.add(button(actions.clear, Texts.of("overview.clear.tip")));
+    tools.add(new JLabel(Texts.of("overview.keys")), "wmin 0, wrap");
     JLabel names = new JLabel(Texts.of("terms.table"));
     names.putClientProperty("FlatLaf.styleClass", "small");
     names.setEnabled(false);
@@ -129,11 +129,11 @@ public final class OverviewPanel extends JPanel {
     return button;
   }
 
-  private static JButton button(String text, char mnemonic, String help, Runnable work) {
-    JButton button = new JButton(text);
-    button.setMnemonic(mnemonic);
+  private static JButton button(String key, Runnable work) {
+    JButton button = Letters.button(key);
+    String help = Texts.of(key + ".tip");
     button.setToolTipText(help);
-    button.getAccessibleContext().setAccessibleName(text + " schema");
+    button.getAccessibleContext().setAccessibleName(Texts.of(key + ".name"));
     button.getAccessibleContext().setAccessibleDescription(help);
     button.addActionListener(e -> work.run());
     return button;
@@ -141,7 +141,7 @@ public final class OverviewPanel extends JPanel {
 
   private void addSchema(SchemaNaming naming) {
     naming
-        .ask("Add Schema", "Name of the schema:", "")
+        .ask(Texts.of("overview.add.title"), Texts.of("overview.add.question"), "")
         .ifPresent(
             schema ->
                 attempt(
@@ -150,18 +150,21 @@ public final class OverviewPanel extends JPanel {
                       int column = model.schemas().indexOf(schema.strip());
                       table.setColumnSelectionInterval(column, column);
                       table.scrollRectToVisible(table.getCellRect(0, column, true));
-                      say(schema.strip() + " is written to the scene with its first object.");
+                      say(Texts.of("overview.added", schema.strip()));
                     }));
   }
 
   private void rename(SchemaNaming naming) {
     Optional<String> schema = table.currentSchema();
     if (schema.isEmpty()) {
-      say("Select a cell in the column of the schema to rename first.");
+      say(Texts.of("overview.rename.first"));
       return;
     }
     naming
-        .ask("Rename Schema", "New name of " + schema.get() + ":", schema.get())
+        .ask(
+            Texts.of("overview.rename.title"),
+            Texts.of("overview.rename.question", schema.get()),
+            schema.get())
         .filter(to -> !to.strip().equals(schema.get()))
         .ifPresent(
             to ->
@@ -175,7 +178,7 @@ public final class OverviewPanel extends JPanel {
   private void remove() {
     Optional<String> schema = table.currentSchema();
     if (schema.isEmpty()) {
-      say("Select a cell in the column of the schema to remove first.");
+      say(Texts.of("overview.remove.first"));
       return;
     }
     attempt(

@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.table.AbstractTableModel;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.ElementFinding;
@@ -22,6 +23,7 @@ import org.selectiverenderer.document.enrichment.SchemaOverview;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Cell;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
 import org.selectiverenderer.document.enrichment.VersionLadder;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -145,7 +147,7 @@ final class OverviewTableModel extends AbstractTableModel {
   void addSchema(String name) {
     String schema = name.strip();
     if (schema.isEmpty()) {
-      throw new EditRefused("a schema needs a name of at least one letter");
+      throw new EditRefused(Texts.of("overview.noname"));
     }
     SchemaNaming.complaint(schema)
         .ifPresent(
@@ -153,7 +155,7 @@ final class OverviewTableModel extends AbstractTableModel {
               throw new EditRefused(why);
             });
     if (columns.contains(schema)) {
-      throw new EditRefused("there is already a column for " + schema);
+      throw new EditRefused(Texts.of("overview.twice", schema));
     }
     added.add(schema);
     refresh();
@@ -187,7 +189,11 @@ final class OverviewTableModel extends AbstractTableModel {
   void put(Map<CellAt, CellInput> cells) {
     Map<Place, Optional<Degree>> wanted = new LinkedHashMap<>();
     cells.forEach((at, input) -> wanted.put(place(at), input.degree()));
-    make.accept(() -> overview.edit("Paste %d cells".formatted(wanted.size()), wanted));
+    make.accept(
+        () ->
+            overview.edit(
+                Texts.of("overview.paste.step", wanted.size(), DecimalText.grouped(wanted.size())),
+                wanted));
   }
 
   private Place place(CellAt cell) {
@@ -212,21 +218,25 @@ final class OverviewTableModel extends AbstractTableModel {
   String explanation(int row, int column) {
     EnrichedSwitch node = rows.node(row);
     if (column == 0) {
-      return "%s: %d versions".formatted(node.name(), node.choices().size());
+      return Texts.of(
+          "overview.versions",
+          node.name(),
+          node.choices().size(),
+          DecimalText.grouped(node.choices().size()));
     }
     String schema = schema(column);
     return overview
         .cell(node, schema)
         .map(
             cell ->
-                "%s in %s shows version %d of %d%s"
-                    .formatted(
-                        node.object(),
-                        schema,
-                        cell.choice() + 1,
-                        node.choices().size(),
-                        cell.type().map(type -> ", " + type.spelling()).orElse("")))
-        .orElse("%s does not belong to %s".formatted(node.object(), schema));
+                Texts.of(
+                    "overview.shows",
+                    node.object(),
+                    schema,
+                    DecimalText.grouped(cell.choice() + 1),
+                    DecimalText.grouped(node.choices().size()),
+                    cell.type().map(type -> ", " + type.spelling()).orElse("")))
+        .orElse(Texts.of("overview.outside", node.object(), schema));
   }
 
   @Override
@@ -241,7 +251,7 @@ final class OverviewTableModel extends AbstractTableModel {
 
   @Override
   public String getColumnName(int column) {
-    return column == 0 ? "Object" : schema(column);
+    return column == 0 ? Texts.of("overview.object") : schema(column);
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.overview;
 
 import java.util.Locale;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * Which objects the table shows.
@@ -15,19 +16,19 @@ record RowFilter(String name, Which which) {
 
   /** Objects by how far they are enriched. */
   enum Which {
-    ALL("All objects"),
-    BARE("Without schemas"),
-    FAULTY("With problems");
+    ALL("overview.filter.all"),
+    BARE("overview.filter.bare"),
+    FAULTY("overview.filter.faulty");
 
-    private final String label;
+    private final String key;
 
-    Which(String label) {
-      this.label = label;
+    Which(String key) {
+      this.key = key;
     }
 
     @Override
     public String toString() {
-      return label;
+      return Texts.of(key);
     }
   }
 

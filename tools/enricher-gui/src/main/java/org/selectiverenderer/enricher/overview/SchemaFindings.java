@@ -14,6 +14,8 @@ import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.ElementFinding;
+import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Schemas that no area activates or no object has, with a way to each and its fix. */
@@ -23,14 +25,14 @@ final class SchemaFindings extends JPanel {
 
   private final DefaultListModel<ElementFinding> found = new DefaultListModel<>();
   private final JList<ElementFinding> list = new JList<>(found);
-  private final JButton fix = new JButton("Fix");
-  private final JButton show = new JButton("Show");
+  private final JButton fix = Letters.button("overview.fix");
+  private final JButton show = Letters.button("overview.show");
 
   SchemaFindings(Consumer<DocumentElement> select, Consumer<Supplier<Edit>> make) {
     super(new MigLayout("insets 0, fill, hidemode 3", "[grow,fill][]", "[][]"));
     list.setVisibleRowCount(3);
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-    list.getAccessibleContext().setAccessibleName("Unused and undeclared schemas");
+    list.getAccessibleContext().setAccessibleName(Texts.of("overview.findings"));
     list.setCellRenderer(
         new DefaultListCellRenderer() {
           private static final long serialVersionUID = 1L;
@@ -44,12 +46,12 @@ final class SchemaFindings extends JPanel {
           }
         });
     list.addListSelectionListener(e -> enableButtons());
-    show.setMnemonic('w');
-    show.setToolTipText("Select the first place that names the schema");
+
+    show.setToolTipText(Texts.of("overview.show.tip"));
     show.addActionListener(e -> select.accept(list.getSelectedValue().element()));
-    fix.setMnemonic('x');
+
     fix.addActionListener(e -> list.getSelectedValue().fix().ifPresent(f -> make.accept(f.edit())));
-    JLabel label = new JLabel("Unused and undeclared schemas");
+    JLabel label = new JLabel(Texts.of("overview.findings"));
     label.setLabelFor(list);
     add(label, "span, wrap");
     add(new JScrollPane(list), "spany 2, grow");
@@ -73,7 +75,7 @@ final class SchemaFindings extends JPanel {
     fix.setEnabled(finding != null && finding.fix().isPresent());
     fix.setText(
         finding == null
-            ? "Fix"
-            : finding.fix().map(ElementFinding.Fix::name).orElse("No obvious fix"));
+            ? Letters.without(Texts.of("overview.fix"))
+            : finding.fix().map(ElementFinding.Fix::name).orElse(Texts.of("overview.nofix")));
   }
 }

@@ -14,6 +14,7 @@ import javax.swing.event.TableModelEvent;
 import javax.swing.table.DefaultTableColumnModel;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableColumn;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -44,9 +45,8 @@ final class SchemaTable extends JTable {
     setColumns();
     dress(this);
     dress(names);
-    getAccessibleContext().setAccessibleName("Degrees of objects by schemas");
-    getAccessibleContext()
-        .setAccessibleDescription("h writes high, l low, a digit a number, Delete empties a cell");
+    getAccessibleContext().setAccessibleName(Texts.of("overview.table"));
+    getAccessibleContext().setAccessibleDescription(Texts.of("overview.table.keys"));
   }
 
   /** The names beside the cells. */
@@ -65,7 +65,7 @@ final class SchemaTable extends JTable {
       setSelectionModel(rows);
       setShowGrid(true);
       setFocusable(false); // the keyboard works in the cells
-      getAccessibleContext().setAccessibleName("Objects");
+      getAccessibleContext().setAccessibleName(Texts.of("overview.objects"));
     }
 
     @Override
@@ -246,9 +246,10 @@ final class SchemaTable extends JTable {
     component
         .getAccessibleContext()
         .setAccessibleName(
-            "Degree of %s in %s"
-                .formatted(
-                    model.node(row).object(), model.schema(convertColumnIndexToModel(column))));
+            Texts.of(
+                "overview.degree",
+                model.node(row).object(),
+                model.schema(convertColumnIndexToModel(column))));
     return component;
   }
 }

@@ -120,9 +120,14 @@ final class AreaHandles extends MouseAdapter {
 
   private int handle(MouseEvent event) {
     Optional<PlacedArea> area = area();
-    return area.isPresent()
-        ? at(area.get(), view.frame().orElseThrow(), event.getX(), event.getY())
+    return area.isPresent() && x(event) >= 0
+        ? at(area.get(), view.frame().orElseThrow(), x(event), event.getY())
         : -1;
+  }
+
+  /** Where the mouse is in the picture that has the handles. */
+  private double x(MouseEvent event) {
+    return event.getX() - view.left();
   }
 
   @Override
@@ -138,7 +143,7 @@ final class AreaHandles extends MouseAdapter {
               area,
               hot,
               view.frame().orElseThrow().camera(),
-              event.getX() * scale,
+              x(event) * scale,
               event.getY() * scale);
       dragged = area.box();
       event.consume();
@@ -152,7 +157,7 @@ final class AreaHandles extends MouseAdapter {
     } else if (drag != null) {
       double scale = view.scale();
       GridStep step = event.isAltDown() ? GridStep.NONE : grid.get();
-      dragged = drag.at(event.getX() * scale, event.getY() * scale, step);
+      dragged = drag.at(x(event) * scale, event.getY() * scale, step);
       live.show(drag.area(), dragged);
       event.consume();
       view.repaint();
@@ -206,15 +211,17 @@ final class AreaHandles extends MouseAdapter {
                 area.solid(),
                 area.elsewhere());
     double scale = view.scale();
+    int left = view.left();
+    g.clipRect(left, 0, view.getWidth() - left, view.getHeight());
     for (int handle = 0; handle < AreaDrag.HANDLES; handle++) {
       int which = handle;
       AreaDrag.inPicture(AreaDrag.place(now, handle), frame.camera())
-          .ifPresent(at -> dot(g, at.x / scale, at.y / scale, which));
+          .ifPresent(at -> dot(g, left + at.x / scale, at.y / scale, which));
     }
     if (drag != null) {
       AreaDrag at = drag;
       AreaDrag.inPicture(AreaDrag.place(now, at.handle()), frame.camera())
-          .ifPresent(place -> label(g, place.x / scale, place.y / scale, says(at, now)));
+          .ifPresent(place -> label(g, left + place.x / scale, place.y / scale, says(at, now)));
     }
   }
 

@@ -13,6 +13,7 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * Lets the author check schemas in a popup. The order of checking is the order of entering: what is
@@ -51,7 +52,7 @@ final class AsIfChooser {
 
   JPopupMenu popup() {
     JPopupMenu popup = new JPopupMenu();
-    popup.getAccessibleContext().setAccessibleName("As if in these schemas");
+    popup.getAccessibleContext().setAccessibleName(Texts.of("preview.asif.popup"));
     JPanel boxes = new JPanel(new MigLayout("insets 8, wrap 1, gapy 2"));
     List<JCheckBox> all = new ArrayList<>();
     for (String schema : known.get()) {
@@ -68,10 +69,10 @@ final class AsIfChooser {
       boxes.add(box);
     }
     if (all.isEmpty()) {
-      boxes.add(new JLabel("The scene names no schemas yet."));
+      boxes.add(new JLabel(Texts.of("preview.asif.empty")));
     }
-    JButton none = new JButton("None");
-    none.setToolTipText("The scene as it is at its start");
+    JButton none = new JButton(Texts.of("preview.asif.none"));
+    none.setToolTipText(Texts.of("preview.asif.none.tip"));
     none.addActionListener(
         event -> {
           all.forEach(box -> box.setSelected(false));

@@ -80,6 +80,11 @@ final class PictureView extends JComponent implements Accessible {
     return (int) Math.round(position * scale());
   }
 
+  /** Where the scene as the preview shows it begins: the other picture may stand at its left. */
+  int left() {
+    return CompareView.offset(frame().flatMap(PreviewFrame::compared), getWidth());
+  }
+
   /** How two pictures are shown. */
   CompareView comparison() {
     return comparison;
@@ -108,10 +113,10 @@ final class PictureView extends JComponent implements Accessible {
   static List<String> lines(PreviewFrame frame) {
     List<String> lines = new ArrayList<>();
     if (frame.walking()) {
-      lines.add("Walking. Areas entered: " + list(frame.areas()));
-      lines.add("Schemas active: " + list(frame.schemas()));
+      lines.add(Texts.of("preview.walking", list(frame.areas())));
+      lines.add(Texts.of("preview.active", list(frame.schemas())));
     } else if (!frame.schemas().isEmpty()) {
-      lines.add("As if in " + list(frame.schemas()));
+      lines.add(Texts.of("preview.asif.one", list(frame.schemas())));
     }
     frame.version().ifPresent(lines::add);
     lines.add(
@@ -124,7 +129,7 @@ final class PictureView extends JComponent implements Accessible {
   }
 
   private static String list(List<String> names) {
-    return names.isEmpty() ? "none" : String.join(", ", names);
+    return names.isEmpty() ? Texts.of("preview.nonames") : String.join(", ", names);
   }
 
   static String text(PreviewFrame.Label label) {
@@ -184,7 +189,7 @@ final class PictureView extends JComponent implements Accessible {
   private void paintLabels(Graphics2D g, PreviewFrame of, double scale) {
     FontMetrics metrics = g.getFontMetrics();
     List<Shown> all = new ArrayList<>();
-    int moved = CompareView.offset(of.compared(), getWidth());
+    int moved = left();
     List<PreviewFrame.Label> seenFirst = new ArrayList<>(of.labels());
     seenFirst.sort(Comparator.comparing(PreviewFrame.Label::hidden));
     for (PreviewFrame.Label label : seenFirst) {

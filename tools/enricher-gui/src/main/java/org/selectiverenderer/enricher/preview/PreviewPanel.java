@@ -27,6 +27,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.area.GridStep;
@@ -64,7 +65,7 @@ public final class PreviewPanel extends JPanel {
   private final transient SceneProbe probe;
   private final transient AreaHandles handles;
   private transient Supplier<GridStep> grid = () -> GridStep.NONE;
-  private final JToolBar bar = new WrappingBar("Preview");
+  private final JToolBar bar = new WrappingBar(Texts.of("preview.panel"));
   private transient Consumer<PreviewFrame> onFrame = frame -> {};
   private final PictureView view = new PictureView();
   private final JLabel message = new JLabel(" ");
@@ -73,10 +74,10 @@ public final class PreviewPanel extends JPanel {
   private String layersLeftOut = " ";
 
   private final JProgressBar progress = new JProgressBar();
-  private final JToggleButton walk = new JToggleButton("Walk");
-  private final JToggleButton sensors = new JToggleButton("Sensor boxes", true);
-  private final JToggleButton wireframe = new JToggleButton("Wireframe");
-  private final JButton asIfButton = new JButton("As if in\u2026");
+  private final JToggleButton walk = new JToggleButton(Texts.of("preview.walk"));
+  private final JToggleButton sensors = new JToggleButton(Texts.of("preview.boxes"), true);
+  private final JToggleButton wireframe = new JToggleButton(Texts.of("preview.wireframe"));
+  private final JButton asIfButton = new JButton(Texts.of("preview.asif"));
   private final JButton compareButton = new JButton(Texts.of("compare.off"));
   private transient CompareMode compare = CompareMode.OFF;
   private boolean disposed;
@@ -179,7 +180,7 @@ public final class PreviewPanel extends JPanel {
               @Override
               public void loading() {
                 progress.setVisible(true);
-                message.setText("Loading the preview\u2026");
+                message.setText(Texts.of("preview.loading.now"));
               }
 
               @Override
@@ -200,15 +201,15 @@ public final class PreviewPanel extends JPanel {
   }
 
   private void layOut() {
-    bar.add(named(walk, "Walk in the scene as a user does (W); Escape ends it"));
-    bar.add(named(asIfButton, "Show the scene as if the viewer were in schemas (I)"));
-    bar.add(named(sensors, "Draw and label the boxes of the sensors (B)"));
-    bar.add(named(wireframe, "Draw only the edges of the polygons (G)"));
+    bar.add(named(walk, Texts.of("preview.walk.tip")));
+    bar.add(named(asIfButton, Texts.of("preview.asif.tip")));
+    bar.add(named(sensors, Texts.of("preview.boxes.tip")));
+    bar.add(named(wireframe, Texts.of("preview.wireframe.tip")));
     bar.addSeparator();
-    bar.add(button("Frame", "Bring the selected object into view (F)", this::frameSelected));
-    bar.add(button("Start", "To the start viewpoint (Home)", this::home));
-    bar.add(button("\u25c0", "To the viewpoint before (Page Up)", () -> viewpoint(-1)));
-    bar.add(button("\u25b6", "To the next viewpoint (Page Down)", () -> viewpoint(+1)));
+    bar.add(button(Texts.of("preview.frame"), Texts.of("preview.frame.tip"), this::frameSelected));
+    bar.add(button(Texts.of("preview.start"), Texts.of("preview.start.tip"), this::home));
+    bar.add(button("\u25c0", Texts.of("preview.before.tip"), () -> viewpoint(-1)));
+    bar.add(button("\u25b6", Texts.of("preview.next.tip"), () -> viewpoint(+1)));
     bar.add(named(compareButton, Texts.of("compare.tip")));
     compareButton.addActionListener(event -> compare(compare.next()));
     walk.addActionListener(event -> walk(walk.isSelected()));
@@ -217,15 +218,15 @@ public final class PreviewPanel extends JPanel {
     wireframe.addActionListener(event -> wireframe(wireframe.isSelected()));
     progress.setIndeterminate(true);
     progress.setVisible(false);
-    progress.getAccessibleContext().setAccessibleName("Loading the preview");
-    message.getAccessibleContext().setAccessibleName("State of the preview");
+    progress.getAccessibleContext().setAccessibleName(Texts.of("preview.loading"));
+    message.getAccessibleContext().setAccessibleName(Texts.of("preview.state"));
     JPanel foot = new JPanel(new MigLayout("insets 2 6 2 6, hidemode 3", "[grow,fill][]"));
     foot.add(message, "wmin 0");
     foot.add(progress, "wmax 20%");
     add(bar, "wmin 0"); // A long text of a button does not push the picture out of the window.
     add(view, "wmin 0, hmin 0");
     add(foot);
-    getAccessibleContext().setAccessibleName("Preview");
+    getAccessibleContext().setAccessibleName(Texts.of("preview.panel"));
   }
 
   private static <T extends AbstractButton> T named(T button, String tip) {
@@ -306,11 +307,7 @@ public final class PreviewPanel extends JPanel {
   private void tellLayers(int others) {
     String before = layersLeftOut;
     layersLeftOut =
-        others == 0
-            ? " "
-            : "Shown is the layer that the viewer walks in; the scene has "
-                + (others == 1 ? "another one" : others + " others")
-                + " over or under it";
+        others == 0 ? " " : Texts.of("preview.layers", others, DecimalText.grouped(others));
     if (message.getText().equals(before) || message.getText().isBlank()) {
       message.setText(layersLeftOut);
     }
@@ -398,9 +395,12 @@ public final class PreviewPanel extends JPanel {
   private void showAsIf(List<String> schemas) {
     asIfButton.setText(
         switch (schemas.size()) {
-          case 0 -> "As if in\u2026";
-          case 1 -> "As if in " + schemas.get(0);
-          default -> "As if in " + schemas.size() + " schemas"; // The picture names them.
+          case 0 -> Texts.of("preview.asif");
+          case 1 -> Texts.of("preview.asif.one", schemas.get(0));
+          default ->
+              Texts.of(
+                  "preview.asif.some",
+                  DecimalText.grouped(schemas.size())); // The picture names them.
         });
     thread.tell(stage -> stage.asIf(schemas));
   }

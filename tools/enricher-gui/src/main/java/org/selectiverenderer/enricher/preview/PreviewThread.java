@@ -6,6 +6,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 import org.selectiverenderer.runtime.render.mark.MarkedView;
 import org.selectiverenderer.runtime.viewer.Pose;
@@ -114,7 +115,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
         PreviewStage stage = new PreviewStage(view)) {
       serve(stage);
     } catch (GlUnavailableException e) {
-      listener.failed("There is no preview: " + e.getMessage());
+      listener.failed(Texts.of("preview.none", String.valueOf(e.getMessage())));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
@@ -142,7 +143,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
         }
       } catch (
           RuntimeException e) { // One state of a document must not end the preview of the next.
-        listener.failed("The preview cannot show this: " + e);
+        listener.failed(Texts.of("preview.cannot", e.toString()));
       }
     }
   }

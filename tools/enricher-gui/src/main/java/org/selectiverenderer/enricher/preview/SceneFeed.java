@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.DocumentListener;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
@@ -110,9 +111,7 @@ final class SceneFeed implements AutoCloseable {
     long mine = wanted.incrementAndGet();
     if (document.fault().isPresent()) {
       var fault = document.fault().get();
-      listener.stale(
-          "Line %d is not well formed; the preview does not change until you correct it"
-              .formatted(fault.location().line()));
+      listener.stale(Texts.of("preview.fault", String.valueOf(fault.location().line())));
       return;
     }
     Snapshot snapshot = document.snapshot();
@@ -145,9 +144,9 @@ final class SceneFeed implements AutoCloseable {
         loaded.close();
       }
     } catch (IOException e) {
-      tell(mine, () -> listener.stale("The preview cannot show the scene: " + e.getMessage()));
+      tell(mine, () -> listener.stale(Texts.of("preview.noscene", String.valueOf(e.getMessage()))));
     } catch (RuntimeException e) {
-      tell(mine, () -> listener.stale("The preview cannot show the scene: " + e));
+      tell(mine, () -> listener.stale(Texts.of("preview.noscene", e.toString())));
     }
   }
 

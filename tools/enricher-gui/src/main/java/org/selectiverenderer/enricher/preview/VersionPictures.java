@@ -10,6 +10,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.ShownBounds;
 import org.selectiverenderer.runtime.render.AntiAliasing;
@@ -115,7 +116,7 @@ public final class VersionPictures implements AutoCloseable {
     try (MarkedView view = MarkedView.open()) {
       serve(job -> picture(view, job));
     } catch (GlUnavailableException e) {
-      refuse("There are no pictures: " + e.getMessage());
+      refuse(Texts.of("preview.nopictures", String.valueOf(e.getMessage())));
     } finally {
       forget();
     }
@@ -153,15 +154,17 @@ public final class VersionPictures implements AutoCloseable {
     } catch (IOException e) {
       tell(job, () -> job.failed().accept(sentence(e)));
     } catch (GlUnavailableException e) {
-      tell(job, () -> job.failed().accept("There is no picture: " + e.getMessage()));
+      tell(
+          job,
+          () -> job.failed().accept(Texts.of("preview.nopicture", String.valueOf(e.getMessage()))));
     } catch (RuntimeException e) { // One model must not end the pictures of the others.
-      tell(job, () -> job.failed().accept("There is no picture of this model: " + e));
+      tell(job, () -> job.failed().accept(Texts.of("preview.nomodel", e.toString())));
     }
   }
 
   private static String sentence(IOException e) {
     String message = e.getMessage();
-    return message == null || message.isBlank() ? "The model cannot be read" : message;
+    return message == null || message.isBlank() ? Texts.of("preview.unread") : message;
   }
 
   private void tell(Job job, Runnable what) {

@@ -13,6 +13,7 @@ import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Task;
 import org.selectiverenderer.enricher.task.TaskProgress;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * Keeps a list of problems up to date: what is known at once a blink after a change, what checks
@@ -80,7 +81,7 @@ final class ProblemsFeed {
         session
             .tasks()
             .run(
-                "Checking the scene",
+                Texts.of("problems.task"),
                 progress -> run(snapshot, progress),
                 problems -> checked(snapshot.revision(), problems),
                 this::failed);
@@ -107,7 +108,7 @@ final class ProblemsFeed {
     task = null;
     checking.accept(false);
     Throwable cause = e instanceof ExecutionException && e.getCause() != null ? e.getCause() : e;
-    session.message("The scene could not be checked: " + cause);
+    session.message(Texts.of("problems.failed", String.valueOf(cause)));
   }
 
   private void cancel() {

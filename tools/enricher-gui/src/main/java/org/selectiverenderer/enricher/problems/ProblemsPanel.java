@@ -28,6 +28,7 @@ import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.document.DocumentCheck;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Letters;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -45,15 +46,15 @@ public final class ProblemsPanel extends JPanel {
   private final transient ProblemsFeed feed;
   private final ProblemsTableModel rows;
   private final JTable table;
-  private final JButton fix = new JButton("Fix");
+  private final JButton fix = Letters.button("problems.fix");
   private final JLabel checking = new JLabel(" ");
 
   /** How much is not enriched yet. */
   private final JLabel left = new JLabel(" ");
 
   private final Map<Severity, JToggleButton> filters = new EnumMap<>(Severity.class);
-  private final transient Action goTo = action("Go to place", this::visit);
-  private final transient Action mend = action("Fix", this::fix);
+  private final transient Action goTo = action(Texts.of("problems.goto"), this::visit);
+  private final transient Action mend = action(Texts.of("problems.fixes"), this::fix);
   private transient Consumer<ProblemCounts> onCounts = counts -> {};
   private transient Consumer<Location> onElsewhere = place -> {};
   private transient Consumer<Optional<String>> onExplain = rule -> {};
@@ -77,17 +78,20 @@ public final class ProblemsPanel extends JPanel {
     left.setToolTipText(Texts.of("counts.unenrichedtip"));
     bar.add(left, "gapbefore 12");
     checking.setEnabled(false);
-    checking.getAccessibleContext().setAccessibleName("State of the checks");
+    checking.getAccessibleContext().setAccessibleName(Texts.of("problems.state"));
     bar.add(checking);
-    fix.setMnemonic('X');
+
     fix.setEnabled(false);
     fix.addActionListener(mend);
     bar.add(fix);
     JScrollPane scroll = new JScrollPane(table);
-    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the problems");
+    scroll
+        .getVerticalScrollBar()
+        .getAccessibleContext()
+        .setAccessibleName(Texts.of("problems.scroll"));
     add(bar);
     add(scroll, "wmin 0, hmin 0");
-    getAccessibleContext().setAccessibleName("Problems");
+    getAccessibleContext().setAccessibleName(Texts.of("problems.panel"));
     keys();
     feed =
         new ProblemsFeed(
@@ -95,7 +99,7 @@ public final class ProblemsPanel extends JPanel {
             model,
             checks,
             this::refreshed,
-            busy -> checking.setText(busy ? "Checking\u2026" : " "));
+            busy -> checking.setText(busy ? Texts.of("problems.checking") : " "));
     feed.begin();
   }
 
@@ -107,7 +111,7 @@ public final class ProblemsPanel extends JPanel {
           case WARNING -> 'W';
           case INFO -> 'O';
         });
-    button.setToolTipText("Show or hide these");
+    button.setToolTipText(Texts.of("problems.filter"));
     button.addActionListener(event -> rows.show(severity, button.isSelected()));
     filters.put(severity, button);
     return button;
@@ -120,9 +124,9 @@ public final class ProblemsPanel extends JPanel {
     key("alt ENTER", "fix", mend);
     Action explain = action(Texts.of("problems.explain"), this::explain);
     key("F1", "explain", explain);
-    Action copy = action("Copy", this::copy);
+    Action copy = action(Texts.of("node.textCopy"), this::copy);
     key("ctrl C", "copyProblem", copy);
-    JPopupMenu menu = new JPopupMenu("Problem");
+    JPopupMenu menu = new JPopupMenu(Texts.of("problems.problem"));
     menu.add(goTo);
     menu.add(mend);
     menu.add(copy);
@@ -201,7 +205,7 @@ public final class ProblemsPanel extends JPanel {
 
   private void chosen() {
     Optional<ElementFinding.Fix> found = chosenEntry().flatMap(ProblemEntry::fix);
-    fix.setText(found.map(ElementFinding.Fix::name).orElse("Fix"));
+    fix.setText(found.map(ElementFinding.Fix::name).orElse(Texts.of("problems.fixes")));
     fix.setEnabled(found.isPresent());
     mend.setEnabled(found.isPresent());
     goTo.setEnabled(

@@ -8,6 +8,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The table of problems; asks its model only for rows in view. */
 final class ProblemsTable extends JTable {
@@ -15,7 +16,7 @@ final class ProblemsTable extends JTable {
 
   ProblemsTable(ProblemsTableModel model) {
     super(model);
-    getAccessibleContext().setAccessibleName("Problems of the scene");
+    getAccessibleContext().setAccessibleName(Texts.of("problems.table"));
     setFillsViewportHeight(true);
     setShowGrid(false);
     getTableHeader().setReorderingAllowed(false);

@@ -8,6 +8,7 @@ import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.table.RowTableModel;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The problems as a table asks for them: those severities that the author wants to see. */
 final class ProblemsTableModel extends RowTableModel<ProblemEntry> {
@@ -22,7 +23,11 @@ final class ProblemsTableModel extends RowTableModel<ProblemEntry> {
   private transient List<ProblemEntry> all = List.of();
 
   ProblemsTableModel(SceneDocument document) {
-    super("Severity", "Problem", "Place", "Fix");
+    super(
+        Texts.of("problems.severity"),
+        Texts.of("problems.problem"),
+        Texts.of("problems.place"),
+        Texts.of("problems.fixes"));
     this.document = document;
   }
 

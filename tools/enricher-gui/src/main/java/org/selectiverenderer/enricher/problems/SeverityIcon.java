@@ -11,6 +11,7 @@ import java.awt.geom.Path2D;
 import javax.swing.JLabel;
 import javax.swing.UIManager;
 import org.selectiverenderer.base.problem.Problem.Severity;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * How severe something is, told by shape as well as by colour: a cross in a disc, a triangle, a
@@ -37,9 +38,9 @@ public final class SeverityIcon extends FlatAbstractIcon {
   /** The severity as an author reads it. */
   public static String word(Severity severity) {
     return switch (severity) {
-      case ERROR -> "Error";
-      case WARNING -> "Warning";
-      case INFO -> "Remark";
+      case ERROR -> Texts.of("problems.error");
+      case WARNING -> Texts.of("problems.warning");
+      case INFO -> Texts.of("problems.remark");
     };
   }
 

@@ -12,6 +12,7 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.DocumentCheck;
 import org.selectiverenderer.document.Snapshot;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.validation.ValidationSettings;
@@ -71,7 +72,9 @@ public final class ValidatorCheck implements DocumentCheck {
       Location whole = Location.of(snapshot.name());
       return List.of(
           new Problem(
-              Problem.Severity.ERROR, whole, "the scene cannot be checked: " + e.getMessage()));
+              Problem.Severity.ERROR,
+              whole,
+              Texts.of("problems.uncheckable", String.valueOf(e.getMessage()))));
     }
   }
 

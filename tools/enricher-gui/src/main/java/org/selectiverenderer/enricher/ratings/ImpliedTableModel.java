@@ -2,11 +2,12 @@ package org.selectiverenderer.enricher.ratings;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.enrichment.ChoiceValues;
 import org.selectiverenderer.document.ratings.RatingPlan;
 import org.selectiverenderer.document.ratings.RatingPlan.Implied;
 import org.selectiverenderer.enricher.table.RowTableModel;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
@@ -32,7 +33,13 @@ final class ImpliedTableModel extends RowTableModel<ImpliedTableModel.Row> {
   private final RatingsModel model;
 
   ImpliedTableModel(RatingsModel model) {
-    super("Switch", "Schema", "Mean", "Ratings", "Band", "Implied metadata");
+    super(
+        "Switch",
+        Texts.of("ratings.schema"),
+        Texts.of("ratings.mean"),
+        Texts.of("ratings.count"),
+        Texts.of("ratings.band"),
+        Texts.of("ratings.metadata"));
     this.model = model;
     model.addListener(this::refresh);
     refresh();
@@ -52,13 +59,13 @@ final class ImpliedTableModel extends RowTableModel<ImpliedTableModel.Row> {
             new Row(
                 name,
                 implied.schema(),
-                String.format(Locale.ROOT, "%.2f", implied.mean().value()),
-                String.valueOf(implied.mean().count()),
+                DecimalText.fixed(implied.mean().value(), 2),
+                DecimalText.grouped(implied.mean().count()),
                 band(implied.mean().band()),
                 implied
                     .choice()
                     .map(choice -> metadata(choice, row.choices()))
-                    .orElse("none: as in the room around it")));
+                    .orElse(Texts.of("ratings.asroom"))));
       }
       if (row.object().isEmpty()) {
         int last = row.choices().size() - 1;
@@ -68,8 +75,8 @@ final class ImpliedTableModel extends RowTableModel<ImpliedTableModel.Row> {
                 String.join(", ", row.choices().get(last).schemas()),
                 "",
                 "0",
-                "not rated",
-                metadata(last, row.choices()) + ", as expected in its room"));
+                Texts.of("ratings.notrated"),
+                Texts.of("ratings.expectedroom", metadata(last, row.choices()))));
       }
     }
     plan.sensors()
@@ -81,7 +88,7 @@ final class ImpliedTableModel extends RowTableModel<ImpliedTableModel.Row> {
                         String.join(", ", wish.schemas().enter()),
                         "",
                         "",
-                        "area",
+                        Texts.of("ratings.area"),
                         "enterTimeSchema %s; exitTimeSchema %s"
                             .formatted(
                                 String.join(", ", wish.schemas().enter()),
@@ -90,18 +97,18 @@ final class ImpliedTableModel extends RowTableModel<ImpliedTableModel.Row> {
 
   private static String metadata(int choice, List<ChoiceValues> choices) {
     ChoiceValues values = choices.get(choice);
-    return "version %d: %s, %s"
-        .formatted(
-            choice + 1,
-            values.type().map(ConsistencyType::spelling).orElse("no type"),
-            values.degree().map(Degree::spelling).orElse("no degree"));
+    return Texts.of(
+        "ratings.version",
+        DecimalText.grouped(choice + 1),
+        values.type().map(ConsistencyType::spelling).orElseGet(() -> Texts.of("ratings.notype")),
+        values.degree().map(Degree::spelling).orElseGet(() -> Texts.of("ratings.nodegree")));
   }
 
   private static String band(Band band) {
     return switch (band) {
-      case NON_EXPECTANT -> "not expected, to 3";
-      case NEUTRAL -> "neutral, 3 to 4";
-      case EXPECTANT -> "expected, from 4";
+      case NON_EXPECTANT -> Texts.of("ratings.unexpected");
+      case NEUTRAL -> Texts.of("ratings.neutral");
+      case EXPECTANT -> Texts.of("ratings.expected");
     };
   }
 

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.ratings;
 import java.util.Optional;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
 import org.selectiverenderer.enricher.table.RowTableModel;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** Which Switch each object of the table is; the Switch can be corrected. */
 @SuppressWarnings("serial") // never written
@@ -10,14 +11,16 @@ final class MatchTableModel extends RowTableModel<Match> {
   private static final long serialVersionUID = 1L;
 
   /** What stands for an object that is no Switch. */
-  static final String NONE = "(leave out)";
+  static String none() {
+    return Texts.of("ratings.none");
+  }
 
   static final int SWITCH = 1;
 
   private final RatingsModel model;
 
   MatchTableModel(RatingsModel model) {
-    super("Object in the table", "Switch", "Why");
+    super(Texts.of("ratings.object"), "Switch", Texts.of("ratings.why"));
     this.model = model;
     model.addListener(() -> update(model.matches()));
     show(model.matches());
@@ -27,13 +30,13 @@ final class MatchTableModel extends RowTableModel<Match> {
   protected Object cell(Match match, int column) {
     return switch (column) {
       case 0 -> match.object();
-      case SWITCH -> match.switchName().orElse(NONE);
+      case SWITCH -> match.switchName().orElse(none());
       default ->
           switch (match.how()) {
-            case SAME_NAME -> "same name";
-            case CHOSEN -> "chosen";
-            case PROPOSED -> "\u26a0 only similar: choose to use";
-            case NONE -> "left out";
+            case SAME_NAME -> Texts.of("ratings.samename");
+            case CHOSEN -> Texts.of("ratings.chosen");
+            case PROPOSED -> Texts.of("ratings.similar");
+            case NONE -> Texts.of("ratings.leftout");
           };
     };
   }
@@ -47,7 +50,7 @@ final class MatchTableModel extends RowTableModel<Match> {
   public void setValueAt(Object value, int row, int column) {
     String name = String.valueOf(value);
     if (value != null) {
-      model.match(row(row).object(), name.equals(NONE) ? Optional.empty() : Optional.of(name));
+      model.match(row(row).object(), name.equals(none()) ? Optional.empty() : Optional.of(name));
     }
   }
 }

@@ -23,10 +23,13 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Letters;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.experiment.window.PackedWindow;
 
 /**
@@ -40,17 +43,16 @@ public final class RatingsDialog extends JDialog {
   private final EnricherSession session;
   private final RatingsModel model;
   private final JTextField file = new JTextField(30);
-  private final JCheckBox follow =
-      new JCheckBox("Treat objects without ratings as expected in their room", true);
+  private final JCheckBox follow = Letters.on(new JCheckBox("", true), Texts.of("ratings.follow"));
   private final JLabel summary = new JLabel();
   private final JTabbedPane messages = new JTabbedPane();
   private final JList<String> leftOut = new JList<>();
   private final JList<String> problems = new JList<>();
-  private final JButton proposals = new JButton("Accept Proposals");
-  private final JButton apply = new JButton("Apply");
+  private final JButton proposals = Letters.button("ratings.proposals");
+  private final JButton apply = new JButton(Texts.of("ratings.apply"));
 
   public RatingsDialog(Window owner, EnricherSession session) {
-    super(owner, "Import Ratings", ModalityType.DOCUMENT_MODAL);
+    super(owner, Texts.of("ratings.title"), ModalityType.DOCUMENT_MODAL);
     this.session = session;
     this.model = new RatingsModel(session.enrichment());
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
@@ -62,7 +64,7 @@ public final class RatingsDialog extends JDialog {
     content.add(options(), "wrap");
     content.add(messages(), "grow, wrap");
     content.add(buttons());
-    summary.getAccessibleContext().setAccessibleName("Result of the import");
+    summary.getAccessibleContext().setAccessibleName(Texts.of("ratings.result"));
     setContentPane(content);
     getRootPane().setDefaultButton(apply);
     getRootPane()
@@ -76,14 +78,12 @@ public final class RatingsDialog extends JDialog {
 
   private JPanel source() {
     JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][grow,fill][]"));
-    JLabel label = new JLabel("Table of ratings (CSV):");
-    label.setDisplayedMnemonic('t');
+    JLabel label = Letters.label("ratings.file");
     label.setLabelFor(file);
-    file.getAccessibleContext().setAccessibleName("File of ratings");
+    file.getAccessibleContext().setAccessibleName(Texts.of("ratings.file.name"));
     file.putClientProperty("JTextField.placeholderText", "RATINGS.csv: object,schema,rating");
     file.addActionListener(e -> open(Path.of(file.getText().strip())));
-    JButton browse = new JButton("Browse\u2026");
-    browse.setMnemonic('B');
+    JButton browse = Letters.button("ratings.browse");
     browse.addActionListener(e -> browse());
     panel.add(label);
     panel.add(file);
@@ -97,8 +97,8 @@ public final class RatingsDialog extends JDialog {
     JSplitPane split =
         new JSplitPane(
             JSplitPane.HORIZONTAL_SPLIT,
-            RatingsTables.captioned("Objects of the table and their Switches", 'O', matches, 48),
-            RatingsTables.captioned("What follows for the scene", 'W', implied, 86));
+            RatingsTables.captioned(Letters.label("ratings.caption.matches"), matches, 48),
+            RatingsTables.captioned(Letters.label("ratings.caption.implied"), implied, 86));
     split.setResizeWeight(0.4);
     split.setBorder(null);
     return split;
@@ -106,10 +106,10 @@ public final class RatingsDialog extends JDialog {
 
   private JPanel options() {
     JPanel panel = new JPanel(new MigLayout("insets 0", "[]unrel[]"));
-    proposals.setMnemonic('P');
-    proposals.setToolTipText("Use the Switches whose names are only similar");
+
+    proposals.setToolTipText(Texts.of("ratings.proposals.tip"));
     proposals.addActionListener(e -> model.acceptProposals());
-    follow.setMnemonic('e');
+
     follow.addActionListener(e -> model.unratedFollow(follow.isSelected()));
     panel.add(proposals);
     panel.add(follow);
@@ -118,20 +118,20 @@ public final class RatingsDialog extends JDialog {
 
   private JTabbedPane messages() {
     leftOut.setVisibleRowCount(4);
-    leftOut.getAccessibleContext().setAccessibleName("What is left out");
+    leftOut.getAccessibleContext().setAccessibleName(Texts.of("ratings.leftout.name"));
     problems.setVisibleRowCount(4);
-    problems.getAccessibleContext().setAccessibleName("Problems of the table");
-    messages.addTab("Left Out", new JScrollPane(leftOut));
-    messages.addTab("Problems", new JScrollPane(problems));
-    messages.setMnemonicAt(0, 'L');
-    messages.setMnemonicAt(1, 'm');
-    messages.getAccessibleContext().setAccessibleName("Left out and problems");
+    problems.getAccessibleContext().setAccessibleName(Texts.of("ratings.problems.name"));
+    messages.addTab("", new JScrollPane(leftOut));
+    messages.addTab("", new JScrollPane(problems));
+    messages.setMnemonicAt(0, Letters.code(Texts.of("ratings.tab.left", "")));
+    messages.setMnemonicAt(1, Letters.code(Texts.of("ratings.tab.problems", "")));
+    messages.getAccessibleContext().setAccessibleName(Texts.of("ratings.messages"));
     return messages;
   }
 
   private JPanel buttons() {
     JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "push[sizegroup b][sizegroup b]"));
-    JButton cancel = new JButton("Cancel");
+    JButton cancel = new JButton(Texts.of("keep.cancel"));
     cancel.addActionListener(e -> dispose());
     apply.addActionListener(e -> apply());
     panel.add(apply, "tag ok");
@@ -142,8 +142,8 @@ public final class RatingsDialog extends JDialog {
   private void browse() {
     File scene = session.file().path().toAbsolutePath().toFile();
     JFileChooser chooser = new JFileChooser(scene.getParentFile());
-    chooser.setDialogTitle("Table of Ratings");
-    chooser.setFileFilter(new FileNameExtensionFilter("Tables (CSV)", "csv"));
+    chooser.setDialogTitle(Texts.of("ratings.chooser"));
+    chooser.setFileFilter(new FileNameExtensionFilter(Texts.of("ratings.tables"), "csv"));
     if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
       open(chooser.getSelectedFile().toPath());
     }
@@ -155,19 +155,20 @@ public final class RatingsDialog extends JDialog {
     session
         .tasks()
         .run(
-            "Reading " + table.getFileName(),
+            Texts.of("ratings.reading", String.valueOf(table.getFileName())),
             () -> RatingsModel.read(String.valueOf(table.getFileName()), Files.readAllBytes(table)),
             model::take,
             failure -> model.take(unread(table, failure)));
   }
 
   private static RatingsModel.Table unread(Path table, Exception failure) {
-    String why = failure instanceof IOException ? "it cannot be read" : failure.getMessage();
+    String why =
+        failure instanceof IOException ? Texts.of("ratings.unreadable") : failure.getMessage();
     Problem problem =
         new Problem(
             Problem.Severity.ERROR,
             Location.of(table.toString()),
-            why + "; choose another file, or check the permissions of this one");
+            Texts.of("ratings.another", why));
     return new RatingsModel.Table(table.toString(), Optional.empty(), List.of(problem));
   }
 
@@ -175,8 +176,12 @@ public final class RatingsDialog extends JDialog {
     List<String> left = model.leftOut();
     leftOut.setListData(left.toArray(String[]::new));
     problems.setListData(model.problems().stream().map(Problem::toString).toArray(String[]::new));
-    messages.setTitleAt(0, "Left Out (%d)".formatted(left.size()));
-    messages.setTitleAt(1, "Problems (%d)".formatted(model.problems().size()));
+    messages.setTitleAt(
+        0, Letters.without(Texts.of("ratings.tab.left", DecimalText.grouped(left.size()))));
+    messages.setTitleAt(
+        1,
+        Letters.without(
+            Texts.of("ratings.tab.problems", DecimalText.grouped(model.problems().size()))));
     messages.setSelectedIndex(model.problems().isEmpty() ? 0 : 1);
     summary.setText(model.summary());
     apply.setEnabled(model.applicable());

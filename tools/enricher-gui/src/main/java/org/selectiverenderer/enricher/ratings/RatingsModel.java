@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Edit;
@@ -15,6 +16,7 @@ import org.selectiverenderer.document.ratings.ObjectMatching;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
 import org.selectiverenderer.document.ratings.RatingPlan;
 import org.selectiverenderer.document.ratings.Ratings;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * An import of ratings under review: the table that was read, which Switch each of its objects is,
@@ -126,10 +128,10 @@ final class RatingsModel {
     plan.rows().forEach(row -> row.object().ifPresent(o -> taken.put(row.node().name(), o)));
     List<String> sentences = new ArrayList<>();
     for (Match match : plan.unused()) {
-      sentences.add("Not used: " + reason(match, taken));
+      sentences.add(Texts.of("ratings.unused", reason(match, taken)));
     }
     for (EnrichedSwitch node : plan.unrated()) {
-      sentences.add("Not rated: %s stays as it is".formatted(node.name()));
+      sentences.add(Texts.of("ratings.unrated", node.name()));
     }
     return sentences;
   }
@@ -137,33 +139,29 @@ final class RatingsModel {
   private static String reason(Match match, Map<String, String> taken) {
     String switchName = match.switchName().orElse("");
     return switch (match.how()) {
-      case NONE -> "%s has no Switch".formatted(match.object());
-      case PROPOSED ->
-          "%s may be %s; choose it to use its ratings".formatted(match.object(), switchName);
+      case NONE -> Texts.of("ratings.noswitch", match.object());
+      case PROPOSED -> Texts.of("ratings.maybe", match.object(), switchName);
       case SAME_NAME, CHOSEN ->
           taken.containsKey(switchName)
-              ? "%s matches %s, which %s matches already"
-                  .formatted(match.object(), switchName, taken.get(switchName))
-              : "%s matches %s, which has fewer than two versions"
-                  .formatted(match.object(), switchName);
+              ? Texts.of("ratings.already", match.object(), switchName, taken.get(switchName))
+              : Texts.of("ratings.toofew", match.object(), switchName);
     };
   }
 
   /** One sentence about the whole. */
   String summary() {
     if (plan == null) {
-      return name.isEmpty()
-          ? "Choose a table with the columns object, schema and rating (1 to 6)."
-          : "The table is not used: see Problems.";
+      return name.isEmpty() ? Texts.of("ratings.choose") : Texts.of("ratings.notused");
     }
     long proposed = matches().stream().filter(m -> m.how() == ObjectMatching.How.PROPOSED).count();
-    return "%d objects and %d areas get metadata; %d of the table's %d objects are left out%s."
-        .formatted(
-            plan.rows().size(),
-            plan.sensors().size(),
-            plan.unused().size(),
-            matches().size(),
-            proposed == 0 ? "" : ", %d of them have a proposal".formatted(proposed));
+    return Texts.of(
+        "ratings.summary",
+        DecimalText.grouped(plan.rows().size()),
+        DecimalText.grouped(plan.sensors().size()),
+        DecimalText.grouped(plan.unused().size()),
+        DecimalText.grouped(matches().size()),
+        proposed,
+        DecimalText.grouped(proposed));
   }
 
   /** Whether there is something to apply. */
@@ -175,6 +173,6 @@ final class RatingsModel {
   Optional<Edit> edit() {
     // The author may have edited the scene beside the dialog.
     work();
-    return plan().filter(p -> applicable()).map(p -> p.edit("Import ratings of " + name));
+    return plan().filter(p -> applicable()).map(p -> p.edit(Texts.of("ratings.step", name)));
   }
 }

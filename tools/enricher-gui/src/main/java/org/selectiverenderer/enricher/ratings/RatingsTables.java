@@ -11,17 +11,18 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.TableModel;
 import net.miginfocom.swing.MigLayout;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** The two tables of the import, with their captions. */
 final class RatingsTables {
   private RatingsTables() {}
 
   static JTable matches(MatchTableModel model, List<String> switches) {
-    JTable table = table(model, "Which Switch each object is");
+    JTable table = table(model, Texts.of("ratings.matches"));
     JComboBox<String> box = new JComboBox<>();
-    box.addItem(MatchTableModel.NONE);
+    box.addItem(MatchTableModel.none());
     switches.forEach(box::addItem);
-    box.getAccessibleContext().setAccessibleName("Switch of the object");
+    box.getAccessibleContext().setAccessibleName(Texts.of("ratings.switchof"));
     DefaultCellEditor editor = new DefaultCellEditor(box);
     editor.setClickCountToStart(1);
     table.getColumnModel().getColumn(MatchTableModel.SWITCH).setCellEditor(editor);
@@ -29,7 +30,7 @@ final class RatingsTables {
   }
 
   static JTable implied(ImpliedTableModel model) {
-    JTable table = table(model, "What the ratings imply");
+    JTable table = table(model, Texts.of("ratings.implied"));
     int[] shares = {18, 16, 7, 9, 19, 31};
     for (int i = 0; i < shares.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(10 * shares[i]);
@@ -49,10 +50,9 @@ final class RatingsTables {
   }
 
   /** A table under its caption. */
-  static JPanel captioned(String caption, char mnemonic, JTable table, int widthInLetters) {
+  static JPanel captioned(JLabel label, JTable table, int widthInLetters) {
     JPanel panel = new JPanel(new MigLayout("insets 0, fill", "[grow,fill]", "[][grow,fill]"));
-    JLabel label = new JLabel(caption);
-    label.setDisplayedMnemonic(mnemonic);
+
     label.setLabelFor(table);
     int letter = table.getFontMetrics(table.getFont()).charWidth('n');
     table.setPreferredScrollableViewportSize(

@@ -6,6 +6,7 @@ import javax.swing.Timer;
 import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 
 /** Keeps the unsaved changes of one session every few seconds, so that a crash costs little. */
 public final class Autosave {
@@ -37,16 +38,13 @@ public final class Autosave {
     session
         .tasks()
         .run(
-            "Keeping unsaved changes",
+            Texts.of("window.keeping"),
             () -> {
               write(path, snapshot);
               return path;
             },
             done -> {},
-            failed ->
-                session.message(
-                    "Unsaved changes cannot be copied to protect them from a crash: "
-                        + message(failed)));
+            failed -> session.message(Texts.of("window.keeping.failed", message(failed))));
   }
 
   private void write(Path path, Snapshot snapshot) throws IOException {
@@ -75,7 +73,7 @@ public final class Autosave {
         recovery.forget(path);
       }
     } catch (IOException e) {
-      session.message("The kept copy cannot be removed: " + message(e));
+      session.message(Texts.of("window.keeping.stays", message(e)));
     }
   }
 

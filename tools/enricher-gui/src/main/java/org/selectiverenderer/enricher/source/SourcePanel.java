@@ -116,7 +116,7 @@ public final class SourcePanel {
     for (String key : KEYS) {
       area.getInputMap().put(KeyStroke.getKeyStroke(key), "none"); // the window's
     }
-    area.getAccessibleContext().setAccessibleName("Source of the scene");
+    area.getAccessibleContext().setAccessibleName(Texts.of("source.panel"));
     scroll.setFoldIndicatorEnabled(true);
     scroll.getGutter().setExpandedFoldRenderStrategy(ExpandedFoldRenderStrategy.ALWAYS);
     for (Component each : scroll.getGutter().getComponents()) {
@@ -124,8 +124,14 @@ public final class SourcePanel {
         each.getAccessibleContext().setAccessibleName(Texts.of("source.folds"));
       }
     }
-    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the source");
-    scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the source");
+    scroll
+        .getVerticalScrollBar()
+        .getAccessibleContext()
+        .setAccessibleName(Texts.of("source.scroll"));
+    scroll
+        .getHorizontalScrollBar()
+        .getAccessibleContext()
+        .setAccessibleName(Texts.of("source.scroll"));
   }
 
   private void on(String key, Runnable run) {

@@ -7,6 +7,7 @@ import javax.swing.tree.DefaultTreeCellRenderer;
 import org.selectiverenderer.document.enrichment.EnrichedSensor;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** A row of the tree: icon with a mark, type and name. */
@@ -38,9 +39,9 @@ final class NodeRenderer extends DefaultTreeCellRenderer {
       setIcon(new NodeIcon(NodeIcon.Kind.of(element.name()), mark));
       setToolTipText(
           switch (mark) {
-            case NONE -> describable(element) && element.attached() ? "Not enriched yet" : null;
-            case ENRICHED -> "Has schema metadata";
-            case FAULTY -> "Has a problem: see the list below";
+            case NONE -> describable(element) && element.attached() ? Texts.of("nodes.bare") : null;
+            case ENRICHED -> Texts.of("nodes.enriched");
+            case FAULTY -> Texts.of("nodes.faulty");
           });
     }
     return this;
@@ -51,7 +52,10 @@ final class NodeRenderer extends DefaultTreeCellRenderer {
   }
 
   static String text(DocumentElement element) {
-    String name = element.def().orElseGet(() -> element.use().map(use -> "uses " + use).orElse(""));
+    String name =
+        element
+            .def()
+            .orElseGet(() -> element.use().map(use -> Texts.of("nodes.uses", use)).orElse(""));
     return name.isEmpty()
         ? element.name()
         : describable(element) ? name : element.name() + "  " + name;

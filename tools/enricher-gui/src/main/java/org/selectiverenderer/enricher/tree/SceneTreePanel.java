@@ -37,7 +37,7 @@ public final class SceneTreePanel {
   private final JTree tree;
   private final JTextField search = new JTextField();
   private final JComboBox<String> extent =
-      new JComboBox<>(new String[] {"Switches and sensors", "Whole scene"});
+      new JComboBox<>(new String[] {Texts.of("nodes.extent.some"), Texts.of("nodes.extent.all")});
   private final JTextArea waiting = new JTextArea();
   private final JPanel panel =
       new JPanel(new MigLayout("insets 6, gap 4, fill, hidemode 2", "[grow]", "[][][grow][]"));
@@ -59,17 +59,17 @@ public final class SceneTreePanel {
     tree.setRootVisible(false);
     tree.setShowsRootHandles(true);
     tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
-    tree.getAccessibleContext().setAccessibleName("Nodes of the scene");
+    tree.getAccessibleContext().setAccessibleName(Texts.of("nodes.tree"));
     tree.addTreeSelectionListener(event -> chosen());
     ToolTipManager.sharedInstance().registerComponent(tree);
-    search.putClientProperty("JTextField.placeholderText", "Search nodes (Ctrl+Shift+F)");
+    search.putClientProperty("JTextField.placeholderText", Texts.of("nodes.search.keys"));
     search.putClientProperty("JTextField.showClearButton", true);
-    search.getAccessibleContext().setAccessibleName("Search nodes");
+    search.getAccessibleContext().setAccessibleName(Texts.of("nodes.search"));
     Timer pause = new Timer(PAUSE_MILLISECONDS, event -> searchNow());
     pause.setRepeats(false);
     search.getDocument().addDocumentListener(new Typed(pause::restart));
     search.addActionListener(event -> nextHit());
-    extent.getAccessibleContext().setAccessibleName("Nodes that the tree shows");
+    extent.getAccessibleContext().setAccessibleName(Texts.of("nodes.extent"));
     extent.addActionListener(event -> extentChosen());
     panel.add(search, "growx, wmin 0, wrap");
     panel.add(extent, "growx, wmin 0, wrap");
@@ -83,8 +83,14 @@ public final class SceneTreePanel {
     waiting.setFont(search.getFont());
     showWaiting();
     JScrollPane scroll = new JScrollPane(tree);
-    scroll.getVerticalScrollBar().getAccessibleContext().setAccessibleName("Scroll the nodes");
-    scroll.getHorizontalScrollBar().getAccessibleContext().setAccessibleName("Scroll the nodes");
+    scroll
+        .getVerticalScrollBar()
+        .getAccessibleContext()
+        .setAccessibleName(Texts.of("nodes.scroll"));
+    scroll
+        .getHorizontalScrollBar()
+        .getAccessibleContext()
+        .setAccessibleName(Texts.of("nodes.scroll"));
     panel.add(scroll, "grow, wmin 0, hmin 0, wrap");
     panel.add(waiting, "growx, wmin 0"); // below the tree, which does not move then
     session.addSelectionListener(selecting);

@@ -21,6 +21,7 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * A picture of a version, as a solid or as wires. Dragging, the arrow keys, + and - turn and zoom
@@ -63,7 +64,7 @@ final class ShapeView extends JComponent implements Accessible {
     key("DOWN", () -> turntable.turn(0, -STEP));
     key("typed +", () -> turntable.zoom(1.2));
     key("typed -", () -> turntable.zoom(1 / 1.2));
-    setToolTipText("Drag or use the arrow keys to turn, + and - to zoom");
+    setToolTipText(Texts.of("versions.turn"));
   }
 
   private void key(String key, Runnable work) {

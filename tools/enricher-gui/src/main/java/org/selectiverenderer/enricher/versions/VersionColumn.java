@@ -1,6 +1,5 @@
 package org.selectiverenderer.enricher.versions;
 
-import java.util.Locale;
 import java.util.Optional;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.JComboBox;
@@ -41,11 +40,11 @@ final class VersionColumn extends JPanel {
     this.index = index;
     this.solid = new ShapeView(turntable, false);
     this.wires = new ShapeView(turntable, true);
-    String name = "version " + (index + 1);
-    solid.getAccessibleContext().setAccessibleName("Picture of %s, solid".formatted(name));
-    wires.getAccessibleContext().setAccessibleName("Picture of %s, wireframe".formatted(name));
+    String name = String.valueOf(index + 1);
+    solid.getAccessibleContext().setAccessibleName(Texts.of("versions.picture.solid", name));
+    wires.getAccessibleContext().setAccessibleName(Texts.of("versions.picture.wires", name));
     JLabel title =
-        new JLabel(index == 0 ? "Version 1: the original" : "Version %d".formatted(index + 1));
+        new JLabel(Texts.of(index == 0 ? "versions.original" : "versions.version", name));
     title.putClientProperty("FlatLaf.styleClass", "h4");
     add(title, "wrap");
     add(goal(name), "wrap");
@@ -59,13 +58,13 @@ final class VersionColumn extends JPanel {
     for (javax.swing.JComponent control : new javax.swing.JComponent[] {kind, slider, spinner}) {
       control.setVisible(index > 0); // their room stays, so that pictures stand in line
     }
-    kind.getAccessibleContext().setAccessibleName("Goal of " + name);
-    slider.getAccessibleContext().setAccessibleName("Vertices of " + name);
-    spinner.getAccessibleContext().setAccessibleName("Vertices of %s as a number".formatted(name));
+    kind.getAccessibleContext().setAccessibleName(Texts.of("versions.goal", name));
+    slider.getAccessibleContext().setAccessibleName(Texts.of("versions.vertices.of", name));
+    spinner.getAccessibleContext().setAccessibleName(Texts.of("versions.vertices.number", name));
     ((JSpinner.DefaultEditor) spinner.getEditor())
         .getTextField()
         .getAccessibleContext()
-        .setAccessibleName("Vertices of %s as a number".formatted(name));
+        .setAccessibleName(Texts.of("versions.vertices.number", name));
     ((JSpinner.DefaultEditor) spinner.getEditor()).getTextField().setColumns(5);
     kind.addActionListener(
         e -> wish(current().as((VersionGoal.Kind) kind.getSelectedItem(), model.maxVertex())));
@@ -80,12 +79,18 @@ final class VersionColumn extends JPanel {
 
   private JPanel figures(String name) {
     JPanel panel = new JPanel(new MigLayout("insets 0", "[]unrel[]"));
-    String[] heads = {index == 0 ? "Max Vertex" : "Vertices", "Polygons", "Error"};
+    String[] heads = {
+      index == 0 ? "Max Vertex" : Texts.of("versions.vertices"),
+      Texts.of("versions.polygons"),
+      Texts.of("versions.error")
+    };
     JLabel[] values = {vertices, polygons, error};
     for (int i = 0; i < heads.length; i++) {
       JLabel head = new JLabel(heads[i]);
       head.setLabelFor(values[i]);
-      values[i].getAccessibleContext().setAccessibleName("%s of %s".formatted(heads[i], name));
+      values[i]
+          .getAccessibleContext()
+          .setAccessibleName(Texts.of("versions.figure", heads[i], name));
       panel.add(head);
       panel.add(values[i], "wrap");
     }
@@ -131,8 +136,8 @@ final class VersionColumn extends JPanel {
     if (Double.isNaN(version.error())) {
       return Texts.of("versions.unmeasured");
     }
-    String share = String.format(Locale.ROOT, "%.2f %% of its size", 100 * version.error());
-    return version.met() ? share : share + "; the nearest that its form allows";
+    String share = Texts.of("versions.share", DecimalText.fixed(100 * version.error(), 2));
+    return version.met() ? share : Texts.of("versions.nearest", share);
   }
 
   private static String text(Optional<String> value, boolean stale) {

@@ -27,6 +27,7 @@ import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.versions.PlannedFile;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Letters;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.experiment.window.PackedWindow;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -51,17 +52,17 @@ public final class VersionsDialog extends JDialog {
   private final JProgressBar progress = new JProgressBar();
   private final JLabel doing = new JLabel(Texts.of("versions.computing"));
   private final JTextField name = new JTextField(14);
-  private final JButton stop = new JButton("Stop");
-  private final JButton more = new JButton("Add Version");
-  private final JButton fewer = new JButton("Remove Version");
-  private final JButton apply = new JButton("Make Versions");
+  private final JButton stop = Letters.button("versions.stop");
+  private final JButton more = Letters.button("versions.add");
+  private final JButton fewer = Letters.button("versions.remove");
+  private final JButton apply = Letters.button("versions.apply");
   private final org.selectiverenderer.document.DocumentListener changes;
 
   /**
    * @param object the object, or an element in it
    */
   public VersionsDialog(Window owner, EnricherSession session, DocumentElement object) {
-    super(owner, "Make Versions", ModalityType.DOCUMENT_MODAL);
+    super(owner, Texts.of("versions.apply"), ModalityType.DOCUMENT_MODAL);
     this.session = session;
     this.model = new VersionsModel(VersionsModel.nameOf(object));
     this.work = new VersionsWork(session, model, this::failed);
@@ -77,9 +78,9 @@ public final class VersionsDialog extends JDialog {
     content.add(summary, "wrap");
     content.add(problemPane, "wrap");
     content.add(buttons());
-    summary.getAccessibleContext().setAccessibleName("Result for the versions");
+    summary.getAccessibleContext().setAccessibleName(Texts.of("versions.result"));
     problems.setVisibleRowCount(3);
-    problems.getAccessibleContext().setAccessibleName("Problems of the versions");
+    problems.getAccessibleContext().setAccessibleName(Texts.of("versions.problems"));
     setContentPane(content);
     getRootPane().setDefaultButton(apply);
     getRootPane()
@@ -100,19 +101,17 @@ public final class VersionsDialog extends JDialog {
         new JComboBox<>(VersionsModel.objects(session.document()).toArray(String[]::new));
     objects.setPrototypeDisplayValue("Transform_OfSomeObject");
     objects.setSelectedItem(model.object());
-    objects.getAccessibleContext().setAccessibleName("Object to make versions of");
+    objects.getAccessibleContext().setAccessibleName(Texts.of("versions.object.name"));
     objects.addActionListener(e -> model.object(String.valueOf(objects.getSelectedItem())));
-    JLabel label = new JLabel("Object:");
-    label.setDisplayedMnemonic('O');
+    JLabel label = Letters.label("versions.object");
     label.setLabelFor(objects);
-    more.setMnemonic('A');
+
     more.addActionListener(e -> model.add());
-    fewer.setMnemonic('R');
+
     fewer.addActionListener(e -> model.removeLast());
     panel.add(label);
     panel.add(objects);
-    JLabel nameLabel = new JLabel(Texts.of("versions.name"));
-    nameLabel.setDisplayedMnemonic('F');
+    JLabel nameLabel = Letters.label("versions.name");
     nameLabel.setLabelFor(name);
     name.setName("Name of the files");
     name.getAccessibleContext().setAccessibleName(Texts.of("versions.name.described"));
@@ -146,15 +145,15 @@ public final class VersionsDialog extends JDialog {
   private JPanel buttons() {
     JPanel panel = new JPanel(new MigLayout("insets 0, fillx, hidemode 2", "[][][]push[][]"));
     progress.setIndeterminate(true);
-    progress.getAccessibleContext().setAccessibleName("Computing the versions");
-    stop.setMnemonic('S');
+    progress.getAccessibleContext().setAccessibleName(Texts.of("versions.progress"));
+
     stop.addActionListener(
         e -> {
           work.cancel();
           refresh();
-          summary.setText("Stopped. Change a value to compute the versions again.");
+          summary.setText(Texts.of("versions.stopped"));
         });
-    JButton cancel = new JButton("Cancel");
+    JButton cancel = new JButton(Texts.of("keep.cancel"));
     cancel.addActionListener(e -> dispose());
     apply.addActionListener(e -> apply());
     panel.add(doing);
@@ -214,8 +213,8 @@ public final class VersionsDialog extends JDialog {
     Optional<VersionsEdit> edit = model.result().flatMap(ComputedVersions::edit);
     if (edit.isEmpty()) {
       return model.object().isEmpty()
-          ? "Choose an object. An object without a DEF name needs a name first."
-          : "There are no versions of %s to make; see the problems.".formatted(model.object());
+          ? Texts.of("versions.choose")
+          : Texts.of("versions.none", model.object());
     }
     if (edit.get().isEmpty()) {
       return Texts.of("versions.same");
@@ -225,12 +224,13 @@ public final class VersionsDialog extends JDialog {
             .filter(file -> file.state() != PlannedFile.State.UNCHANGED)
             .map(
                 file ->
-                    file.file().getFileName()
-                        + (file.state() == PlannedFile.State.CHANGED ? " (replaced)" : ""))
+                    file.state() == PlannedFile.State.CHANGED
+                        ? Texts.of("versions.replaced", String.valueOf(file.file().getFileName()))
+                        : String.valueOf(file.file().getFileName()))
             .toList();
     return files.isEmpty()
-        ? "All files of the versions exist already."
-        : "Writes " + String.join(", ", files) + ".";
+        ? Texts.of("versions.exist")
+        : Texts.of("versions.writes", String.join(", ", files));
   }
 
   private void failed(String message) {

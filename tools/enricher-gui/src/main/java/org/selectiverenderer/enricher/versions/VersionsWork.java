@@ -7,6 +7,7 @@ import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.document.versions.VersionsEdit;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Task;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.polygon.simplify.Goal;
 
 /**
@@ -65,7 +66,7 @@ final class VersionsWork {
         session
             .tasks()
             .run(
-                "Computing versions of " + model.object(),
+                Texts.of("versions.task", model.object()),
                 () ->
                     beginning
                         ? ComputedVersions.first(snapshot, request, session.catalogue())
@@ -76,7 +77,7 @@ final class VersionsWork {
 
   private static String sentence(Exception failure) {
     String message = failure.getMessage();
-    return message == null ? "the versions cannot be computed: " + failure : message;
+    return message == null ? Texts.of("versions.failed", failure.toString()) : message;
   }
 
   private void done(long number, Runnable report) {

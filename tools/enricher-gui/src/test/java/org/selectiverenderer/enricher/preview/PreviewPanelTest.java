@@ -29,6 +29,7 @@ import org.selectiverenderer.enricher.Swing;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.area.PlanPicture;
 import org.selectiverenderer.enricher.area.SceneProbe;
+import org.selectiverenderer.enricher.compare.CompareMode;
 import org.selectiverenderer.enricher.driving.ControlNames;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.testing.ShowsWindows;
@@ -392,6 +393,44 @@ class PreviewPanelTest {
           .containsExactly("Resize Desk");
       Swing.edt(() -> window.session.document().history().undo());
       assertThat(desk(window)).isEqualTo(before);
+    }
+  }
+
+  @Test
+  void besideAllPolygonsTheHandlesStandWhereTheBoxIs() throws Exception {
+    try (PreviewWindow window = open()) {
+      Swing.edt(
+          () -> {
+            window.panel.compare(CompareMode.BESIDE);
+            window.session.select(
+                window.session.enrichment().sensorsByName().get("Desk").element(), this);
+          });
+      int whole = Swing.get(() -> window.panel.view().getWidth());
+      PreviewFrame beside =
+          window.await(
+              frame -> frame.selected().isPresent() && frame.image().getWidth() == whole / 2);
+      Vector2d from =
+          Swing.get(
+              () ->
+                  AreaDrag.inPicture(
+                          AreaDrag.place(
+                              new NodeCommands(window.session)
+                                  .area(window.session.selection().orElseThrow())
+                                  .orElseThrow(),
+                              1),
+                          beside.camera())
+                      .orElseThrow());
+      String before = desk(window);
+      int x = (int) Math.round(from.x);
+      int y = (int) Math.round(from.y);
+      window.drag(whole / 2 + x, y, whole / 2 + x + 40, y);
+      window.drop();
+      assertThat(Swing.get(() -> window.session.document().history().names()))
+          .containsExactly("Resize Desk");
+      Swing.edt(() -> window.session.document().history().undo());
+      window.drag(x, y, x + 40, y);
+      window.drop();
+      assertThat(desk(window)).as("the left picture has no handles").isEqualTo(before);
     }
   }
 

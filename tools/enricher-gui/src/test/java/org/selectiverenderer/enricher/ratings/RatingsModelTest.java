@@ -47,7 +47,7 @@ class RatingsModelTest {
     MatchTableModel matches = new MatchTableModel(model);
     matches.setValueAt("Switch_TrashCan", 0, MatchTableModel.SWITCH);
     assertThat(model.plan().orElseThrow().rows().get(0).node().name()).isEqualTo("Switch_TrashCan");
-    matches.setValueAt(MatchTableModel.NONE, 0, MatchTableModel.SWITCH);
+    matches.setValueAt(MatchTableModel.none(), 0, MatchTableModel.SWITCH);
     assertThat(model.leftOut()).contains("Not used: Sink has no Switch");
   }
 

@@ -1,0 +1,114 @@
+package org.selectiverenderer.app.session;
+
+import static org.selectiverenderer.app.session.SheetPen.FAINT;
+import static org.selectiverenderer.app.session.SheetPen.LINE;
+import static org.selectiverenderer.app.session.SheetPen.MARGIN;
+import static org.selectiverenderer.app.session.SheetPen.PLAIN;
+import static org.selectiverenderer.app.session.SheetPen.ROOM;
+import static org.selectiverenderer.app.session.SheetPen.SMALL;
+
+import java.util.List;
+import org.selectiverenderer.experiment.questionnaire.AnswerField;
+import org.selectiverenderer.experiment.questionnaire.ButtonCourse;
+import org.selectiverenderer.experiment.questionnaire.Option;
+import org.selectiverenderer.experiment.questionnaire.Wording;
+import org.selectiverenderer.runtime.camera.Mark;
+
+/** The part of a sheet with options to choose from: one below the other, or a scale in a line. */
+final class ChoicePart {
+  private final SheetPen pen;
+  private final Wording wording;
+
+  ChoicePart(SheetPen pen, Wording wording) {
+    this.pen = pen;
+    this.wording = wording;
+  }
+
+  void draw(ButtonCourse asked, boolean pointing) {
+    AnswerField.Choice choice = asked.choice().orElseThrow();
+    if (choice.several() || !choice.inLine()) {
+      list(asked, choice, pointing);
+    } else {
+      line(asked, choice);
+    }
+  }
+
+  private void list(ButtonCourse asked, AnswerField.Choice choice, boolean pointing) {
+    List<Option> options = choice.options();
+    int marked = asked.marked().orElse(-1);
+    for (int i = 0; i < options.size(); i++) {
+      List<String> lines = pen.wrapped(options.get(i).label(), PLAIN, ROOM - MARGIN);
+      double height = SheetPen.heightOf(lines);
+      int option = i;
+      boolean on = choice.several() ? asked.chosen(i) : i == marked;
+      pen.box(MARGIN, ROOM, height, on, () -> asked.choose(option));
+      if (choice.several() && i == marked) {
+        pen.add(Mark.rectangle(MARGIN, pen.y(), MARGIN / 4, height, SheetPen.SPOT));
+      }
+      pen.skip(pen.boxed(lines) + SMALL / 3);
+    }
+    if (choice.several() && !pointing) {
+      double width = ROOM / 3;
+      double x = MARGIN + ROOM - width;
+      pen.box(x, width, 2 * PLAIN, marked == options.size(), asked::forward);
+      pen.label(wording.of("next"), x, width, PLAIN);
+      pen.skip(2 * PLAIN);
+    }
+  }
+
+  private void line(ButtonCourse asked, AnswerField.Choice choice) {
+    List<Option> options = choice.options();
+    int marked = asked.marked().orElse(-1);
+    double gap = SMALL / 2;
+    double each = (ROOM - gap * (options.size() - 1)) / options.size();
+    for (int i = 0; i < options.size(); i++) {
+      double x = MARGIN + i * (each + gap);
+      int option = i;
+      pen.box(x, each, 2 * PLAIN, i == marked, () -> asked.choose(option));
+      pen.label(options.get(i).label(), x, each, PLAIN);
+    }
+    pen.skip(2 * PLAIN);
+    notes(options, each, gap);
+    ends(choice.least(), choice.most());
+  }
+
+  /** What options mean, below each. */
+  private void notes(List<Option> options, double each, double gap) {
+    double top = pen.y();
+    for (int i = 0; i < options.size(); i++) {
+      String note = options.get(i).note();
+      if (!note.isBlank()) {
+        double below = top;
+        for (String line : pen.wrapped(note, SMALL, each)) {
+          double size = Math.min(SMALL, SMALL * each / Math.max(1, pen.width(line, SMALL)));
+          below += SMALL * LINE;
+          double x = MARGIN + i * (each + gap) + (each - pen.width(line, size)) / 2;
+          pen.add(new Mark.Text(line, x, below, size, FAINT));
+        }
+        pen.reach(below);
+      }
+    }
+  }
+
+  /** What stands at the ends of a scale, below them. */
+  private void ends(String least, String most) {
+    if (least.isEmpty() && most.isEmpty()) {
+      return;
+    }
+    double half = (ROOM - MARGIN) / 2;
+    double top = pen.y();
+    List<String> left = pen.wrapped(least, SMALL, half);
+    List<String> right = pen.wrapped(most, SMALL, half);
+    for (int i = 0; i < Math.max(left.size(), right.size()); i++) {
+      double below = top + (i + 1) * SMALL * LINE;
+      pen.reach(below);
+      if (i < left.size()) {
+        pen.add(new Mark.Text(left.get(i), MARGIN, below, SMALL, FAINT));
+      }
+      if (i < right.size()) {
+        double x = MARGIN + ROOM - pen.width(right.get(i), SMALL);
+        pen.add(new Mark.Text(right.get(i), x, below, SMALL, FAINT));
+      }
+    }
+  }
+}

@@ -1,0 +1,134 @@
+package org.selectiverenderer.app.session;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.selectiverenderer.geometry.font.FontFamily;
+import org.selectiverenderer.geometry.font.FontStyle;
+import org.selectiverenderer.geometry.tessellate.TextMesher;
+import org.selectiverenderer.runtime.camera.Mark;
+
+/** Writes and draws on a sheet from its upper end down, and notes what of it can be chosen. */
+final class SheetPen {
+  static final double SMALL = 27;
+  static final double PLAIN = 36;
+  static final double LARGE = 46;
+  static final double MARGIN = 50;
+
+  /** From one line to the next, in sizes of its letters. */
+  static final double LINE = 1.35;
+
+  static final int INK = 0xFFF0F3F8;
+  static final int FAINT = 0xFFAAB4C4;
+  static final int SPOT = 0xFFFFD24A;
+
+  private static final int BOX = 0xFF3A4456;
+  private static final int MARKED = 0xFF2E6FD8;
+
+  /** Of the sheet, between its margins. */
+  static final double ROOM = QuestionSheet.WIDTH - 2 * MARGIN;
+
+  private final TextMesher mesher = new TextMesher();
+  private final List<Mark> marks = new ArrayList<>();
+  private final List<SheetTarget> targets = new ArrayList<>();
+  private double y;
+
+  /** Begins a new sheet. */
+  void begin() {
+    marks.clear();
+    targets.clear();
+    y = MARGIN;
+  }
+
+  /** How far down it is. */
+  double y() {
+    return y;
+  }
+
+  /** Goes down. */
+  void skip(double units) {
+    y += units;
+  }
+
+  /** Goes down to there, if it is not there yet. */
+  void reach(double down) {
+    y = Math.max(y, down);
+  }
+
+  void add(Mark mark) {
+    marks.add(mark);
+  }
+
+  List<Mark> marks() {
+    return marks;
+  }
+
+  List<SheetTarget> targets() {
+    return targets;
+  }
+
+  /** A box that can be chosen, below what there is. */
+  void box(double x, double width, double height, boolean on, Runnable choose) {
+    targets.add(new SheetTarget(x, y, width, height, choose));
+    marks.add(Mark.rectangle(x, y, width, height, on ? MARKED : BOX));
+  }
+
+  /** A line in the middle of a box, made smaller where it would not fit. */
+  void label(String label, double x, double width, double most) {
+    double size = Math.min(most, most * (width - SMALL / 2) / Math.max(1, width(label, most)));
+    marks.add(
+        new Mark.Text(label, x + (width - width(label, size)) / 2, y + 1.35 * PLAIN, size, INK));
+  }
+
+  /** Lines below what there is; nothing where it is blank. */
+  void text(String text, double size, int color) {
+    if (text.isBlank()) {
+      return;
+    }
+    for (String line : wrapped(text, size, ROOM)) {
+      y += size * LINE;
+      marks.add(new Mark.Text(line, MARGIN, y - size * (LINE - 1), size, color));
+    }
+  }
+
+  /**
+   * Lines one below the other inside a box.
+   *
+   * @return how high the box is to be
+   */
+  double boxed(List<String> lines) {
+    double base = y + PLAIN * 1.15;
+    for (String line : lines) {
+      marks.add(new Mark.Text(line, 1.5 * MARGIN, base, PLAIN, INK));
+      base += PLAIN * LINE;
+    }
+    return heightOf(lines);
+  }
+
+  /** How high a box around lines is. */
+  static double heightOf(List<String> lines) {
+    return lines.size() * PLAIN * LINE + PLAIN / 2;
+  }
+
+  double width(String text, double size) {
+    return mesher.metrics(text, FontFamily.SANS, FontStyle.PLAIN, (float) size).width();
+  }
+
+  /** Lines of whole words. */
+  List<String> wrapped(String text, double size, double room) {
+    List<String> lines = new ArrayList<>();
+    StringBuilder line = new StringBuilder();
+    for (String word : text.strip().split("\\s+")) {
+      String longer = line.isEmpty() ? word : line + " " + word;
+      if (!line.isEmpty() && width(longer, size) > room) {
+        lines.add(line.toString());
+        line.setLength(0);
+        line.append(word);
+      } else {
+        line.setLength(0);
+        line.append(longer);
+      }
+    }
+    lines.add(line.toString());
+    return lines;
+  }
+}

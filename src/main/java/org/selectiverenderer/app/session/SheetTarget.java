@@ -1,0 +1,29 @@
+package org.selectiverenderer.app.session;
+
+import java.util.List;
+import org.selectiverenderer.runtime.camera.Mark;
+
+/**
+ * Something that can be chosen by pointing at it.
+ *
+ * @param x of its left side
+ * @param y of its upper side
+ * @param choose what is done when it is chosen
+ */
+record SheetTarget(double x, double y, double width, double height, Runnable choose) {
+  private static final int LIGHT = 0x30FFFFFF;
+
+  boolean has(double pointX, double pointY) {
+    return pointX >= x && pointX <= x + width && pointY >= y && pointY <= y + height;
+  }
+
+  /** What is drawn over it while it is pointed at. */
+  List<Mark> lit() {
+    return List.of(
+        Mark.rectangle(x, y, width, height, LIGHT),
+        new Mark.Line(x, y, x + width, y, 4, SheetPen.INK),
+        new Mark.Line(x, y + height, x + width, y + height, 4, SheetPen.INK),
+        new Mark.Line(x, y, x, y + height, 4, SheetPen.INK),
+        new Mark.Line(x + width, y, x + width, y + height, 4, SheetPen.INK));
+  }
+}
