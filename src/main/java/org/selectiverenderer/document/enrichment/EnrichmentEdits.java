@@ -66,13 +66,13 @@ public final class EnrichmentEdits {
     for (SwitchWish wish : switches) {
       for (int i = 0; i < wish.choices().size(); i++) {
         List<String> there = wish.node().values().get(i).schemas();
-        SchemaNaming.require(wish.choices().get(i).schemas(), there);
+        SchemaSpelling.require(wish.choices().get(i).schemas(), there);
       }
       changes.addAll(writer.changes(wish.node(), wish.choices()));
     }
     for (SensorWish wish : sensors) {
-      SchemaNaming.require(wish.schemas().enter(), wish.node().schemas().enter());
-      SchemaNaming.require(wish.schemas().exit(), wish.node().schemas().exit());
+      SchemaSpelling.require(wish.schemas().enter(), wish.node().schemas().enter());
+      SchemaSpelling.require(wish.schemas().exit(), wish.node().schemas().exit());
       changes.addAll(writer.changes(wish.node(), wish.schemas()));
     }
     return new Edit(name, changes);
@@ -100,7 +100,7 @@ public final class EnrichmentEdits {
     if (name.isEmpty()) {
       throw new EditRefused("a schema needs a name of at least one letter");
     }
-    SchemaNaming.require(List.of(name), List.of());
+    SchemaSpelling.require(List.of(name), List.of());
     List<TextChange> changes = new ArrayList<>();
     document
         .tree()

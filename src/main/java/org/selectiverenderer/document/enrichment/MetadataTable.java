@@ -148,8 +148,8 @@ public final class MetadataTable {
           row,
           "value",
           "'%s' is not a degree; write low, high or a number from 0 to 1".formatted(value));
-    } else if (!single && SchemaNaming.complaint(value).isPresent()) {
-      error(row, "value", SchemaNaming.complaint(value).orElseThrow());
+    } else if (!single && SchemaSpelling.complaint(value).isPresent()) {
+      error(row, "value", SchemaSpelling.complaint(value).orElseThrow());
     } else {
       values.add(value);
     }

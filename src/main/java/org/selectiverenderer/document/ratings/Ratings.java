@@ -12,7 +12,7 @@ import org.selectiverenderer.base.csv.CsvNumbers;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
 import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.document.enrichment.SchemaNaming;
+import org.selectiverenderer.document.enrichment.SchemaSpelling;
 import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.x3d.source.EncodedText;
 
@@ -70,7 +70,7 @@ public record Ratings(Map<String, Map<String, Mean>> means) {
       } else if (object.isEmpty() || schema.isEmpty()) {
         faults.fault(row.location(), "a rating needs an object and a schema");
       }
-      SchemaNaming.complaint(schema).ifPresent(why -> faults.fault(row.location("schema"), why));
+      SchemaSpelling.complaint(schema).ifPresent(why -> faults.fault(row.location("schema"), why));
       all.computeIfAbsent(object, key -> new LinkedHashMap<>())
           .computeIfAbsent(schema, key -> new ArrayList<>())
           .add(rating.getAsDouble());

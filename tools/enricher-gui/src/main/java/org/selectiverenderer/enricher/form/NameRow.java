@@ -9,6 +9,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.MenuTitle;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -47,7 +48,7 @@ final class NameRow {
 
   /** A button more, with texts of these keys. */
   void add(String text, String tip, String name, ActionListener does) {
-    JButton button = new JButton(Texts.of(text).replace("&", ""));
+    JButton button = new JButton(MenuTitle.of(Texts.of(text)).words());
     button.setToolTipText(Texts.of(tip));
     button.getAccessibleContext().setAccessibleDescription(Texts.of(tip));
     button.setName(name);

@@ -18,6 +18,7 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.area.NodeCommands;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.MenuTitle;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -109,11 +110,8 @@ final class SwitchTools {
   }
 
   private static JMenuItem item(String text, Runnable does) {
-    int letter = text.indexOf('&');
-    JMenuItem item = new JMenuItem(text.replace("&", ""));
-    if (letter >= 0) {
-      item.setMnemonic(Character.toUpperCase(text.charAt(letter + 1)));
-    }
+    MenuTitle title = MenuTitle.of(text);
+    JMenuItem item = new JMenuItem(title.words(), title.letter());
     item.addActionListener(event -> does.run());
     return item;
   }

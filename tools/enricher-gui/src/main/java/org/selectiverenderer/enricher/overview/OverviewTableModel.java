@@ -18,10 +18,10 @@ import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.document.enrichment.Enrichment;
-import org.selectiverenderer.document.enrichment.SchemaNaming;
 import org.selectiverenderer.document.enrichment.SchemaOverview;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Cell;
 import org.selectiverenderer.document.enrichment.SchemaOverview.Place;
+import org.selectiverenderer.document.enrichment.SchemaSpelling;
 import org.selectiverenderer.document.enrichment.VersionLadder;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.Degree;
@@ -149,7 +149,7 @@ final class OverviewTableModel extends AbstractTableModel {
     if (schema.isEmpty()) {
       throw new EditRefused(Texts.of("overview.noname"));
     }
-    SchemaNaming.complaint(schema)
+    SchemaSpelling.complaint(schema)
         .ifPresent(
             why -> {
               throw new EditRefused(why);

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.enricher.area.AreaCommands;
 import org.selectiverenderer.enricher.area.NameQuestion;
+import org.selectiverenderer.enricher.text.MenuTitle;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.Bounds;
 
@@ -77,7 +78,8 @@ final class PlanMenu {
   }
 
   private static JMenuItem item(String key, String stroke, Runnable does) {
-    JMenuItem item = new JMenuItem(Texts.of(key).replace("&", ""));
+    MenuTitle title = MenuTitle.of(Texts.of(key));
+    JMenuItem item = new JMenuItem(title.words(), title.letter());
     if (!stroke.isEmpty()) {
       item.setAccelerator(KeyStroke.getKeyStroke(stroke));
     }

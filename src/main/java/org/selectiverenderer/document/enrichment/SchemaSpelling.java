@@ -11,8 +11,8 @@ import org.selectiverenderer.x3d.field.Tokens;
  * commas and backslashes are written so that they are; line ends and other control characters XML
  * alters or forbids (XML 1.0, 2.2 and 3.3.3).
  */
-public final class SchemaNaming {
-  private SchemaNaming() {}
+public final class SchemaSpelling {
+  private SchemaSpelling() {}
 
   /** Why a name cannot be written, in words that follow the place; empty if it can. */
   public static Optional<String> complaint(String name) {
