@@ -181,6 +181,27 @@ class CostPanelTest {
   }
 
   @Test
+  void whereThereIsLittleRoomNamesStayReadableAndTheTablesScroll() throws IOException {
+    show();
+    Hands.onEdt(
+        () -> {
+          frame.setSize(380, 300);
+          frame.validate();
+          return true;
+        });
+    for (String name : List.of("Polygons by area and schemas", "Polygons by object")) {
+      JTable table = table(name);
+      int letter = Hands.onEdt(() -> table.getFontMetrics(table.getFont()).charWidth('n'));
+      assertThat(Hands.onEdt(() -> table.getColumnModel().getColumn(0).getWidth()))
+          .as(name)
+          .isGreaterThanOrEqualTo(8 * letter);
+      assertThat(Hands.onEdt(() -> table.getWidth() > table.getParent().getWidth()))
+          .as("scrolls: " + name)
+          .isTrue();
+    }
+  }
+
+  @Test
   void aFaultOfTheSettingsFileIsSaidAndTheFileStays() throws IOException {
     Path file = Files.writeString(folder.resolve(BudgetPlace.NAME), "{\"budget\": []}");
     EnricherSession session = show();
