@@ -35,6 +35,10 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  */
 public final class CostPanel extends JPanel {
   private static final long serialVersionUID = 1L;
+
+  /** In letters. */
+  private static final int SHORT_NAME = 8;
+
   private static final double HALF = 0.55;
 
   private final transient EnricherSession session;
@@ -107,7 +111,8 @@ public final class CostPanel extends JPanel {
   }
 
   /**
-   * Scrolls sideways where it has no room, and tells in a tooltip what a narrow column cuts off.
+   * Tells in a tooltip what a narrow column cuts off; scrolls sideways where there is no room for
+   * the least widths of its columns.
    */
   private static final class WholeTexts extends JTable {
     private static final long serialVersionUID = 1L;
@@ -118,7 +123,7 @@ public final class CostPanel extends JPanel {
 
     @Override
     public boolean getScrollableTracksViewportWidth() {
-      return getParent() == null || getMinimumSize().width <= getParent().getWidth();
+      return getParent() == null || getParent().getWidth() >= getMinimumSize().width;
     }
 
     @Override
@@ -131,16 +136,16 @@ public final class CostPanel extends JPanel {
   }
 
   /**
-   * @param letters negative for columns that do not get narrower
+   * @param letters negative for columns that do not get narrower; others get half as wide, but not
+   *     narrower than a short name
    */
   private static void widths(JTable table, int... letters) {
     int letter = table.getFontMetrics(table.getFont()).charWidth('n');
     for (int i = 0; i < letters.length; i++) {
       int width = Math.abs(letters[i]) * letter;
       table.getColumnModel().getColumn(i).setPreferredWidth(width);
-      if (letters[i] < 0) {
-        table.getColumnModel().getColumn(i).setMinWidth(width);
-      }
+      int least = letters[i] < 0 ? width : Math.max(width / 2, SHORT_NAME * letter);
+      table.getColumnModel().getColumn(i).setMinWidth(least);
     }
   }
 

@@ -138,7 +138,8 @@ class CostPanelTest {
     EnricherSession session = show();
     JTable states = table("Polygons by area and schemas");
     describe(session, 0);
-    hands.await("the state", () -> deskRow(states) >= 0);
+    // The count before the object was described has the state already, of the whole scene.
+    hands.await("the state", () -> cells(states, StatesModel.SCOPE).contains("Office"));
     assertThat(column(states, StatesModel.SCOPE)).contains("Office", "Whole scene");
     int desk = Hands.onEdt(() -> deskRow(states));
     assertThat(column(states, StatesModel.POLYGONS).get(desk)).isEqualTo("14");
@@ -178,6 +179,27 @@ class CostPanelTest {
         });
     hands.await("no limit", () -> "".equals(states.getValueAt(desk, StatesModel.LIMIT)));
     assertThat(Files.readString(file)).doesNotContain("Desk");
+  }
+
+  @Test
+  void whereThereIsLittleRoomNamesStayReadableAndTheTablesScroll() throws IOException {
+    show();
+    Hands.onEdt(
+        () -> {
+          frame.setSize(380, 300);
+          frame.validate();
+          return true;
+        });
+    for (String name : List.of("Polygons by area and schemas", "Polygons by object")) {
+      JTable table = table(name);
+      int letter = Hands.onEdt(() -> table.getFontMetrics(table.getFont()).charWidth('n'));
+      assertThat(Hands.onEdt(() -> table.getColumnModel().getColumn(0).getWidth()))
+          .as(name)
+          .isGreaterThanOrEqualTo(8 * letter);
+      assertThat(Hands.onEdt(() -> table.getWidth() > table.getParent().getWidth()))
+          .as("scrolls: " + name)
+          .isTrue();
+    }
   }
 
   @Test
