@@ -26,15 +26,10 @@ public final class MeshPlacement {
       placement.transformPosition(v.set(positions[i], positions[i + 1], positions[i + 2]));
       put(v, positions, i);
     }
-    int[] indices = mesh.indices();
-    if (mesh.primitive() == Mesh.Primitive.TRIANGLES && placement.determinant3x3() < 0) {
-      indices = indices.clone();
-      for (int i = 0; i < indices.length; i += 3) {
-        int kept = indices[i + 1];
-        indices[i + 1] = indices[i + 2];
-        indices[i + 2] = kept;
-      }
-    }
+    int[] indices =
+        mesh.primitive() == Mesh.Primitive.TRIANGLES
+            ? triangles(mesh.indices(), placement)
+            : mesh.indices();
     return new Mesh(
         mesh.primitive(),
         positions,
@@ -44,6 +39,19 @@ public final class MeshPlacement {
         indices,
         mesh.solid(),
         Mesh.boundsOf(positions, indices));
+  }
+
+  /** Triangles of a mesh so that their fronts stay where it is placed: a mirror turns them. */
+  public static int[] triangles(int[] indices, Matrix4dc placement) {
+    if (placement.determinant3x3() >= 0) {
+      return indices;
+    }
+    int[] turned = indices.clone();
+    for (int i = 0; i < turned.length; i += 3) {
+      turned[i + 1] = indices[i + 2];
+      turned[i + 2] = indices[i + 1];
+    }
+    return turned;
   }
 
   private static float @Nullable [] normals(float @Nullable [] given, Matrix4dc placement) {

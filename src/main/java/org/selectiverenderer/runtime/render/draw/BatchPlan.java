@@ -11,6 +11,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.light.Lighting;
 import org.selectiverenderer.runtime.render.mesh.MeshMerger;
+import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 
 /**
  * Decides which shapes share a batch: those of one look that are small and near each other. Of
@@ -45,9 +46,14 @@ final class BatchPlan {
    * A shape that may share a batch with those of an equal look.
    *
    * @param number of the shape among those that are new, the order in a batch too
-   * @param mesh that is drawn: the shape's own or a finer one
+   * @param staged what is drawn: the shape's own mesh or a finer one
    */
-  record Candidate(int number, ShapeInstance shape, Mesh mesh, DrawLook look, Lighting lighting) {}
+  record Candidate(
+      int number, ShapeInstance shape, StagedMesh staged, DrawLook look, Lighting lighting) {
+    Mesh mesh() {
+      return staged.mesh();
+    }
+  }
 
   /** The batches, of two shapes or more each; shapes that are in none are drawn by themselves. */
   static List<List<Candidate>> of(List<Candidate> candidates) {

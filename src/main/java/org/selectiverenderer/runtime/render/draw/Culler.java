@@ -30,6 +30,7 @@ final class Culler {
   private static final double LOOSE_PIXELS = 4;
 
   private final Visible out;
+  private final Stages stages = new Stages();
   private final Matrix4d inverse = new Matrix4d();
   private List<Camera> eyes = List.of();
   private Frustum[] frusta = {};
@@ -138,6 +139,7 @@ final class Culler {
 
   private void look(List<Camera> seeing) {
     eyes = seeing;
+    stages.begin(seeing);
     frusta = eyes.stream().map(Frustum::of).toArray(Frustum[]::new);
     worldEyes = eyes.stream().map(Camera::eye).toArray(Vector3dc[]::new);
     if (local.length != frusta.length) {
@@ -189,8 +191,8 @@ final class Culler {
   }
 
   private void add(DrawItem item) {
-    out.begin(item);
-    Clusters clusters = item.clusters();
+    Clusters clusters = stages.of(item);
+    out.begin(item, clusters.indexCount());
     int indexBytes = item.mesh().indexBytes();
     boolean few = clusters.size() < FEWEST_CLUSTERS || item.blended() || item.anywhere();
     boolean twoSided = !item.mesh().solid() && item.surface().lit();

@@ -73,7 +73,7 @@ public record DrawItem(
     return author != null && author.moves();
   }
 
-  /** Which triangles of the buffers are its own. */
+  /** Which triangles of the buffers are its own, as finely as they are divided. */
   public Clusters clusters() {
     return part.clusters();
   }
@@ -101,10 +101,13 @@ public record DrawItem(
     return lighting.reaching(shape, ShapeProgram.MAX_LIGHTS - 1); // One for the headlight.
   }
 
-  /** Of indices that are drawn, how many the shape's own mesh has for the same. */
-  long own(long drawn) {
+  /**
+   * Of indices that are drawn, how many the shape's own mesh has for the same.
+   *
+   * @param all that its stage has
+   */
+  long own(long drawn, int all) {
     int own = source.indices().length;
-    int all = clusters().indexCount();
     return all == own ? drawn : Math.round(drawn / 3.0 * own / all) * 3;
   }
 }

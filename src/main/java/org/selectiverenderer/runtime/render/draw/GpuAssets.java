@@ -21,6 +21,7 @@ import org.selectiverenderer.runtime.render.light.MeshForm;
 import org.selectiverenderer.runtime.render.light.MeshSurvey;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
+import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
@@ -37,7 +38,11 @@ final class GpuAssets {
   private record Uploaded(MeshPart part, MeshSurvey survey) {}
 
   /** A mesh as it is drawn. */
-  private record Drawn(MeshForm form, Mesh mesh, MeshSurvey survey) {}
+  private record Drawn(MeshForm form, StagedMesh staged, MeshSurvey survey) {
+    Mesh mesh() {
+      return staged.mesh();
+    }
+  }
 
   private record Packed(Drawn drawn, PackedMesh mesh) {}
 
@@ -74,7 +79,7 @@ final class GpuAssets {
       Lighting lighting = plan.lighting(of.survey(), reaching);
       ShapeInstance shape = plan.request().shape();
       DrawLook look = looks.of(gl, shape, of.mesh(), reaching);
-      shapes.add(new BatchPlan.Candidate(shapes.size(), shape, of.mesh(), look, lighting));
+      shapes.add(new BatchPlan.Candidate(shapes.size(), shape, of.staged(), look, lighting));
     }
     Map<ShapeInstance, MeshPart> parts =
         together ? uploadBatches(gl, shapes) : new IdentityHashMap<>();
@@ -123,11 +128,12 @@ final class GpuAssets {
     Uploaded uploaded = meshes.get(plan.form());
     if (uploaded != null && !together) {
       // Only its kind is asked for, which is its source's: it need not be refined again.
-      return new Drawn(plan.form(), source, uploaded.survey());
+      return new Drawn(plan.form(), StagedMesh.of(source), uploaded.survey());
     }
-    Mesh mesh = plan.refined() == null ? LightPlanner.mesh(plan.form()) : plan.refined();
+    StagedMesh staged = plan.refined() == null ? LightPlanner.mesh(plan.form()) : plan.refined();
+    Mesh mesh = staged.mesh();
     return new Drawn(
-        plan.form(), mesh, mesh == source ? surveys.get(source) : planner.survey(mesh));
+        plan.form(), staged, mesh == source ? surveys.get(source) : planner.survey(mesh));
   }
 
   private Map<ShapeInstance, MeshPart> uploadBatches(GL3 gl, List<BatchPlan.Candidate> candidates) {
@@ -147,7 +153,7 @@ final class GpuAssets {
 
   private void upload(GL3 gl, Map<MeshForm, Drawn> missing) {
     missing.values().parallelStream()
-        .map(drawn -> new Packed(drawn, MeshPacker.pack(drawn.mesh())))
+        .map(drawn -> new Packed(drawn, MeshPacker.pack(drawn.staged())))
         .toList()
         .forEach(
             packed -> {

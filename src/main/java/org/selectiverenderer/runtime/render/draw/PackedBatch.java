@@ -9,9 +9,11 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.MeshPlacement;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
+import org.selectiverenderer.runtime.render.light.Fineness;
 import org.selectiverenderer.runtime.render.mesh.MeshMerger;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
+import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
@@ -46,7 +48,9 @@ record PackedBatch(
       Matrix4d placement = toBatch.mul(worlds.get(i), new Matrix4d());
       Mesh mesh = shapes.get(i).mesh();
       Mesh placed = MeshPlacement.place(mesh, placement);
-      packed.add(MeshPacker.pack(tinted ? tinted(placed, shapes.get(i).look()) : placed));
+      Mesh coloured = tinted ? tinted(placed, shapes.get(i).look()) : placed;
+      packed.add(
+          MeshPacker.pack(new StagedMesh(coloured, placed(shapes.get(i).staged(), placement))));
       occluders.add(Occluders.placed(mesh, placement, placed.bounds()));
     }
     return new PackedBatch(
@@ -56,6 +60,20 @@ record PackedBatch(
         tinted,
         MeshMerger.merge(packed),
         occluders);
+  }
+
+  /** The stages of a mesh for where it is placed. */
+  private static List<StagedMesh.Stage> placed(StagedMesh mesh, Matrix4dc placement) {
+    if (mesh.coarser().isEmpty()) {
+      return List.of();
+    }
+    double scale = Fineness.scale(placement);
+    return mesh.coarser().stream()
+        .map(
+            stage ->
+                new StagedMesh.Stage(
+                    MeshPlacement.triangles(stage.indices(), placement), stage.undivided() * scale))
+        .toList();
   }
 
   /** A mesh without colours in the one that its look has. */
@@ -81,9 +99,11 @@ record PackedBatch(
   void parts(GpuMesh mesh, Map<ShapeInstance, MeshPart> parts) {
     DrawBatch batch = new DrawBatch(origin, tinted);
     for (int i = 0; i < shapes.size(); i++) {
+      MeshMerger.Part part = merged.parts().get(i);
       parts.put(
           shapes.get(i).shape(),
-          new MeshPart(mesh, merged.parts().get(i), occluders.get(i), batch, worlds.get(i)));
+          new MeshPart(
+              mesh, part.clusters(), part.coarser(), occluders.get(i), batch, worlds.get(i)));
     }
   }
 }

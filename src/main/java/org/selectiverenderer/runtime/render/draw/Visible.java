@@ -35,6 +35,7 @@ public final class Visible {
   private @Nullable DrawItem begun;
   private long indices;
   private long indicesOfBegun;
+  private int allOfBegun;
   private long rangeEnd;
 
   Visible() {}
@@ -49,12 +50,17 @@ public final class Visible {
     indicesOfBegun = 0;
   }
 
-  /** Begins an item: its stretches follow. */
-  void begin(DrawItem item) {
+  /**
+   * Begins an item: its stretches follow.
+   *
+   * @param all indices of the stage of its mesh that they are of
+   */
+  void begin(DrawItem item, int all) {
     shapes++;
     indices = indices();
     indicesOfBegun = 0;
     begun = item;
+    allOfBegun = all;
     DrawBatch batch = item.part().batch();
     if (batch != null && !calls.isEmpty() && calls.get(calls.size() - 1).part().batch() == batch) {
       return;
@@ -149,6 +155,6 @@ public final class Visible {
    * finer than they are, those of the mesh itself.
    */
   public long indices() {
-    return begun == null ? indices : indices + begun.own(indicesOfBegun);
+    return begun == null ? indices : indices + begun.own(indicesOfBegun, allOfBegun);
   }
 }

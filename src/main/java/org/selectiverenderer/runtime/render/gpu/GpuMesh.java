@@ -2,7 +2,9 @@ package org.selectiverenderer.runtime.render.gpu;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
+import java.util.List;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
+import org.selectiverenderer.runtime.render.mesh.CoarserPart;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
@@ -15,6 +17,7 @@ public final class GpuMesh {
   private final int indexBytes;
   private final int indexCount;
   private final Clusters clusters;
+  private final List<CoarserPart> coarser;
   private final boolean solid;
 
   public GpuMesh(GL3 gl, PackedMesh mesh) {
@@ -28,6 +31,7 @@ public final class GpuMesh {
     indexBytes = mesh.indexBytes();
     indexCount = mesh.indexCount();
     clusters = mesh.clusters();
+    coarser = mesh.coarser();
     solid = mesh.solid();
     int[] array = new int[1];
     gl.glGenVertexArrays(1, array, 0);
@@ -66,6 +70,11 @@ public final class GpuMesh {
 
   public Clusters clusters() {
     return clusters;
+  }
+
+  /** Stretches that draw the same with fewer triangles, the fewest first. */
+  public List<CoarserPart> coarser() {
+    return coarser;
   }
 
   /** The kind of primitive, as GL numbers it. */

@@ -55,6 +55,14 @@ final class FineVertices {
     return positions;
   }
 
+  /** The length of an edge in the mesh's coordinates. */
+  double length(int a, int b) {
+    double x = positions[3 * b] - positions[3 * a];
+    double y = positions[3 * b + 1] - positions[3 * a + 1];
+    double z = positions[3 * b + 2] - positions[3 * a + 2];
+    return Math.sqrt(x * x + y * y + z * z);
+  }
+
   private void place(int v) {
     p.set(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
     n.set(normal[3 * v], normal[3 * v + 1], normal[3 * v + 2]);

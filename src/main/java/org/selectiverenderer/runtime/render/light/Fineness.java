@@ -11,7 +11,7 @@ import org.selectiverenderer.runtime.instance.Surface;
  * @param cosine least, of the angle between the normals of an edge's ends
  * @param bent size of triangles above which they are split for their normals
  */
-record Fineness(double cosine, double bent) {
+public record Fineness(double cosine, double bent) {
   /** The cosine of an angle between normals that shows as facets even without a highlight. */
   static final double WIDE = Math.cos(Math.toRadians(30));
 
@@ -69,7 +69,7 @@ record Fineness(double cosine, double bent) {
   }
 
   /** How many times as long as in its own coordinates a length can be in the world. */
-  static double scale(Matrix4dc world) {
+  public static double scale(Matrix4dc world) {
     double x = Math.sqrt(sum(world.m00(), world.m01(), world.m02()));
     double y = Math.sqrt(sum(world.m10(), world.m11(), world.m12()));
     double z = Math.sqrt(sum(world.m20(), world.m21(), world.m22()));

@@ -7,6 +7,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
+import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 
 /**
  * Decides how shapes are lit. What a mesh needs for its own form and its highlights is done once
@@ -48,7 +49,7 @@ public final class LightPlanner {
   public record Plan(
       Request request,
       MeshForm form,
-      @Nullable Mesh refined,
+      @Nullable StagedMesh refined,
       boolean byVertex,
       List<LightInstance> reaching) {
 
@@ -117,7 +118,8 @@ public final class LightPlanner {
       return new Plan(request, plain, null, false, reaching);
     }
     return result.forLight()
-        ? new Plan(request, new MeshForm(mesh, needed, new Object()), result.mesh(), true, reaching)
+        ? new Plan(
+            request, new MeshForm(mesh, needed, new Object()), result.staged(), true, reaching)
         : new Plan(request, form, null, true, reaching);
   }
 
@@ -127,10 +129,10 @@ public final class LightPlanner {
   }
 
   /** The mesh of a form that is not made for one place. */
-  public static Mesh mesh(MeshForm form) {
+  public static StagedMesh mesh(MeshForm form) {
     float[] normals = form.source().normals();
     if (form.isPlain() || normals == null) {
-      return form.source();
+      return StagedMesh.of(form.source());
     }
     return MeshRefiner.refine(
             form.source(),
@@ -140,7 +142,7 @@ public final class LightPlanner {
             new LightField(List.of()),
             MeshSurvey.of(form.source()).longest(),
             TOLERANCE)
-        .mesh();
+        .staged();
   }
 
   private static LightField field(List<LightInstance> lights) {

@@ -1,9 +1,12 @@
 package org.selectiverenderer.runtime.render.light;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.joml.Matrix4dc;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.ValueWelder;
+import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 
 /**
  * Splits the edges of a mesh in their middles, pass by pass, until light at its vertices is as good
@@ -23,6 +26,9 @@ final class MeshRefiner {
 
   private static final int MOST_PASSES = 12;
 
+  /** Of the triangles of the next stage kept, how many a stage may have at most to be kept too. */
+  private static final double WORTH = 0.7;
+
   private final Mesh source;
   private final FineVertices vertices;
   private final EdgeTest test;
@@ -32,15 +38,21 @@ final class MeshRefiner {
   private int most;
   private boolean lightSplit;
   private boolean full;
+  private final List<int[]> stages = new ArrayList<>();
+  private final List<Double> splits = new ArrayList<>();
 
   /**
    * The refined mesh.
    *
-   * @param mesh the source itself when nothing was to be split
+   * @param staged with the stages before; of the source itself alone when nothing was to be split
    * @param forLight whether lights with a place were a reason, else only the mesh itself
    * @param complete whether the light by vertex is as good as was asked for
    */
-  record Result(Mesh mesh, boolean forLight, boolean complete) {}
+  record Result(StagedMesh staged, boolean forLight, boolean complete) {
+    Mesh mesh() {
+      return staged.mesh();
+    }
+  }
 
   private MeshRefiner(Mesh source, FineVertices vertices, EdgeTest test) {
     this.source = source;
@@ -99,8 +111,24 @@ final class MeshRefiner {
       passes++;
     }
     boolean complete = !test.stepped() && !(full && lightSplit);
-    Mesh mesh = passes == 0 ? source : vertices.mesh(indices);
+    StagedMesh mesh =
+        passes == 0 ? StagedMesh.of(source) : new StagedMesh(vertices.mesh(indices), kept());
     return new Result(mesh, lightSplit, complete);
+  }
+
+  /** The stages before the last one that have far fewer triangles than those after them. */
+  private List<StagedMesh.Stage> kept() {
+    List<StagedMesh.Stage> kept = new ArrayList<>();
+    double undivided = 0;
+    int next = indices.length;
+    for (int i = stages.size() - 1; i >= 0; i--) {
+      undivided = Math.max(undivided, splits.get(i));
+      if (stages.get(i).length <= WORTH * next) {
+        next = stages.get(i).length;
+        kept.add(0, new StagedMesh.Stage(stages.get(i), undivided));
+      }
+    }
+    return kept;
   }
 
   /** Splits what is too coarse once; false when nothing is, or when there is no room. */
@@ -109,13 +137,14 @@ final class MeshRefiner {
     if (marked.size() == 0) {
       return false;
     }
-    int triangles = indices.length / 3;
-    int after = triangles;
+    int after = indices.length / 3;
+    double longest = 0;
     EdgeMarks pairs = new EdgeMarks();
     for (int i = 0; i < indices.length; i++) {
       int next = i % 3 == 2 ? i - 2 : i + 1;
       if (marked.number(points[indices[i]], points[indices[next]]) >= 0) {
         pairs.add(indices[i], indices[next]);
+        longest = Math.max(longest, vertices.length(indices[i], indices[next]));
         after++;
       }
     }
@@ -124,6 +153,8 @@ final class MeshRefiner {
       return false;
     }
     pairs.close();
+    stages.add(indices);
+    splits.add(longest);
     int first = addMiddles(marked, pairs);
     split(pairs, first, after);
     return true;

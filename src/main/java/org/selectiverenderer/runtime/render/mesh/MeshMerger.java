@@ -19,9 +19,17 @@ public final class MeshMerger {
    * Several meshes in one pair of buffers.
    *
    * @param mesh the buffers; as a whole it is one cluster that is never culled
-   * @param parts of each mesh, in the order given, the clusters with its place in the index buffer
+   * @param parts of each mesh, in the order given, where it is in the index buffer
    */
-  public record Merged(PackedMesh mesh, List<Clusters> parts) {}
+  public record Merged(PackedMesh mesh, List<Part> parts) {}
+
+  /**
+   * What a mesh has in the buffers.
+   *
+   * @param clusters of its last stage
+   * @param coarser its stages before, fewest triangles first
+   */
+  public record Part(Clusters clusters, List<CoarserPart> coarser) {}
 
   /**
    * Merges meshes of one primitive, layout and solidity.
@@ -50,14 +58,25 @@ public final class MeshMerger {
     }
     ByteBuffer vertices = direct(vertexBytes);
     ByteBuffer indices = direct(2 * indexCount);
-    List<Clusters> parts = new ArrayList<>(meshes.size());
-    for (PackedMesh mesh : meshes) {
-      parts.add(mesh.clusters().from(indices.position() / 2));
-      int base = vertices.position() / stride;
-      for (int i = 0; i < mesh.indexCount(); i++) {
-        indices.putShort((short) (base + mesh.indices().getShort(2 * i)));
-      }
+    List<Part> parts = new ArrayList<>(meshes.size());
+    int[] bases = new int[meshes.size()];
+    int stages = 0;
+    for (int m = 0; m < bases.length; m++) {
+      PackedMesh mesh = meshes.get(m);
+      bases[m] = vertices.position() / stride;
+      parts.add(new Part(copy(mesh, mesh.clusters(), bases[m], indices), new ArrayList<>()));
       vertices.put(mesh.vertices().duplicate());
+      stages = Math.max(stages, mesh.coarser().size());
+    }
+    // Neighbours in the same stage are one stretch.
+    for (int stage = 0; stage < stages; stage++) {
+      for (int m = 0; m < bases.length; m++) {
+        if (stage < meshes.get(m).coarser().size()) {
+          CoarserPart part = meshes.get(m).coarser().get(stage);
+          Clusters moved = copy(meshes.get(m), part.clusters(), bases[m], indices);
+          parts.get(m).coarser().add(new CoarserPart(moved, part.undivided()));
+        }
+      }
     }
     PackedMesh merged =
         new PackedMesh(
@@ -68,8 +87,19 @@ public final class MeshMerger {
             indices.flip(),
             false,
             indexCount,
-            Clusters.whole(indexCount));
+            Clusters.whole(indexCount),
+            List.of());
     return new Merged(merged, parts);
+  }
+
+  /** Appends a stretch of a mesh's indices, and tells where it is now. */
+  private static Clusters copy(PackedMesh mesh, Clusters clusters, int base, ByteBuffer out) {
+    Clusters moved = clusters.from(out.position() / 2);
+    int from = clusters.firstIndex()[0];
+    for (int i = from; i < from + clusters.indexCount(); i++) {
+      out.putShort((short) (base + mesh.indices().getShort(2 * i)));
+    }
+    return moved;
   }
 
   private static ByteBuffer direct(int bytes) {

@@ -2,7 +2,9 @@ package org.selectiverenderer.runtime.render.mesh;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
@@ -24,15 +26,29 @@ public final class MeshPacker {
   private MeshPacker() {}
 
   public static PackedMesh pack(Mesh mesh) {
-    int[] indices = mesh.indices();
-    Clusters clusters = Clusters.whole(indices.length);
-    if (mesh.primitive() == Mesh.Primitive.TRIANGLES) {
-      TriangleOrder.Result order = TriangleOrder.of(mesh.positions(), indices, CLUSTER_TRIANGLES);
-      indices = reorder(indices, order.triangles());
-      clusters = new ClusterBounds(mesh.positions(), indices).of(order.ends());
-    }
+    return pack(StagedMesh.of(mesh));
+  }
+
+  /** All stages of a mesh in one pair of buffers, the last one first. */
+  public static PackedMesh pack(StagedMesh staged) {
+    Mesh mesh = staged.mesh();
+    Ordered last = order(mesh, mesh.indices());
+    int[] indices = last.indices();
+    List<CoarserPart> coarser = List.of();
     int[] numbers = new int[mesh.vertexCount()];
-    int[] used = firstUse(indices, numbers);
+    int[] used;
+    if (staged.coarser().isEmpty()) {
+      used = firstUse(indices, numbers);
+    } else {
+      coarser = new ArrayList<>();
+      for (StagedMesh.Stage stage : staged.coarser()) {
+        Ordered before = order(mesh, stage.indices());
+        coarser.add(new CoarserPart(before.clusters().from(indices.length), stage.undivided()));
+        indices = joined(indices, before.indices());
+      }
+      // What a stage takes stands together: first the corners of the first.
+      used = firstUse(joined(staged.coarser().get(0).indices(), indices), numbers);
+    }
     VertexLayout layout = VertexLayout.of(mesh);
     boolean wide = used.length > SHORT_INDEX_VERTICES;
     return new PackedMesh(
@@ -43,7 +59,26 @@ public final class MeshPacker {
         indices(indices, numbers, wide),
         wide,
         indices.length,
-        clusters);
+        last.clusters(),
+        coarser);
+  }
+
+  /** Indices by cluster. */
+  private record Ordered(int[] indices, Clusters clusters) {}
+
+  private static Ordered order(Mesh mesh, int[] indices) {
+    if (mesh.primitive() != Mesh.Primitive.TRIANGLES) {
+      return new Ordered(indices, Clusters.whole(indices.length));
+    }
+    TriangleOrder.Result order = TriangleOrder.of(mesh.positions(), indices, CLUSTER_TRIANGLES);
+    int[] ordered = reorder(indices, order.triangles());
+    return new Ordered(ordered, new ClusterBounds(mesh.positions(), ordered).of(order.ends()));
+  }
+
+  private static int[] joined(int[] a, int[] b) {
+    int[] both = Arrays.copyOf(a, a.length + b.length);
+    System.arraycopy(b, 0, both, a.length, b.length);
+    return both;
   }
 
   private static int[] reorder(int[] indices, int[] triangles) {

@@ -11,6 +11,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Light;
+import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 
 class MeshRefinerTest {
   private static final double TOLERANCE = 1.2 / 255;
@@ -158,6 +159,28 @@ class MeshRefinerTest {
     assertThat(result.complete()).isTrue();
     assertThat(result.forLight()).isTrue();
     assertThat(area(result.mesh())).isCloseTo(100, within(1e-3));
+  }
+
+  @Test
+  void everyStageHasTheWholeSurfaceAndTheFirstIsTheMeshItself() {
+    Mesh floor = floor(true);
+    StagedMesh staged = refine(floor, ANY, point(1, 2, 0.5, 100)).staged();
+    Mesh last = staged.mesh();
+    List<StagedMesh.Stage> coarser = staged.coarser();
+    assertThat(coarser).hasSizeGreaterThan(2);
+    assertThat(coarser.get(0).indices()).isEqualTo(floor.indices());
+    assertThat(coarser.get(0).undivided()).isCloseTo(Math.sqrt(200), within(1e-5));
+    for (int i = 0; i < coarser.size(); i++) {
+      int[] indices = coarser.get(i).indices();
+      int[] next = i + 1 < coarser.size() ? coarser.get(i + 1).indices() : last.indices();
+      Mesh stage =
+          mesh(last.positions(), last.normals(), new float[2 * last.vertexCount()], indices, true);
+      assertThat(area(stage)).isCloseTo(100, within(1e-3));
+      assertThat(indices.length).isLessThan(next.length);
+      assertThat(coarser.get(i).undivided())
+          .isLessThanOrEqualTo(MeshSurvey.of(stage).longest() + 1e-5)
+          .isGreaterThanOrEqualTo(i + 1 < coarser.size() ? coarser.get(i + 1).undivided() : 0);
+    }
   }
 
   @Test
