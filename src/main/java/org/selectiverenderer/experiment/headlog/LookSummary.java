@@ -19,7 +19,8 @@ import java.util.stream.Collectors;
  * @param unseen objects of the scene that were never looked at, by room; walls, floors and ceilings
  *     are not among them
  */
-public record LookSummary(List<Dwell> all, List<ObjectView> objects, Map<String, List<String>> unseen) {
+public record LookSummary(
+    List<Dwell> all, List<ObjectView> objects, Map<String, List<String>> unseen) {
 
   /** Shorter gaps in a look are blinks of the log: an edge, a leg of a chair passing. */
   static final double GAP = 0.15;

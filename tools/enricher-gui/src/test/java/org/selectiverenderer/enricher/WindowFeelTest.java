@@ -297,8 +297,7 @@ class WindowFeelTest {
 
   /** The texts of menus, buttons, labels and tabs in a container, and their tooltips. */
   private static void shown(Container in, List<String> texts) {
-    Component[] all =
-        in instanceof JMenu menu ? menu.getMenuComponents() : in.getComponents();
+    Component[] all = in instanceof JMenu menu ? menu.getMenuComponents() : in.getComponents();
     if (in instanceof JComponent one && one.getToolTipText() != null) {
       texts.add(one.getToolTipText());
     }

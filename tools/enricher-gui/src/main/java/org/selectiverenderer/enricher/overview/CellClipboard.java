@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import org.selectiverenderer.base.decimal.DecimalText;
 import java.util.Map;
 import java.util.TreeSet;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.text.Texts;
 
@@ -82,7 +82,12 @@ final class CellClipboard {
         CellAt at = new CellAt(top + i, left + j);
         if (at.row() >= model.getRowCount() || at.column() >= model.getColumnCount()) {
           throw new EditRefused(
-              Texts.of("overview.nofit", lines.size(), DecimalText.grouped(lines.size()), lines.get(i).size(), DecimalText.grouped(lines.get(i).size())));
+              Texts.of(
+                  "overview.nofit",
+                  lines.size(),
+                  DecimalText.grouped(lines.size()),
+                  lines.get(i).size(),
+                  DecimalText.grouped(lines.get(i).size())));
         }
         cells.put(at, input(lines.get(i).get(j)));
       }

@@ -31,8 +31,7 @@ public final class StepNames {
         ResourceBundle.getBundle(
             StepNames.class.getPackageName() + ".steps",
             Locale.ROOT,
-            ResourceBundle.Control.getNoFallbackControl(
-                ResourceBundle.Control.FORMAT_PROPERTIES));
+            ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
     for (String key : english.keySet()) {
       String name = english.getString(key);
       String literal = ARGUMENT.matcher(name).replaceAll("");

@@ -31,7 +31,8 @@ class StepNamesTest {
   @Test
   void inEnglishTheyStayAsTheyAre() {
     StepNames names = new StepNames();
-    assertThat(names.shown("Set degree of Switch DEF='A'")).isEqualTo("Set degree of Switch DEF='A'");
+    assertThat(names.shown("Set degree of Switch DEF='A'"))
+        .isEqualTo("Set degree of Switch DEF='A'");
     assertThat(names.shown("Delete choice 12 of Sofa")).isEqualTo("Delete choice 12 of Sofa");
   }
 }
