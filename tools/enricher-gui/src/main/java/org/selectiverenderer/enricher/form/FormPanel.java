@@ -49,8 +49,8 @@ public final class FormPanel extends JPanel {
     this.pictures = pictures;
     this.findings = new FindingsBox(session);
     title.putClientProperty("FlatLaf.styleClass", "h3");
-    title.getAccessibleContext().setAccessibleDescription("The selected node");
-    place.getAccessibleContext().setAccessibleDescription("Position of the selected node");
+    title.getAccessibleContext().setAccessibleDescription(Texts.of("form.node"));
+    place.getAccessibleContext().setAccessibleDescription(Texts.of("form.position"));
     place.setEnabled(false);
     JScrollPane scroll = new JScrollPane(body);
     scroll.setBorder(null);

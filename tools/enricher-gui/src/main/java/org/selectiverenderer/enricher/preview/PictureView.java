@@ -51,7 +51,7 @@ final class PictureView extends JComponent implements Accessible {
     setOpaque(true);
     setPreferredSize(new Dimension(480, 360));
     setMinimumSize(new Dimension(80, 60));
-    getAccessibleContext().setAccessibleName("3D preview");
+    getAccessibleContext().setAccessibleName(Texts.of("preview.picture"));
   }
 
   void show(PreviewFrame newFrame) {

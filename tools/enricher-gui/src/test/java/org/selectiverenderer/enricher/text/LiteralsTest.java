@@ -22,7 +22,7 @@ class LiteralsTest {
           "(?:new J(?:Label|Button|ToggleButton|CheckBox|RadioButton|Menu|MenuItem|PopupMenu)"
               + "|new KeyedAction|new EditRefused|setText|setToolTipText|setAccessibleName"
               + "|setAccessibleDescription|setTitle|setDialogTitle|addTab|message|tell|say)"
-              + "\\(\\s*(?:[\\w.()]+ \\+ )?\"([^\"]*\\p{L}{2}[^\"]*)\"");
+              + "\\(\\s*(?:[\\w.()]+ \\+ )?\"([^\".<][^\"]*\\p{L}{2}[^\"]*)\"");
 
   /** Words of X3D, the same in all languages, and names that no one sees. */
   private static final Set<String> WORDS =
