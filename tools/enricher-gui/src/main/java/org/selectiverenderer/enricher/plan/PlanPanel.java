@@ -8,6 +8,7 @@ import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSpinner;
@@ -93,7 +94,11 @@ public final class PlanPanel extends JPanel {
     cut.setName("Cut height");
     cut.setToolTipText(Texts.of("area.plan.cut.tip"));
     cut.setEditor(new JSpinner.NumberEditor(cut, "0.00"));
-    ((JSpinner.DefaultEditor) cut.getEditor()).getTextField().setColumns(6);
+    JFormattedTextField typed = ((JSpinner.DefaultEditor) cut.getEditor()).getTextField();
+    typed.setColumns(6);
+    for (JComponent control : List.of(cut, typed)) {
+      control.getAccessibleContext().setAccessibleName(Texts.of("area.plan.cut"));
+    }
     cut.setMaximumSize(cut.getPreferredSize());
     cut.addChangeListener(
         event -> {
