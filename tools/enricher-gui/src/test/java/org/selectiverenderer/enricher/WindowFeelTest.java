@@ -276,6 +276,7 @@ class WindowFeelTest {
                     .toList();
               });
       assertThat(english).isEmpty();
+      Hands.picture(window.frame().getRootPane(), "window-greek-scene", 1);
       Hands.onEdt(
           () -> {
             for (int i = 0; i < window.frame().getJMenuBar().getMenuCount(); i++) {
@@ -298,8 +299,7 @@ class WindowFeelTest {
 
   /** The texts of menus, buttons, labels and tabs in a container, and their tooltips. */
   private static void shown(Container in, List<String> texts) {
-    Component[] all =
-        in instanceof JMenu menu ? menu.getMenuComponents() : in.getComponents();
+    Component[] all = in instanceof JMenu menu ? menu.getMenuComponents() : in.getComponents();
     if (in instanceof JComponent one && one.getToolTipText() != null) {
       texts.add(one.getToolTipText());
     }
