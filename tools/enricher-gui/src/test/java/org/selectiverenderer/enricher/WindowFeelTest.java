@@ -276,6 +276,7 @@ class WindowFeelTest {
                     .toList();
               });
       assertThat(english).isEmpty();
+      Hands.picture(window.frame().getRootPane(), "window-greek-scene", 1);
       Hands.onEdt(
           () -> {
             for (int i = 0; i < window.frame().getJMenuBar().getMenuCount(); i++) {
