@@ -125,26 +125,16 @@ class AuthorsDayTest {
     return window.frame().getContentPane();
   }
 
-  private void reach(JComponent control) {
-    Hands.onEdt(
-        () -> {
-          Container shown = control.getParent();
-          ((JComponent) shown).scrollRectToVisible(control.getBounds());
-          return true;
-        });
-    hands.click(control);
-  }
-
   /** Goes to a text field of the form and replaces what it says. */
   private void fill(String field, String text) {
-    reach(Hands.named(content(), field, JTextField.class));
+    hands.click(Hands.named(content(), field, JTextField.class));
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
     hands.write(text);
     hands.press(KeyEvent.VK_ENTER);
   }
 
   private void choose(String list, int key) {
-    reach(Hands.named(content(), list, JComboBox.class));
+    hands.click(Hands.named(content(), list, JComboBox.class));
     hands.press(key);
     hands.press(KeyEvent.VK_ENTER);
   }
@@ -226,7 +216,7 @@ class AuthorsDayTest {
 
   /** Writes three numbers, of which Tab goes to the next. */
   private void place(String first, Vector3dc numbers) {
-    reach(Hands.named(content(), first, JTextField.class));
+    hands.click(Hands.named(content(), first, JTextField.class));
     for (int axis = 0; axis < 3; axis++) {
       hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
       hands.write("%.3f".formatted(numbers.get(axis)));

@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.plan;
 
+import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.util.List;
 import java.util.Optional;
@@ -96,8 +97,10 @@ public final class PlanPanel extends JPanel {
     cut.setEditor(new JSpinner.NumberEditor(cut, "0.00"));
     JFormattedTextField typed = ((JSpinner.DefaultEditor) cut.getEditor()).getTextField();
     typed.setColumns(6);
-    for (JComponent control : List.of(cut, typed)) {
-      control.getAccessibleContext().setAccessibleName(Texts.of("area.plan.cut"));
+    typed.getAccessibleContext().setAccessibleName(Texts.of("area.plan.cut"));
+    cut.getAccessibleContext().setAccessibleName(Texts.of("area.plan.cut"));
+    for (Component arrow : cut.getComponents()) {
+      arrow.getAccessibleContext().setAccessibleName(Texts.of("area.plan.cut"));
     }
     cut.setMaximumSize(cut.getPreferredSize());
     cut.addChangeListener(

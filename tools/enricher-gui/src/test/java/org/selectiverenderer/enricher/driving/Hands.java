@@ -21,6 +21,7 @@ import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
@@ -193,7 +194,15 @@ public final class Hands {
   }
 
   public void click(Component component) {
-    click(component, onEdt(() -> new Rectangle(component.getSize())));
+    click(component, onEdt(() -> inView(component)));
+  }
+
+  /** The area of a component, which is scrolled into view as a user would do it. */
+  private static Rectangle inView(Component component) {
+    if (component.getParent() instanceof JComponent around) {
+      around.scrollRectToVisible(component.getBounds()); // text fields would scroll only their text
+    }
+    return new Rectangle(component.getSize());
   }
 
   /** Clicks a cell of a table by its place on the screen. */
