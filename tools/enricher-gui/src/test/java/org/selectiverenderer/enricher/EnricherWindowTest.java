@@ -69,7 +69,7 @@ class EnricherWindowTest {
     // A preview that is loading keeps the event queue busy, which the robot would wait for.
     Hands.onEdt(
         () -> {
-          window.bench().orElseThrow().showTab(broken(window) ? 2 : 3);
+          window.bench().orElseThrow().showTab(broken(window) ? 2 : 4);
           return true;
         });
     return window.session().orElseThrow();

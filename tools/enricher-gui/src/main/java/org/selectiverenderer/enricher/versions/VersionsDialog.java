@@ -177,7 +177,6 @@ public final class VersionsDialog extends JDialog {
       shown.forEach(column -> columns.add(column, "grow, sizegroup versions, gapright unrel"));
       columns.revalidate();
       columns.repaint();
-      grow();
     }
     shown.forEach(VersionColumn::refresh);
     boolean busy = !model.current() && work.busy();
@@ -195,17 +194,20 @@ public final class VersionsDialog extends JDialog {
     problemPane.setVisible(!found.isEmpty());
     summary.setText(busy ? " " : summary());
     revalidate();
+    grow();
   }
 
-  /** Makes room for all versions, as far as the screen has it. */
+  /** Makes room for all that is shown, as far as the screen has it; stays where there is enough. */
   private void grow() {
     if (isShowing()) {
       Rectangle screen = getGraphicsConfiguration().getBounds();
       Dimension wanted = getPreferredSize();
-      setSize(
-          Math.min(Math.max(wanted.width, getWidth()), screen.width),
-          Math.min(Math.max(wanted.height, getHeight()), screen.height));
-      setLocationRelativeTo(getOwner());
+      int width = Math.min(Math.max(wanted.width, getWidth()), screen.width);
+      int height = Math.min(Math.max(wanted.height, getHeight()), screen.height);
+      if (width > getWidth() || height > getHeight()) {
+        setSize(width, height);
+        setLocationRelativeTo(getOwner());
+      }
     }
   }
 

@@ -56,11 +56,22 @@ public final class Hands {
     }
   }
 
-  /** Shows a window; one that is modal is waited for until it is there. */
+  /**
+   * Shows a window; one that is modal is waited for until it is there. Without a window manager the
+   * X server may put it elsewhere than AWT believes, until it is moved.
+   */
   public void show(Window window) {
     SwingUtilities.invokeLater(() -> window.setVisible(true));
     await("the window", window::isShowing);
-    SwingUtilities.invokeLater(window::toFront);
+    settle();
+    onEdt(
+        () -> {
+          Point wanted = window.getLocation();
+          window.setLocation(wanted.x + 1, wanted.y + 1);
+          window.setLocation(wanted);
+          window.toFront();
+          return true;
+        });
     settle();
   }
 

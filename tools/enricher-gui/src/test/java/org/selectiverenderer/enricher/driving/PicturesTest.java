@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JFrame;
 import javax.swing.JList;
 import javax.swing.JTable;
@@ -95,7 +96,9 @@ class PicturesTest {
     var object = session.enrichment().switchesByName().get("Switch_TrashCan").element();
     VersionsDialog dialog = Hands.onEdt(() -> new VersionsDialog(null, session, object));
     hands.show(dialog);
-    hands.await("the versions", Hands.named(dialog, "Make Versions", JButton.class)::isEnabled);
+    JComboBox<?> goal = Hands.named(dialog, "Goal of version 2", JComboBox.class);
+    hands.await(
+        "the versions", () -> "Keep as It Is".equals(String.valueOf(goal.getSelectedItem())));
     both(dialog.getContentPane(), "versions", dark);
     Hands.onEdt(
         () -> {
