@@ -25,19 +25,21 @@ final class WindowPlace {
   /** Puts the window where it was; into the middle if no screen is there any more. */
   void restore(JFrame frame) {
     Rectangle screen = frame.getGraphicsConfiguration().getBounds();
-    frame.setSize(
-        settings.number("window.width", Math.min(WIDTH, screen.width)),
-        settings.number("window.height", Math.min(HEIGHT, screen.height)));
+    int width = settings.number("window.width", Math.min(WIDTH, screen.width));
+    int height = settings.number("window.height", Math.min(HEIGHT, screen.height));
     Rectangle before =
         new Rectangle(
             settings.number("window.x", Integer.MIN_VALUE),
             settings.number("window.y", Integer.MIN_VALUE),
-            frame.getWidth(),
+            width,
             HOLD);
+    // Size and place at once: of a window that the system knows already, an earlier size may come
+    // back in between, and its middle would be taken for the window's.
     if (shown(before)) {
-      frame.setLocation(before.getLocation());
+      frame.setBounds(before.x, before.y, width, height);
     } else {
-      frame.setLocationRelativeTo(null);
+      int x = screen.x + (screen.width - width) / 2;
+      frame.setBounds(x, screen.y + (screen.height - height) / 2, width, height);
     }
     if (settings.flag("window.maximized", false)) {
       frame.setExtendedState(Frame.MAXIMIZED_BOTH);

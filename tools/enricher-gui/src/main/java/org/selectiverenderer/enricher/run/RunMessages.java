@@ -24,8 +24,6 @@ public final class RunMessages {
     dialog.setFocusableWindowState(false); // The author goes on where he is.
     dialog.setContentPane(new JScrollPane(lines));
     dialog.setPreferredSize(new Dimension(640, 220));
-    dialog.pack();
-    dialog.setLocationRelativeTo(owner);
   }
 
   /** Shows a line more. */
@@ -44,6 +42,10 @@ public final class RunMessages {
 
   /** Shows what has been said so far. */
   public void show() {
+    if (!dialog.isDisplayable()) {
+      dialog.pack(); // not before: it makes the owner known to the system, without its size
+      dialog.setLocationRelativeTo(dialog.getOwner());
+    }
     if (!dialog.isVisible()) {
       dialog.setVisible(true);
     }
