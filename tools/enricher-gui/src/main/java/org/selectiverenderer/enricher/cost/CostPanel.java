@@ -292,10 +292,15 @@ public final class CostPanel extends JPanel {
     objects.show(shares);
     following = false;
     fixed.setText(
-        shares
-            .map(found -> Texts.of("cost.fixed", DecimalText.grouped(found.fixed())))
-            .orElse(chosen.isPresent() ? Texts.of("cost.noshares") : " "));
+        shares.map(CostPanel::rest).orElse(chosen.isPresent() ? Texts.of("cost.noshares") : " "));
     follow();
+  }
+
+  /** What the list of objects leaves out; all of the scene while no object is enriched. */
+  private static String rest(StateShares shares) {
+    return shares.objects().isEmpty()
+        ? Texts.of("cost.plain")
+        : Texts.of("cost.fixed", DecimalText.grouped(shares.fixed()));
   }
 
   private void tellFile(Optional<String> fault) {

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
@@ -200,6 +201,17 @@ class CostPanelTest {
           .as("scrolls: " + name)
           .isTrue();
     }
+  }
+
+  @Test
+  void whileNoObjectIsEnrichedThePanelSaysThatWhatTheSceneShowsIsCounted() throws IOException {
+    EnricherSession session = show();
+    JLabel rest = Hands.named(panel, "Polygons of what has no versions", JLabel.class);
+    hands.await("the sentence", () -> rest.getText().startsWith("No object is enriched yet"));
+    describe(session, 0);
+    JTable states = table("Polygons by area and schemas");
+    hands.await("the state", () -> deskRow(states) >= 0);
+    hands.await("its end", () -> !rest.getText().startsWith("No object is enriched yet"));
   }
 
   @Test
