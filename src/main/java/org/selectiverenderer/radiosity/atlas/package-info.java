@@ -1,0 +1,15 @@
+/**
+ * Places for light in pictures: every triangle of a scene gets a part of a picture of its own.
+ *
+ * <p>In: the bodies of a {@link org.selectiverenderer.radiosity.scene.LightScene}, the file that
+ * each is written to, texels per metre and a budget of bytes. Surfaces are cut into charts that lie
+ * flat with little stretch, charts are packed into the pages of their file, and each texel of a
+ * chart knows the place of the surface that it shows. Out: {@link
+ * org.selectiverenderer.radiosity.atlas.Atlas}, or the one sentence why the budget cannot be kept.
+ * Uses {@code radiosity.scene}, {@code radiosity.trace}, {@code geometry} and {@code
+ * geometry.mesh}.
+ */
+@NullMarked
+package org.selectiverenderer.radiosity.atlas;
+
+import org.jspecify.annotations.NullMarked;

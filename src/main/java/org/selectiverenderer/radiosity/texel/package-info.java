@@ -1,0 +1,17 @@
+/**
+ * Light at texels: what falls on each place that an {@link
+ * org.selectiverenderer.radiosity.atlas.Atlas} has a texel for.
+ *
+ * <p>In: a scene, the solution on its patches, an atlas. Light from lamps is found at every texel,
+ * light from surfaces where it changes and in between by interpolation; its noise is measured,
+ * bounded and filtered without blurring what the surface's shape and the shadows' edges make. The
+ * texels of an object's other versions take the light of the nearest place of the version that
+ * stands for it, so that all versions are lit alike. Out: {@link
+ * org.selectiverenderer.radiosity.texel.LightPages}. Uses {@code radiosity.atlas}, {@code
+ * radiosity.light}, {@code radiosity.sampling}, {@code radiosity.scene}, {@code radiosity.solve},
+ * {@code radiosity.trace}, {@code radiosity.work}, {@code geometry} and {@code geometry.tree}.
+ */
+@NullMarked
+package org.selectiverenderer.radiosity.texel;
+
+import org.jspecify.annotations.NullMarked;
