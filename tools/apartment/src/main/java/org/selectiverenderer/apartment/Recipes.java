@@ -3,6 +3,7 @@ package org.selectiverenderer.apartment;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import org.selectiverenderer.apartment.furniture.Furniture;
 import org.selectiverenderer.apartment.kitchen.KitchenObjects;
 import org.selectiverenderer.apartment.lounge.LoungeObjects;
 import org.selectiverenderer.apartment.office.OfficeObjects;
@@ -17,6 +18,7 @@ final class Recipes {
     Map<String, Supplier<ParametricModel>> all = new TreeMap<>(KitchenObjects.all());
     add(all, LoungeObjects.all());
     add(all, OfficeObjects.all());
+    add(all, Furniture.all());
     return all;
   }
 

@@ -42,16 +42,37 @@ public final class Prism {
     return build(thickness, bevel, steps, outline, holes).turnX(-90);
   }
 
-  private static TriangleMesh build(
-      double depth, double bevel, int steps, Outline outline, Outline... holes) {
-    if (2 * bevel > depth + 1e-9) {
-      throw new IllegalArgumentException("a bevel is at most half as wide as the depth");
+  /**
+   * The front alone: a flat piece in the plane z = 0 that shows the outline as drawn; {@code n - 2
+   * + 2 h} triangles, with a border.
+   */
+  public static TriangleMesh face(Outline outline, Outline... holes) {
+    double[][] rings = rings(outline, holes);
+    TriangleMeshBuilder mesh = new TriangleMeshBuilder();
+    for (double[] ring : rings) {
+      for (int i = 0; i < ring.length; i += 2) {
+        mesh.point(ring[i], ring[i + 1], 0);
+      }
     }
+    RoundestEars.fill(rings, 0, mesh);
+    return mesh.mesh();
+  }
+
+  private static double[][] rings(Outline outline, Outline... holes) {
     double[][] rings = new double[holes.length + 1][];
     rings[0] = outline.points();
     for (int i = 0; i < holes.length; i++) {
       rings[i + 1] = holes[i].clockwise();
     }
+    return rings;
+  }
+
+  private static TriangleMesh build(
+      double depth, double bevel, int steps, Outline outline, Outline... holes) {
+    if (2 * bevel > depth + 1e-9) {
+      throw new IllegalArgumentException("a bevel is at most half as wide as the depth");
+    }
+    double[][] rings = rings(outline, holes);
     TriangleMeshBuilder mesh = new TriangleMeshBuilder();
     int perLevel = 0;
     for (double[] ring : rings) {

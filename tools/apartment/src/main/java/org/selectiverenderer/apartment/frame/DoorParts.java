@@ -3,23 +3,21 @@ package org.selectiverenderer.apartment.frame;
 import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
-import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.Rounds;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
 /** What makes a hole in the wall a door; in the wall's frame until placed. */
-record DoorParts(Room room, Opening opening, boolean bare) {
+record DoorParts(Room room, Opening opening) {
   /** Width of the trim, inwards from the opening's edge. */
   private static final double TRIM = 0.07;
 
   private static final double LEAF = 0.04;
 
-  /** Trim round the opening, with a rounded edge. */
+  /** Trim round the opening, with its edge taken off. */
   TriangleMesh trim() {
-    Curve edge = Curve.of(0, 0, TRIM, 0, TRIM, 0.012);
-    Outline section = (bare ? edge : edge.arc(TRIM - 0.008, 0.012, 90, 2)).line(0, 0.02).closed();
+    Outline section = Outline.of(0, 0, TRIM, 0, TRIM, 0.012, TRIM - 0.008, 0.02, 0, 0.02);
     double l = opening.left();
     double r = opening.right();
     double t = opening.top();
@@ -74,13 +72,8 @@ record DoorParts(Room room, Opening opening, boolean bare) {
 
   /** A lever on a round plate, at z = 0 outwards, at the end far from the hinges. */
   private TriangleMesh handle() {
-    if (bare) {
-      TriangleMesh plate = Boxes.plain(0.05, 0.05, 0.03).move(0, -0.025, 0.015);
-      TriangleMesh lever = Boxes.plain(0.13, 0.018, 0.014).move(-0.055, -0.009, 0.037);
-      return plate.append(lever).move(opening.width() - 0.09, 1.02, 0);
-    }
     double x = opening.width() - 0.09;
-    TriangleMesh plate = Rounds.roundedCylinder(0.025, 0.03, 0.004, 1, 10).turnX(90);
+    TriangleMesh plate = Rounds.cylinder(0.025, 0.03, 8).turnX(90);
     TriangleMesh lever = Boxes.bevelled(0.13, 0.018, 0.014, 0.005, 1).move(-0.055, -0.009, 0.035);
     return plate.append(lever).move(x, 1.02, 0);
   }

@@ -16,25 +16,18 @@ final class Fittings {
 
   private Fittings() {}
 
-  /** A light switch with its rocker tilted, or a plain one, 1.1 m above the floor. */
-  static TriangleMesh lightSwitch(Room room, Side side, double along, boolean plain) {
-    if (plain) {
-      TriangleMesh box = Boxes.plain(0.085, 0.085, 0.014).move(0, 1.0575, 0.007);
-      return side.place(room, box.move(side.across(along), 0, 0));
-    }
-    TriangleMesh plate =
-        Prism.bevelled(0.01, 0.004, 1, Outline.roundedRectangle(0.085, 0.085, 0.01, 2));
-    TriangleMesh rocker = Boxes.bevelled(0.05, 0.055, 0.01, 0.003, 1).turnX(5);
-    TriangleMesh whole = plate.append(rocker.move(0, -0.0275, 0.01));
-    return side.place(room, whole.move(side.across(along), 1.1, 0));
+  /** A light switch with its rocker tilted, 1.1 m above the floor. */
+  static TriangleMesh lightSwitch(Room room, Side side, double along) {
+    TriangleMesh plate = Boxes.plain(0.085, 0.085, 0.01).move(0, -0.0425, 0.005);
+    TriangleMesh rocker = Boxes.plain(0.05, 0.055, 0.01).turnX(5).move(0, -0.0275, 0.01);
+    return side.place(room, plate.append(rocker).move(side.across(along), 1.1, 0));
   }
 
-  /** A radiator of columns, rounded or plain, under a window. */
-  static TriangleMesh radiator(Room room, Side side, double along, int columns, boolean plain) {
+  /** A radiator of columns under a window. */
+  static TriangleMesh radiator(Room room, Side side, double along, int columns) {
     double step = 0.06;
-    TriangleMesh column =
-        plain ? Boxes.plain(0.05, 0.55, 0.09) : Boxes.bevelled(0.05, 0.55, 0.09, 0.015, 1);
-    TriangleMesh pipe = Rounds.cylinder(0.018, step * (columns - 1), plain ? 4 : 8).turnZ(90);
+    TriangleMesh column = Boxes.plain(0.05, 0.55, 0.09);
+    TriangleMesh pipe = Rounds.cylinder(0.018, step * (columns - 1), 4).turnZ(90);
     double half = step * (columns - 1) / 2;
     TriangleMesh whole =
         TriangleMesh.of(
@@ -67,14 +60,10 @@ final class Fittings {
   }
 
   /** The rim of a flat ceiling lamp. */
-  static TriangleMesh panelRim(double x, double z, boolean plain) {
+  static TriangleMesh panelRim(double x, double z) {
     Outline outer = Outline.rectangle(1.24, 0.34);
     Outline inner = Outline.rectangle(1.18, 0.28);
-    TriangleMesh rim =
-        plain
-            ? Prism.plain(0.06, outer, inner).turnX(90).move(0, 0.06, 0)
-            : Prism.plate(0.06, 0.008, 1, outer, inner);
-    return rim.move(x, Room.HEIGHT - 0.06, z);
+    return Prism.plain(0.06, outer, inner).turnX(90).move(x, Room.HEIGHT, z);
   }
 
   /** The bright plate of a flat ceiling lamp. */

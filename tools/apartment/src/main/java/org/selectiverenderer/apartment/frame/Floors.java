@@ -64,7 +64,7 @@ final class Floors {
   static TriangleMesh ceiling(Room room, boolean bare) {
     double over = bare ? TOUCH : UNDER;
     return rectangle(room.west() - over, Room.NORTH - over, room.east() + over, Room.SOUTH + over)
-        .move(0, Room.HEIGHT - 0.001, 0)
+        .move(0, Room.CEILING, 0)
         .flip();
   }
 

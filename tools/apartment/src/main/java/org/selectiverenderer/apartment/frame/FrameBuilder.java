@@ -14,13 +14,11 @@ import org.selectiverenderer.modelling.Part;
 /** Collects what a room's frame is made of; things of one name become one part. */
 final class FrameBuilder {
   private final Room room;
-  private final boolean bare;
   private final List<Opening> openings;
   private final Map<String, Look> looks = new LinkedHashMap<>();
   private final Map<String, List<TriangleMesh>> meshes = new LinkedHashMap<>();
 
   FrameBuilder(Room room, List<Opening> openings, Look wall, boolean bare) {
-    this.bare = bare;
     this.room = room;
     this.openings = openings;
     Walls walls = new Walls(room, openings, bare);
@@ -29,9 +27,9 @@ final class FrameBuilder {
     add("trim", Finish.TRIM, walls.skirting());
     for (Opening opening : openings) {
       if (opening.isDoor()) {
-        add("trim", Finish.TRIM, new DoorParts(room, opening, bare).trim());
+        add("trim", Finish.TRIM, new DoorParts(room, opening).trim());
       } else {
-        RoomWindow window = new RoomWindow(room, opening, bare);
+        RoomWindow window = new RoomWindow(room, opening);
         add("trim", Finish.TRIM, window.frame());
         add("steel", Finish.STEEL, window.handle());
       }
@@ -50,23 +48,23 @@ final class FrameBuilder {
   }
 
   void shutDoor(Opening opening) {
-    DoorParts door = new DoorParts(room, opening, bare);
+    DoorParts door = new DoorParts(room, opening);
     add("doors", Finish.DOOR, door.shutLeaf());
     add("steel", Finish.STEEL, door.shutHandle());
   }
 
   void openDoor(Opening opening, boolean hingesLeft, double degrees) {
-    DoorParts door = new DoorParts(room, opening, bare);
+    DoorParts door = new DoorParts(room, opening);
     add("doors", Finish.DOOR, door.openLeaf(hingesLeft, degrees));
     add("steel", Finish.STEEL, door.openHandle(hingesLeft, degrees));
   }
 
   void lightSwitch(Side side, double along) {
-    add("plastic", Finish.PLASTIC, Fittings.lightSwitch(room, side, along, bare));
+    add("plastic", Finish.PLASTIC, Fittings.lightSwitch(room, side, along));
   }
 
   void radiator(Side side, double along, int columns) {
-    add("plastic", Finish.PLASTIC, Fittings.radiator(room, side, along, columns, bare));
+    add("plastic", Finish.PLASTIC, Fittings.radiator(room, side, along, columns));
   }
 
   void hangingLamp(double x, double z, double length, int segments, Look shade) {
@@ -79,7 +77,7 @@ final class FrameBuilder {
   ParametricModel model(String name) {
     for (Opening opening : openings) {
       if (!opening.isDoor()) {
-        add("glass", Finish.GLASS, new RoomWindow(room, opening, bare).glass());
+        add("glass", Finish.GLASS, new RoomWindow(room, opening).glass());
       }
     }
     List<Part> parts = new ArrayList<>();

@@ -28,8 +28,8 @@ public final class RoomModels {
   }
 
   /**
-   * The frame with wider boards, walls of rectangles and plainer fittings, so that more of a room's
-   * polygons are left for the light on its surfaces.
+   * The frame with wider boards, so that more of a room's polygons are left for the light on its
+   * surfaces, and walls of rectangles, which divide evenly.
    */
   public static ParametricModel bare(Room room) {
     return of(room, true);
@@ -89,7 +89,7 @@ public final class RoomModels {
     List<TriangleMesh> rims = new ArrayList<>();
     List<TriangleMesh> lights = new ArrayList<>();
     for (double x : new double[] {4.3, 6.9}) {
-      rims.add(Fittings.panelRim(x, 0, bare));
+      rims.add(Fittings.panelRim(x, 0));
       lights.add(Fittings.panelLight(x, 0));
     }
     frame.add("lampRims", Finish.PLASTIC, TriangleMesh.of(rims));

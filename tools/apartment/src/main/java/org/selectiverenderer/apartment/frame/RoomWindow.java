@@ -4,13 +4,12 @@ import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
 import org.selectiverenderer.modelling.Outline;
-import org.selectiverenderer.modelling.Rounds;
 import org.selectiverenderer.modelling.Sheet;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
 /** What makes a hole in the wall a window with two wings. */
-record RoomWindow(Room room, Opening opening, boolean bare) {
+record RoomWindow(Room room, Opening opening) {
   private static final double BAR = 0.05;
 
   /** Frame, middle bar, a wing's frame on each side, and the sill. */
@@ -19,22 +18,14 @@ record RoomWindow(Room room, Opening opening, boolean bare) {
     TriangleMesh outer = bars(opening.width(), opening.height(), 0.07);
     TriangleMesh left = bars(wing + BAR, opening.height() - BAR, 0.05).move(-wing / 2, 0, 0.02);
     TriangleMesh sill =
-        (bare
-                ? Boxes.plain(opening.width() + 0.16, 0.03, 0.26)
-                : Boxes.bevelled(opening.width() + 0.16, 0.03, 0.26, 0.008, 1))
-            .move(0, -opening.height() / 2 - 0.03, 0.17);
+        Boxes.plain(opening.width() + 0.16, 0.03, 0.26).move(0, -opening.height() / 2 - 0.03, 0.17);
     return placed(TriangleMesh.of(outer, left, left.mirrorX(), sill));
   }
 
   /** A catch on the middle bar. */
   TriangleMesh handle() {
-    if (bare) {
-      TriangleMesh lever = Boxes.plain(0.018, 0.12, 0.02).move(0, -0.1, 0.085);
-      TriangleMesh plate = Boxes.plain(0.03, 0.07, 0.03).move(0, -0.04, 0.06);
-      return placed(plate.append(lever));
-    }
-    TriangleMesh lever = Rounds.capsule(0.009, 0.11, 1, 6).move(0, -0.1, 0.09);
-    TriangleMesh plate = Boxes.bevelled(0.03, 0.07, 0.045, 0.005, 1).move(0, -0.04, 0.06);
+    TriangleMesh lever = Boxes.plain(0.018, 0.12, 0.02).move(0, -0.1, 0.085);
+    TriangleMesh plate = Boxes.plain(0.03, 0.07, 0.03).move(0, -0.04, 0.06);
     return placed(plate.append(lever));
   }
 

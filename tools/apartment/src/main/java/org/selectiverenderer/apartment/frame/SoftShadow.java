@@ -18,7 +18,7 @@ public final class SoftShadow {
   /** How far above the floor it lies, metres: near enough to look painted on. */
   public static final double LIFT = 0.002;
 
-  private static final int PER_CORNER = 3;
+  private static final int PER_CORNER = 2;
   private static final double[][] RINGS = {{0.78, 0.52}, {1.0, 0.3}, {1.16, 0.08}, {1.3, 0}};
 
   private SoftShadow() {}

@@ -15,7 +15,7 @@ import org.selectiverenderer.modelling.Sweep;
 /**
  * The four walls of a room and the skirting along them.
  *
- * @param bare whether there is nothing to them that only adds polygons
+ * @param bare whether they are of rectangles, which radiosity divides evenly
  */
 record Walls(Room room, List<Opening> openings, boolean bare) {
 
@@ -62,12 +62,9 @@ record Walls(Room room, List<Opening> openings, boolean bare) {
     return Prism.plain(thickness, line.closed(), windows).move(0, 0, -thickness);
   }
 
-  /** A board with a rounded upper edge, from door to door: their trim lies in the openings. */
+  /** A board with its upper edge taken off, from door to door: their trim lies in the openings. */
   TriangleMesh skirting() {
-    Outline section =
-        bare
-            ? Outline.rectangle(0.014, 0.07).move(0.007, 0.035)
-            : Curve.of(0, 0, 0.014, 0, 0.014, 0.06).arc(0.004, 0.06, 90, 2).line(0, 0.07).closed();
+    Outline section = Outline.of(0, 0, 0.014, 0, 0.014, 0.06, 0.006, 0.07, 0, 0.07);
     List<TriangleMesh> all = new ArrayList<>();
     for (Side side : Side.values()) {
       double from = left(side);

@@ -24,8 +24,8 @@ final class FloorLamp {
     Look bulb = Look.matt(ModelColour.of(1, 0.96, 0.85)).glowing(ModelColour.of(0.9, 0.8, 0.6));
     return ParametricModel.of(
         "floorLamp",
-        Part.of("stand", Looks.PALE_BRASS, Lathe.solid(stand, 16)),
-        Part.of("bulb", bulb, Rounds.sphere(0.04, 4, 8).move(0, 1.34, 0)),
-        Part.of("shade", cloth, Lathe.surface(shade, 20)));
+        Part.of("stand", Looks.PALE_BRASS, Lathe.solid(stand, 10)),
+        Part.of("bulb", bulb, Rounds.sphere(0.04, 3, 6).move(0, 1.34, 0)),
+        Part.of("shade", cloth, Lathe.surface(shade, 16)));
   }
 }

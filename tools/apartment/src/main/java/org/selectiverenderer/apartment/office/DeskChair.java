@@ -86,7 +86,7 @@ final class DeskChair {
 
   /** One of five, along +z; thinner and lower towards its end. */
   private static TriangleMesh leg() {
-    return Boxes.bevelled(0.05, 0.04, 0.27, 0.01, 1)
+    return Boxes.plain(0.05, 0.04, 0.27)
         .move(0, 0, 0.155)
         .deform(
             p -> p.set(p.x * (1.1 - 1.6 * p.z), 0.085 - 0.13 * p.z + p.y * (1 - 1.2 * p.z), p.z));
@@ -97,7 +97,7 @@ final class DeskChair {
   }
 
   private static TriangleMesh castor() {
-    TriangleMesh wheel = Placing.sideways(Rounds.cylinder(0.027, 0.044, 8));
+    TriangleMesh wheel = Placing.sideways(Rounds.cylinder(0.027, 0.044, 6));
     return wheel.move(-0.022, 0.027, 0.27);
   }
 }

@@ -43,7 +43,7 @@ final class Poster {
   }
 
   private static TriangleMesh sun() {
-    return Prism.plain(0.0005, Outline.circle(0.045, 14)).move(0.1, 0.075, 0.0111);
+    return Prism.face(Outline.circle(0.045, 14)).move(0.1, 0.075, 0.0111);
   }
 
   /** A range of hills given by heights in equal distances. */
@@ -57,7 +57,7 @@ final class Poster {
     Curve ridge = Curve.from(more[0], more[1]);
     ridge = ridge.spline(2, Arrays.copyOfRange(more, 2, more.length));
     Outline shape = ridge.line(0.35, -0.21).line(-0.35, -0.21).closed();
-    TriangleMesh mesh = Prism.plain(0.0005, shape).move(0, 0, 0.008 + 0.0008 * layer);
+    TriangleMesh mesh = Prism.face(shape).move(0, 0, 0.008 + 0.0008 * layer);
     return Part.of(name + "Hills", Look.matt(ModelColour.of(red, green, blue)), mesh);
   }
 }

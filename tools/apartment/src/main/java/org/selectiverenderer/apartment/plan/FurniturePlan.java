@@ -7,6 +7,7 @@ import static org.selectiverenderer.apartment.plan.Room.OFFICE;
 import java.util.List;
 import java.util.stream.Stream;
 import org.selectiverenderer.apartment.plan.RoomPosition.Against;
+import org.selectiverenderer.apartment.plan.RoomPosition.Ceiling;
 import org.selectiverenderer.apartment.plan.RoomPosition.Floor;
 import org.selectiverenderer.apartment.plan.RoomPosition.Hung;
 import org.selectiverenderer.apartment.plan.RoomPosition.On;
@@ -76,7 +77,14 @@ public final class FurniturePlan {
         row(LOUNGE, "barrel", new Floor(-8.35, -2.8, 0)),
         row(LOUNGE, "hammer", new On("barrel", 0, 0, 30, 1.0)),
         row(LOUNGE, "basketball", new Floor(-3.2, -1.3, 0)),
-        row(LOUNGE, "pumpkin", new Floor(-2.55, -0.75, -60)));
+        row(LOUNGE, "pumpkin", new Floor(-2.55, -0.75, -60)),
+        row(LOUNGE, "sideboard", new Against(Side.NORTH, -6.2, 0.02)),
+        row(LOUNGE, "bowl", new On("sideboard", 0.5, 0, 0, 1.0)),
+        row(LOUNGE, "displayCabinet", new Against(Side.WEST, -1.7, 0.02)),
+        row(LOUNGE, "chest", new Against(Side.EAST, 2.7, 0.03)),
+        row(LOUNGE, "wideCurtains", new Hung(Side.WEST, 0.9, 0.03)),
+        row(LOUNGE, "narrowCurtains", new Hung(Side.SOUTH, -4.0, 0.03)),
+        row(LOUNGE, "pendantLamp", new Ceiling(-6.3, 1.22)));
   }
 
   private static List<PlannedObject> office() {
@@ -106,7 +114,16 @@ public final class FurniturePlan {
         row(OFFICE, "notepad", new On("desk", 0.54, 0.29, 0, 1.0)),
         row(OFFICE, "stapler", new On("desk", 0.71, 0.28, 0, 1.0)),
         row(OFFICE, "poster", new Hung(Side.SOUTH, 6.6, 1.2)),
-        row(OFFICE, "trumpet", new Floor(4.0, -2.85, 30)));
+        row(OFFICE, "trumpet", new Floor(4.0, -2.85, 30)),
+        row(OFFICE, "credenza", new Against(Side.WEST, 0.95, 0.02)),
+        row(OFFICE, "whiteboard", new Hung(Side.WEST, 0.95, 1.05)),
+        row(OFFICE, "pinboard", new Hung(Side.NORTH, 4.1, 1.15)),
+        row(OFFICE, "filingCabinet", new Against(Side.EAST, -2.85, 0.02)),
+        row(OFFICE, "meetingTable", new Floor(7.35, -1.95, 0)),
+        row(OFFICE, "visitorChair", new Floor(7.25, -2.68, 6)),
+        again(OFFICE, "visitorChair", 2, new Floor(8.05, -1.75, -104)),
+        row(OFFICE, "officeRug", new Floor(4.75, -0.95, 0)),
+        row(OFFICE, "rollerBlind", new Hung(Side.NORTH, 6.6, 1.61)));
   }
 
   private static PlannedObject row(Room room, String object, RoomPosition place) {

@@ -73,6 +73,10 @@ public final class PlanLayout {
     if (place instanceof RoomPosition.Hung hung) {
       return wall(placement, model, hung.side(), hung.along(), hung.height() - b.minY(), 0);
     }
+    if (place instanceof RoomPosition.Ceiling ceiling) {
+      double y = Room.CEILING - b.maxY();
+      return new PlacedObject(placement, model, ceiling.x(), y, ceiling.z(), 0);
+    }
     return on(placement, model, (RoomPosition.On) place);
   }
 

@@ -16,6 +16,9 @@ public enum Room {
   /** From floor to ceiling. */
   public static final double HEIGHT = 2.6;
 
+  /** The ceiling's face, a little lower than the walls' upper ends. */
+  public static final double CEILING = HEIGHT - 0.001;
+
   public static final double NORTH = -3.23;
   public static final double SOUTH = 3.23;
 

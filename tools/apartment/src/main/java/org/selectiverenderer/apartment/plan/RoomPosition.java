@@ -20,6 +20,9 @@ public sealed interface RoomPosition {
   /** With its back on a wall, its lower end at a height above the floor. */
   record Hung(Side side, double along, double height) implements RoomPosition {}
 
+  /** Under the ceiling, its upper end there. */
+  record Ceiling(double x, double z) implements RoomPosition {}
+
   /**
    * Let down onto another object, or into it, from a height above the floor until it touches.
    *

@@ -52,7 +52,9 @@ class OfficeObjectsTest {
           Map.entry("libraryBooks", Set.of("pages", "labels")),
           Map.entry("libraryMouse", Set.of("palm", "buttons")),
           Map.entry("notepad", Set.of("writing")),
-          Map.entry("poster", Set.of("mount", "sky", "upperSky")),
+          Map.entry(
+              "poster",
+              Set.of("mount", "sky", "upperSky", "sun", "farHills", "middleHills", "nearHills")),
           Map.entry("printer", Set.of("print", "brand")),
           Map.entry("ruler", Set.of("lines", "numbers")),
           Map.entry("telephoneLibrary", Set.of("digits", "display")),

@@ -1,0 +1,51 @@
+package org.selectiverenderer.apartment.furniture;
+
+import org.joml.Vector3d;
+import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.geometry.Degrees;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Rounds;
+import org.selectiverenderer.modelling.Sheet;
+
+/** Two long curtains of linen drawn to the sides of a window, on a rail; their middle is x = 0. */
+final class Curtains {
+  private static final double PANEL = 0.38;
+  private static final double LENGTH = 2.34;
+  private static final int FOLDS = 4;
+
+  /** Of the rail and of the cloth, from the wall. */
+  private static final double AWAY = 0.075;
+
+  /** Beyond the window: its sill is so much wider on each side. */
+  private static final double SILL = 0.09;
+
+  private Curtains() {}
+
+  /**
+   * @param window width between the walls beside it, metres
+   */
+  static ParametricModel model(String name, double window) {
+    double middle = window / 2 + SILL + PANEL / 2;
+    double rail = 2 * middle + PANEL + 0.05;
+    TriangleMesh bar = Rounds.cylinder(0.011, rail, 6).turnZ(90).move(rail / 2, LENGTH, AWAY);
+    return ParametricModel.of(
+        name,
+        Part.of("cloth", Looks.LINEN, Copies.bothSides(panel().move(middle, 0, AWAY))).crease(180),
+        Part.of("rail", Looks.DARK_STEEL, bar));
+  }
+
+  /** Folds that are wider at the hem than at the rail. */
+  private static TriangleMesh panel() {
+    return Sheet.of(
+        4 * FOLDS,
+        1,
+        (u, v) ->
+            new Vector3d(
+                (u - 0.5) * (PANEL - 0.05 * v),
+                v * LENGTH,
+                (0.042 - 0.022 * v) * Degrees.sin(360.0 * FOLDS * u)));
+  }
+}

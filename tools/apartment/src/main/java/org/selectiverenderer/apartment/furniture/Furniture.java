@@ -1,0 +1,33 @@
+package org.selectiverenderer.apartment.furniture;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.selectiverenderer.modelling.ParametricModel;
+
+/** The recipes of the furniture by name. */
+public final class Furniture {
+
+  private Furniture() {}
+
+  /** Every piece, of the lounge and of the office. */
+  public static Map<String, Supplier<ParametricModel>> all() {
+    Map<String, Supplier<ParametricModel>> recipes = new TreeMap<>();
+    recipes.put("sideboard", Sideboard::model);
+    recipes.put("bowl", Bowl::model);
+    recipes.put("displayCabinet", DisplayCabinet::model);
+    recipes.put("chest", Chest::model);
+    recipes.put("pendantLamp", PendantLamp::model);
+    recipes.put("wideCurtains", () -> Curtains.model("wideCurtains", 2.2));
+    recipes.put("narrowCurtains", () -> Curtains.model("narrowCurtains", 1.6));
+    recipes.put("credenza", Credenza::model);
+    recipes.put("whiteboard", Whiteboard::model);
+    recipes.put("pinboard", Pinboard::model);
+    recipes.put("filingCabinet", FilingCabinet::model);
+    recipes.put("meetingTable", MeetingTable::model);
+    recipes.put("visitorChair", VisitorChair::model);
+    recipes.put("officeRug", OfficeRug::model);
+    recipes.put("rollerBlind", RollerBlind::model);
+    return recipes;
+  }
+}
