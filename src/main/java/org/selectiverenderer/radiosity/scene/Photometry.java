@@ -1,5 +1,7 @@
 package org.selectiverenderer.radiosity.scene;
 
+import org.selectiverenderer.base.picture.Srgb;
+
 /**
  * How X3D's colours and intensities are read as light.
  *
@@ -16,14 +18,12 @@ public final class Photometry {
 
   /** A display colour's share of light, 0 .. 1 to 0 .. 1 (IEC 61966-2-1). */
   public static float linear(double display) {
-    double c = Math.max(0, Math.min(1, display));
-    return (float) (c <= 0.04045 ? c / 12.92 : StrictMath.pow((c + 0.055) / 1.055, 2.4));
+    return (float) Srgb.light(Math.max(0, Math.min(1, display)));
   }
 
   /** The inverse of {@link #linear}. */
   public static double display(double linear) {
-    double c = Math.max(0, Math.min(1, linear));
-    return c <= 0.0031308 ? c * 12.92 : 1.055 * StrictMath.pow(c, 1 / 2.4) - 0.055;
+    return Srgb.display(Math.max(0, Math.min(1, linear)));
   }
 
   public static float[] linear(float[] rgb) {

@@ -11,6 +11,8 @@ import org.selectiverenderer.apartment.facts.Expectancies;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.frame.RoomModels;
 import org.selectiverenderer.apartment.frame.SoftShadow;
+import org.selectiverenderer.apartment.pictures.Picture;
+import org.selectiverenderer.apartment.pictures.Pictures;
 import org.selectiverenderer.apartment.plan.FloorShadows;
 import org.selectiverenderer.apartment.plan.FurniturePlan;
 import org.selectiverenderer.apartment.plan.PlacedObject;
@@ -32,9 +34,14 @@ import org.selectiverenderer.modelling.Rounding;
  *
  * @param placed the objects where they stand, as version 1
  * @param models the files of the objects and of the rooms
- * @param texts all files: path below the project's folder to text
+ * @param texts the scenes, the models and the walk: path below the project's folder to text
+ * @param pictures what they show as textures: path below the project's folder to picture
  */
-record Apartment(List<PlacedObject> placed, List<RecipeFile> models, Map<String, String> texts) {
+record Apartment(
+    List<PlacedObject> placed,
+    List<RecipeFile> models,
+    Map<String, String> texts,
+    Map<String, Picture> pictures) {
 
   static Apartment make(ObjectFiles files, PolygonCounts counts) {
     List<PlannedObject> placements = FurniturePlan.all();
@@ -69,7 +76,9 @@ record Apartment(List<PlacedObject> placed, List<RecipeFile> models, Map<String,
     texts.put("scenes/apartment-unlit.x3d", scene.unlit(placed, "apartment-unlit.x3d", shares));
     texts.put("scenes/practice.x3d", PracticeScene.text());
     texts.put("scenes/paths/apartment-tour.csv", ApartmentTour.text());
-    return new Apartment(placed, inlineNodes, texts);
+    Map<String, Picture> pictures = new TreeMap<>();
+    Pictures.all().forEach((name, made) -> pictures.put("inlineNodes/" + name, made.get()));
+    return new Apartment(placed, inlineNodes, texts, pictures);
   }
 
   /** What the room's frame has to be brought to, so that the thesis's totals come out. */

@@ -13,6 +13,8 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
+import org.selectiverenderer.apartment.pictures.Picture;
+import org.selectiverenderer.apartment.pictures.Pictures;
 import org.selectiverenderer.apartment.versions.MadeObject;
 import org.selectiverenderer.apartment.versions.RecipeFile;
 import org.selectiverenderer.base.files.FileTransaction;
@@ -26,8 +28,11 @@ public final class ApartmentGenerator {
   /** Files that a message names before it counts the others. */
   private static final int NAMED = 5;
 
+  private static final String FOLDER = "inlineNodes/";
+
   private final PolygonCounts counts = PolygonCounts.load();
   private final Map<String, Supplier<ParametricModel>> recipes = Recipes.all();
+  private final Map<String, Supplier<Picture>> pictures = Pictures.all();
   private final ObjectFiles files = new ObjectFiles(recipes, counts);
 
   /**
@@ -57,14 +62,17 @@ public final class ApartmentGenerator {
       throws IOException {
     List<MadeObject> made = files.of(names);
     Map<String, Integer> polygons = new TreeMap<>();
-    Map<String, String> texts = new TreeMap<>();
+    Map<String, byte[]> contents = new TreeMap<>();
     for (MadeObject object : made) {
       for (RecipeFile file : object.files()) {
-        texts.put("inlineNodes/" + file.name(), file.text());
+        contents.put(FOLDER + file.name(), bytes(file.text()));
         polygons.put(file.name(), file.polygons());
       }
+      for (String picture : object.model().pictures()) {
+        contents.put(FOLDER + picture, pictures.get(picture).get().png());
+      }
     }
-    return new Written(polygons, texts.size(), write(folder, texts, replace));
+    return new Written(polygons, contents.size(), write(folder, contents, replace));
   }
 
   /**
@@ -77,17 +85,24 @@ public final class ApartmentGenerator {
    * @throws IllegalArgumentException if the recipes do not fit the plan or the polygon counts
    */
   public Written writeAll(Path folder, boolean replace) throws IOException {
-    Map<String, String> texts = Apartment.make(files, counts).texts();
-    return new Written(Map.of(), texts.size(), write(folder, texts, replace));
+    Apartment apartment = Apartment.make(files, counts);
+    Map<String, byte[]> contents = new TreeMap<>();
+    apartment.texts().forEach((path, text) -> contents.put(path, bytes(text)));
+    apartment.pictures().forEach((path, picture) -> contents.put(path, picture.png()));
+    return new Written(Map.of(), contents.size(), write(folder, contents, replace));
   }
 
-  private static List<Path> write(Path folder, Map<String, String> texts, boolean replace)
+  private static byte[] bytes(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static List<Path> write(Path folder, Map<String, byte[]> contents, boolean replace)
       throws IOException {
     FileTransaction writing = new FileTransaction();
     List<String> differing = new ArrayList<>();
-    for (Map.Entry<String, String> text : texts.entrySet()) {
-      Path file = folder.resolve(text.getKey());
-      byte[] content = text.getValue().getBytes(StandardCharsets.UTF_8);
+    for (Map.Entry<String, byte[]> made : contents.entrySet()) {
+      Path file = folder.resolve(made.getKey());
+      byte[] content = made.getValue();
       boolean there = Files.isRegularFile(file);
       if (there && Arrays.equals(Files.readAllBytes(file), content)) {
         continue;

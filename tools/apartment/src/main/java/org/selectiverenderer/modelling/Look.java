@@ -1,7 +1,9 @@
 package org.selectiverenderer.modelling;
 
+import org.jspecify.annotations.Nullable;
+
 /**
- * The fields of an X3D Material (X3D 4.0, 12.4.5).
+ * The fields of an X3D Material (X3D 4.0, 12.4.5), and the picture that covers it, if any.
  *
  * @param shininess 0 to 1, 128 times which is the exponent of highlights
  * @param transparency 0 opaque to 1 invisible
@@ -11,8 +13,19 @@ public record Look(
     ModelColour specular,
     double shininess,
     double transparency,
-    ModelColour emissive) {
+    ModelColour emissive,
+    @Nullable Cladding cladding) {
   private static final ModelColour BLACK = ModelColour.grey(0);
+
+  /** Without a picture. */
+  public Look(
+      ModelColour diffuse,
+      ModelColour specular,
+      double shininess,
+      double transparency,
+      ModelColour emissive) {
+    this(diffuse, specular, shininess, transparency, emissive, null);
+  }
 
   /** Cloth, paper, plaster: no highlights. */
   public static Look matt(ModelColour diffuse) {
@@ -37,11 +50,16 @@ public record Look(
   }
 
   public Look transparent(double value) {
-    return new Look(diffuse, specular, shininess, value, emissive);
+    return new Look(diffuse, specular, shininess, value, emissive, cladding);
   }
 
   /** Shines by itself: a lamp's bulb, a screen. */
   public Look glowing(ModelColour light) {
-    return new Look(diffuse, specular, shininess, transparency, light);
+    return new Look(diffuse, specular, shininess, transparency, light, cladding);
+  }
+
+  /** Covered with a picture. */
+  public Look clad(Cladding picture) {
+    return new Look(diffuse, specular, shininess, transparency, emissive, picture);
   }
 }

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
@@ -32,6 +34,18 @@ public record ParametricModel(String name, List<Part> parts) {
   /** The number of triangles of all parts. */
   public int polygons() {
     return parts.stream().mapToInt(p -> p.mesh().triangleCount()).sum();
+  }
+
+  /** Files of the pictures that cover parts of it. */
+  public SortedSet<String> pictures() {
+    SortedSet<String> files = new TreeSet<>();
+    for (Part part : parts) {
+      Cladding cladding = part.look().cladding();
+      if (cladding != null) {
+        files.add(cladding.file());
+      }
+    }
+    return files;
   }
 
   /** All parts' triangles as one mesh. */

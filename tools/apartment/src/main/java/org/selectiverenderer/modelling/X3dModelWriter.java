@@ -4,6 +4,7 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.x3d.write.FaceSetWriter;
 import org.selectiverenderer.x3d.write.TupleLines;
+import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -18,6 +19,7 @@ import org.selectiverenderer.x3d.write.X3dWriter;
 public final class X3dModelWriter {
   private static final int DIGITS = 5;
   private static final int LINE = 100;
+  private static final String ANISOTROPY = "4";
 
   private final String generator;
 
@@ -42,11 +44,33 @@ public final class X3dModelWriter {
     String title = Character.toUpperCase(model.name().charAt(0)) + model.name().substring(1);
     for (Part part : model.parts()) {
       out.open("Shape").def(title + "_" + part.name());
-      out.material(LookFields.fields(part.look()));
+      appearance(out, part.look());
       faces(out, part, decimals);
       out.close();
     }
     return out.finish();
+  }
+
+  private static void appearance(X3dWriter out, Look look) {
+    Cladding cladding = look.cladding();
+    if (cladding == null) {
+      out.material(LookFields.fields(look));
+      return;
+    }
+    out.open("Appearance").empty("Material", LookFields.fields(look));
+    out.open("ImageTexture", "url", ValueText.strings(cladding.file()));
+    // Floors are seen at grazing angles: without these they shimmer as one walks.
+    out.empty(
+        "TextureProperties",
+        "generateMipMaps",
+        "true",
+        "minificationFilter",
+        "AVG_PIXEL_AVG_MIPMAP",
+        "magnificationFilter",
+        "AVG_PIXEL",
+        "anisotropicDegree",
+        ANISOTROPY);
+    out.close().close();
   }
 
   private static void faces(X3dWriter out, Part part, int decimals) {
@@ -61,9 +85,19 @@ public final class X3dModelWriter {
         DecimalText.appendRounded(text, onGrid, decimals);
       }
     }
-    new FaceSetWriter(out, Math.toRadians(part.creaseAngle()), !part.bothSides())
-        .index("coordIndex", TupleLines.wide(LINE).triangles(part.mesh().triangles()))
+    FaceSetWriter faces =
+        new FaceSetWriter(out, Math.toRadians(part.creaseAngle()), !part.bothSides())
+            .index("coordIndex", TupleLines.wide(LINE).triangles(part.mesh().triangles()));
+    Cladding cladding = part.look().cladding();
+    if (cladding == null) {
+      faces.values("Coordinate", "point", points).close();
+      return;
+    }
+    CladdingText cover = new CladdingText(cladding, part.mesh());
+    faces
+        .index("texCoordIndex", TupleLines.wide(LINE).triangles(cover.corners()))
         .values("Coordinate", "point", points)
+        .values("TextureCoordinate", "point", cover.points(TupleLines.wide(LINE)))
         .close();
   }
 

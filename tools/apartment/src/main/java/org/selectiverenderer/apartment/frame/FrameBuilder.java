@@ -41,10 +41,8 @@ final class FrameBuilder {
     meshes.computeIfAbsent(name, key -> new ArrayList<>()).add(mesh);
   }
 
-  void boards(List<TriangleMesh> boards) {
-    add("lightBoards", Finish.LIGHT_BOARD, boards.get(0));
-    add("boards", Finish.BOARD, boards.get(1));
-    add("darkBoards", Finish.DARK_BOARD, boards.get(2));
+  void floor(Look look) {
+    add("floor", look, Floors.floor(room));
   }
 
   void shutDoor(Opening opening) {

@@ -28,8 +28,8 @@ public final class RoomModels {
   }
 
   /**
-   * The frame with wider boards, so that more of a room's polygons are left for the light on its
-   * surfaces, and walls of rectangles, which divide evenly.
+   * The frame with walls of rectangles, which radiosity divides evenly, so that the polygons that
+   * the room has left are for the light on its surfaces.
    */
   public static ParametricModel bare(Room room) {
     return of(room, true);
@@ -51,9 +51,7 @@ public final class RoomModels {
             List.of(KITCHEN_TO_LOUNGE, KITCHEN_TO_OFFICE, ENTRANCE, window),
             Finish.wall(0.9, 0.84, 0.66),
             bare);
-    List<TriangleMesh> tiles = Floors.tiles(Room.KITCHEN, 11, 16);
-    frame.add("lightTiles", Look.satin(ModelColour.of(0.82, 0.79, 0.72)), tiles.get(0));
-    frame.add("darkTiles", Look.satin(ModelColour.of(0.54, 0.34, 0.26)), tiles.get(1));
+    frame.floor(Finish.tiles(Room.KITCHEN, 0.4, 0.40375));
     frame.openDoor(KITCHEN_TO_OFFICE, false, 90);
     frame.shutDoor(ENTRANCE);
     frame.lightSwitch(Side.WEST, -2.1);
@@ -72,7 +70,7 @@ public final class RoomModels {
             List.of(LOUNGE_TO_KITCHEN, west, south),
             Finish.wall(0.74, 0.78, 0.66),
             bare);
-    frame.boards(Floors.boards(Room.LOUNGE, bare ? 16 : 28, bare ? 2 : 3));
+    frame.floor(Finish.parquet(Room.LOUNGE));
     frame.openDoor(LOUNGE_TO_KITCHEN, true, 90);
     frame.lightSwitch(Side.EAST, -2.1);
     frame.radiator(Side.SOUTH, -4.0, 10);
@@ -84,7 +82,7 @@ public final class RoomModels {
     FrameBuilder frame =
         new FrameBuilder(
             Room.OFFICE, List.of(OFFICE_TO_KITCHEN, north), Finish.wall(0.87, 0.8, 0.66), bare);
-    frame.boards(Floors.boards(Room.OFFICE, bare ? 14 : 30, bare ? 2 : 3));
+    frame.floor(Finish.parquet(Room.OFFICE));
     frame.lightSwitch(Side.WEST, 2.1);
     List<TriangleMesh> rims = new ArrayList<>();
     List<TriangleMesh> lights = new ArrayList<>();

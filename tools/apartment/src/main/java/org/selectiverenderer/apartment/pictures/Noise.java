@@ -1,0 +1,100 @@
+package org.selectiverenderer.apartment.pictures;
+
+/**
+ * Smooth random numbers over the plane: gradients at whole numbers (K. Perlin, Improving Noise,
+ * SIGGRAPH 2002), chosen by a hash of the place instead of a table. Of the same seed the same.
+ */
+final class Noise {
+  /** Scales gradients' noise to about -1 to 1. */
+  private static final double REACH = 1.4;
+
+  private final int seed;
+
+  Noise(int seed) {
+    this.seed = seed;
+  }
+
+  /** A number from 0 to 1 for whole numbers, without any order. */
+  double dice(int a, int b) {
+    return (hash(a, b) >>> 8) / (double) (1 << 24);
+  }
+
+  /** Without repetition; about -1 to 1, one wave per unit. */
+  double at(double x, double y) {
+    return at(x, y, Integer.MAX_VALUE, Integer.MAX_VALUE);
+  }
+
+  /** Repeats after so many units; about -1 to 1, one wave per unit. */
+  double at(double x, double y, int acrossX, int acrossY) {
+    int i = (int) Math.floor(x);
+    int j = (int) Math.floor(y);
+    double u = x - i;
+    double v = y - j;
+    int left = Math.floorMod(i, acrossX);
+    int right = Math.floorMod(i + 1, acrossX);
+    int low = Math.floorMod(j, acrossY);
+    int high = Math.floorMod(j + 1, acrossY);
+    double below = mix(slope(left, low, u, v), slope(right, low, u - 1, v), fade(u));
+    double above = mix(slope(left, high, u, v - 1), slope(right, high, u - 1, v - 1), fade(u));
+    return REACH * mix(below, above, fade(v));
+  }
+
+  /** Finer and finer noise, each layer twice as fine and half as strong; about -1 to 1. */
+  double layers(int count, double x, double y, int acrossX, int acrossY) {
+    double sum = 0;
+    double strength = 1;
+    int scale = 1;
+    for (int layer = 0; layer < count; layer++) {
+      boolean endless = acrossX == Integer.MAX_VALUE;
+      sum +=
+          strength
+              * at(
+                  x * scale + 17 * layer,
+                  y * scale,
+                  endless ? acrossX : acrossX * scale,
+                  endless ? acrossY : acrossY * scale);
+      strength /= 2;
+      scale *= 2;
+    }
+    return sum / 1.6;
+  }
+
+  /** Likewise without repetition. */
+  double layers(int count, double x, double y) {
+    return layers(count, x, y, Integer.MAX_VALUE, Integer.MAX_VALUE);
+  }
+
+  private double slope(int i, int j, double u, double v) {
+    int bits = hash(i, j);
+    // Eight directions, those along the axes as long as the others.
+    double a = (bits & 1) == 0 ? 1 : -1;
+    double b = (bits & 2) == 0 ? 1 : -1;
+    return switch (bits >>> 2 & 3) {
+      case 0 -> a * u * Math.sqrt(2);
+      case 1 -> a * v * Math.sqrt(2);
+      default -> a * u + b * v;
+    };
+  }
+
+  /** Bits of a and b mixed until none shows (the finalizer of MurmurHash3, A. Appleby, 2011). */
+  private int hash(int a, int b) {
+    int h = seed * 0x9E3779B9 + a * 0x85EBCA6B + b * 0xC2B2AE35;
+    h = (h ^ h >>> 16) * 0x85EBCA6B;
+    h = (h ^ h >>> 13) * 0xC2B2AE35;
+    return h ^ h >>> 16;
+  }
+
+  private static double fade(double t) {
+    return t * t * t * (t * (6 * t - 15) + 10);
+  }
+
+  static double mix(double a, double b, double share) {
+    return a + (b - a) * share;
+  }
+
+  /** 0 below from, 1 above to, smooth between. */
+  static double step(double from, double to, double value) {
+    double t = Math.max(0, Math.min(1, (value - from) / (to - from)));
+    return t * t * (3 - 2 * t);
+  }
+}

@@ -1,0 +1,51 @@
+package org.selectiverenderer.apartment.pictures;
+
+import org.selectiverenderer.base.picture.PngPicture;
+import org.selectiverenderer.base.picture.PngPicture.Samples;
+import org.selectiverenderer.base.picture.Srgb;
+
+/**
+ * A picture. Nobody writes into the arrays.
+ *
+ * @param samples what a pixel's bytes are
+ * @param palette red, green and blue of each colour, where pixels are numbers of colours
+ * @param pixels rows from the top
+ */
+public record Picture(int width, int height, Samples samples, byte[] palette, byte[] pixels) {
+
+  /** The bytes of a PNG file. */
+  public byte[] png() {
+    return PngPicture.of(width, height, samples, palette, pixels);
+  }
+
+  /** A sample of a pixel as the display is told it, 0 to 255: red, green, blue, or alpha. */
+  public int sample(int x, int y, int channel) {
+    int at = (y * width + x) * samples.count();
+    return switch (samples) {
+          case GREY -> pixels[at];
+          case PALETTE -> palette[3 * (pixels[at] & 0xff) + channel];
+          case RGB, RGBA -> pixels[at + channel];
+        }
+        & 0xff;
+  }
+
+  /** The mean share of light that the pixels throw back: red, green, blue. */
+  public double[] meanLight() {
+    double[] light = new double[256];
+    for (int i = 0; i < 256; i++) {
+      light[i] = Srgb.light(i / 255.0);
+    }
+    double[] sum = new double[3];
+    for (int y = 0; y < height; y++) {
+      for (int x = 0; x < width; x++) {
+        for (int c = 0; c < 3; c++) {
+          sum[c] += light[sample(x, y, c)];
+        }
+      }
+    }
+    for (int c = 0; c < 3; c++) {
+      sum[c] /= width * height;
+    }
+    return sum;
+  }
+}

@@ -1,0 +1,62 @@
+package org.selectiverenderer.apartment.pictures;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.selectiverenderer.base.picture.Srgb;
+
+/** All pictures by file name, as files of the folder {@code inlineNodes} name them. */
+public final class Pictures {
+  public static final String PARQUET = "textures/parquet.png";
+  public static final String TILES = "textures/floorTiles.png";
+  public static final String PLASTER = "textures/plaster.png";
+  public static final String VENEER = "textures/veneer.png";
+
+  /** Metres of floor to the right and up that the parquet's picture shows. */
+  public static final double PARQUET_SIZE = Parquet.SIZE;
+
+  /** Tiles in a row and in a column of the floor tiles' picture. */
+  public static final int TILES_A_SIDE = FloorTiles.TILES;
+
+  /** Metres of wall to the right and up that the plaster's picture shows. */
+  public static final double PLASTER_SIZE = Plaster.SIZE;
+
+  /** The share of its material's light that the plaster leaves. */
+  public static final double PLASTER_LIGHT = Plaster.MEAN_LIGHT;
+
+  /** Metres to the right and up that the veneer's picture shows. */
+  public static final double VENEER_WIDTH = Veneer.WIDTH;
+
+  public static final double VENEER_HEIGHT = Veneer.HEIGHT;
+
+  private Pictures() {}
+
+  /** What makes each. */
+  public static Map<String, Supplier<Picture>> all() {
+    Map<String, Supplier<Picture>> all = new TreeMap<>();
+    // The plain colours that the same surfaces are known by.
+    double[] boards =
+        light(
+            new double[] {0.66, 0.46, 0.28},
+            new double[] {0.58, 0.39, 0.23},
+            new double[] {0.5, 0.33, 0.19});
+    double[] tiles = light(new double[] {0.82, 0.79, 0.72}, new double[] {0.54, 0.34, 0.26});
+    double[] door = light(new double[] {0.55, 0.36, 0.2});
+    all.put(PARQUET, () -> Parquet.picture(boards));
+    all.put(TILES, () -> FloorTiles.picture(tiles));
+    all.put(PLASTER, Plaster::picture);
+    all.put(VENEER, () -> Veneer.picture(door));
+    return all;
+  }
+
+  /** The mean share of light that colours of the display throw back. */
+  private static double[] light(double[]... displays) {
+    double[] mean = new double[3];
+    for (double[] display : displays) {
+      for (int c = 0; c < 3; c++) {
+        mean[c] += Srgb.light(display[c]) / displays.length;
+      }
+    }
+    return mean;
+  }
+}
