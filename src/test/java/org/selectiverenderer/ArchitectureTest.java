@@ -246,7 +246,10 @@ class ArchitectureTest {
       noClasses()
           .that()
           .resideInAnyPackage(
-              of("apartment.kitchen"), of("apartment.lounge"), of("apartment.office"))
+              of("apartment.kitchen"),
+              of("apartment.lounge"),
+              of("apartment.office"),
+              of("apartment.furniture"))
           .should()
           .dependOnClassesThat(
               are(resideInAPackage(OURS))
@@ -256,9 +259,11 @@ class ArchitectureTest {
                               of("modelling"),
                               of("geometry"),
                               of("apartment.looks"),
+                              of("apartment.pictures"),
                               of("apartment.kitchen"),
                               of("apartment.lounge"),
-                              of("apartment.office")))));
+                              of("apartment.office"),
+                              of("apartment.furniture")))));
 
   /** Generated files have the same bytes everywhere, which Math's functions do not promise. */
   @ArchTest

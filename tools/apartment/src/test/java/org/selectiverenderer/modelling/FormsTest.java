@@ -125,6 +125,17 @@ class FormsTest {
   }
 
   @Test
+  void aFaceIsTheFrontOfItsPrism() {
+    TriangleMesh face = Prism.face(Outline.rectangle(2, 1), Outline.circle(0.3, 8));
+
+    assertThat(face.triangleCount()).isEqualTo(12 - 2 + 2);
+    assertThat(MeshMeasures.area(face)).isCloseTo(2 - Outline.circle(0.3, 8).area(), within(1e-6));
+    for (int t = 0; t < face.triangleCount(); t++) {
+      assertThat(MeshMeasures.normal(face, t).z).isPositive();
+    }
+  }
+
+  @Test
   void mirroringKeepsTheOutsideOutside() {
     assertThat(MeshMeasures.volume(Boxes.plain(1, 1, 1).mirrorX())).isPositive();
     assertThat(MeshMeasures.volume(Copies.corners(Boxes.plain(1, 1, 1), 2, 2)))

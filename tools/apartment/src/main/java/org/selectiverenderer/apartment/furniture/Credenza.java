@@ -22,7 +22,7 @@ final class Credenza {
         "credenza",
         Part.of(
             "body",
-            Looks.OAK,
+            Woods.VENEER,
             Boxes.bevelled(WIDTH, HEIGHT - 0.07, DEPTH, 0.006, 1).move(0, 0.07, 0)),
         Part.of("plinth", Looks.BLACK, Boxes.plain(WIDTH - 0.06, 0.07, DEPTH - 0.06)),
         Part.of(

@@ -17,6 +17,7 @@ public final class Furniture {
     recipes.put("bowl", Bowl::model);
     recipes.put("displayCabinet", DisplayCabinet::model);
     recipes.put("chest", Chest::model);
+    recipes.put("pouf", Pouf::model);
     recipes.put("pendantLamp", PendantLamp::model);
     recipes.put("wideCurtains", () -> Curtains.model("wideCurtains", 2.2));
     recipes.put("narrowCurtains", () -> Curtains.model("narrowCurtains", 1.6));

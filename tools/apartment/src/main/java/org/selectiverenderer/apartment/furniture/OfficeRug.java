@@ -16,7 +16,7 @@ final class OfficeRug {
     Outline edge = Outline.rectangle(2.2, 1.5);
     return ParametricModel.of(
         "officeRug",
-        Part.of("border", Looks.BRICK_RED, Prism.plate(THICK, 0, 0, edge, edge.inset(0.1))),
+        Part.of("border", Looks.RUST_CLOTH, Prism.plate(THICK, 0, 0, edge, edge.inset(0.1))),
         Part.of("field", Looks.LINEN, Prism.plate(THICK, 0, 0, edge.inset(0.1))));
   }
 }

@@ -27,8 +27,7 @@ final class Sideboard {
     return ParametricModel.of(
         "sideboard",
         Part.of("body", Looks.DARK_WOOD, body),
-        Part.of(
-            "fronts", Looks.DARK_OAK, Copies.bothSides(door), Copies.row(drawer, 3, 0, 0.174, 0)),
+        Part.of("fronts", Woods.VENEER, Copies.bothSides(door), Copies.row(drawer, 3, 0, 0.174, 0)),
         Part.of(
             "grips",
             Looks.PALE_BRASS,

@@ -7,8 +7,8 @@
  *
  * <p>No piece is of a kind that the experiment's recognition lists ask for, neither one that the
  * rooms have nor one that they have not: no second book or lamp to read by, no armchair, no coat
- * stand. Uses {@code apartment.looks}, {@code modelling}, {@code geometry} and {@code
- * geometry.mesh}.
+ * stand. Uses {@code apartment.looks}, {@code apartment.pictures}, {@code modelling}, {@code
+ * geometry} and {@code geometry.mesh}.
  */
 @NullMarked
 package org.selectiverenderer.apartment.furniture;

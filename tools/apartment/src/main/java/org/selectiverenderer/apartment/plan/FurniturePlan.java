@@ -82,6 +82,7 @@ public final class FurniturePlan {
         row(LOUNGE, "bowl", new On("sideboard", 0.5, 0, 0, 1.0)),
         row(LOUNGE, "displayCabinet", new Against(Side.WEST, -1.7, 0.02)),
         row(LOUNGE, "chest", new Against(Side.EAST, 2.7, 0.03)),
+        row(LOUNGE, "pouf", new Floor(-4.45, 2.2, 0)),
         row(LOUNGE, "wideCurtains", new Hung(Side.WEST, 0.9, 0.03)),
         row(LOUNGE, "narrowCurtains", new Hung(Side.SOUTH, -4.0, 0.03)),
         row(LOUNGE, "pendantLamp", new Ceiling(-6.3, 1.22)));

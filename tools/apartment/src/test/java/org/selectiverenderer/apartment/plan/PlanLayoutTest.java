@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.apartment.plan.RoomPosition.Against;
+import org.selectiverenderer.apartment.plan.RoomPosition.Ceiling;
 import org.selectiverenderer.apartment.plan.RoomPosition.Floor;
 import org.selectiverenderer.apartment.plan.RoomPosition.Hung;
 import org.selectiverenderer.apartment.plan.RoomPosition.On;
@@ -50,6 +51,11 @@ class PlanLayoutTest {
     assertThat(place("box", new Hung(Side.WEST, 1, 1.5)))
         .satisfies(p -> assertThat(p.x()).isCloseTo(room.west() + 0.2, within(1e-4)))
         .satisfies(p -> assertThat(p.y()).isCloseTo(1.5, within(1e-4)));
+  }
+
+  @Test
+  void whatHangsFromTheCeilingHasItsUpperEndThere() {
+    assertThat(place("ball", new Ceiling(3, 1)).y()).isCloseTo(Room.CEILING - 0.1, within(1e-4));
   }
 
   @Test
