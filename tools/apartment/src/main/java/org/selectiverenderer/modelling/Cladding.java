@@ -9,8 +9,11 @@ import org.joml.Vector3d;
  *
  * @param file the picture's URL as the model's file names it
  * @param laying which place of the picture is seen where
+ * @param repeats whether the picture goes on beyond its edges, else its edges' colours do
+ * @param slanted whether it is mostly seen at a slant, as a floor is: then it is sampled so that it
+ *     neither shimmers nor blurs as one walks, which costs time without a graphics card
  */
-public record Cladding(String file, Laying laying) {
+public record Cladding(String file, Laying laying, boolean repeats, boolean slanted) {
 
   /** From a place of a surface to a place of a picture. */
   @FunctionalInterface
@@ -24,21 +27,26 @@ public record Cladding(String file, Laying laying) {
   }
 
   /**
-   * Repeats at a width and height in metres: upright on walls; on floors seen with north, -z, on
-   * top. A face takes it from whichever of the six directions it looks most into.
+   * Repeats at a width and height in metres, for walls, upright; a face takes it from whichever of
+   * the six directions it looks most into.
    */
   public static Cladding metric(String file, double width, double height) {
-    return from(0, 0, file, width, height);
+    return new Cladding(file, repeating(0, 0, width, height), true, false);
   }
 
-  /** Likewise, on a floor whose corner of this x and z shows the picture's lower left one. */
-  public static Cladding from(double x, double z, String file, double width, double height) {
-    return new Cladding(
-        file,
-        (place, normal) -> {
-          double[] across = across(new Vector3d(place).sub(x, 0, z), normal);
-          return new double[] {across[0] / width, across[1] / height};
-        });
+  /**
+   * Likewise, for a floor: the place of this x and z shows the picture's lower left corner, and
+   * north, -z, is up.
+   */
+  public static Cladding floor(double x, double z, String file, double width, double height) {
+    return new Cladding(file, repeating(x, z, width, height), true, true);
+  }
+
+  private static Laying repeating(double x, double z, double width, double height) {
+    return (place, normal) -> {
+      double[] across = across(new Vector3d(place).sub(x, 0, z), normal);
+      return new double[] {across[0] / width, across[1] / height};
+    };
   }
 
   /**
@@ -48,7 +56,9 @@ public record Cladding(String file, Laying laying) {
   public static Cladding quarter(String file, double width, double height) {
     return new Cladding(
         file,
-        (place, normal) -> new double[] {Math.abs(place.x) / width, Math.abs(place.z) / height});
+        (place, normal) -> new double[] {Math.abs(place.x) / width, Math.abs(place.z) / height},
+        false,
+        true);
   }
 
   /** To the right and up, metres, for someone who looks at the face. */

@@ -58,18 +58,19 @@ public final class X3dModelWriter {
       return;
     }
     out.open("Appearance").empty("Material", LookFields.fields(look));
-    out.open("ImageTexture", "url", ValueText.strings(cladding.file()));
-    // Floors are seen at grazing angles: without these they shimmer as one walks.
-    out.empty(
-        "TextureProperties",
-        "generateMipMaps",
-        "true",
-        "minificationFilter",
-        "AVG_PIXEL_AVG_MIPMAP",
-        "magnificationFilter",
-        "AVG_PIXEL",
-        "anisotropicDegree",
-        ANISOTROPY);
+    out.open("ImageTexture");
+    if (!cladding.repeats()) {
+      out.attribute("repeatS", "false").attribute("repeatT", "false");
+    }
+    out.attribute("url", ValueText.strings(cladding.file()));
+    String boundary = cladding.repeats() ? "REPEAT" : "CLAMP_TO_EDGE";
+    out.open("TextureProperties", "boundaryModeS", boundary, "boundaryModeT", boundary);
+    out.attribute("generateMipMaps", "true").attribute("magnificationFilter", "AVG_PIXEL");
+    if (cladding.slanted()) {
+      out.attribute("anisotropicDegree", ANISOTROPY);
+    }
+    String smaller = cladding.slanted() ? "AVG_PIXEL_AVG_MIPMAP" : "AVG_PIXEL_NEAREST_MIPMAP";
+    out.attribute("minificationFilter", smaller).close();
     out.close().close();
   }
 

@@ -2,6 +2,8 @@ package org.selectiverenderer.apartment;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,6 +13,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
@@ -20,6 +24,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.facts.PolygonCounts.Counts;
 import org.selectiverenderer.apartment.frame.SoftShadow;
+import org.selectiverenderer.apartment.pictures.Picture;
 import org.selectiverenderer.apartment.plan.FloorShadows;
 import org.selectiverenderer.apartment.plan.Footprint;
 import org.selectiverenderer.apartment.plan.PlacedObject;
@@ -52,6 +57,42 @@ class ApartmentTest {
           .as("%s is up to date", path)
           .isTrue();
     }
+  }
+
+  /** Pixels, since how far a file is compressed is up to the Java that writes it. */
+  @Test
+  void thePicturesThatAreKeptAreWhatTheGeneratorMakes() throws Exception {
+    for (Map.Entry<String, Picture> made : apartment.pictures().entrySet()) {
+      BufferedImage kept = ImageIO.read(Path.of(made.getKey()).toFile());
+      BufferedImage now = ImageIO.read(new ByteArrayInputStream(made.getValue().png()));
+      assertThat(kept.getWidth()).isEqualTo(now.getWidth());
+      assertThat(pixels(kept)).as("%s is up to date", made.getKey()).isEqualTo(pixels(now));
+    }
+  }
+
+  private static int[] pixels(BufferedImage image) {
+    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+  }
+
+  @Test
+  void everyPictureIsShownAndEveryPictureThatIsNamedIsThere() {
+    Set<String> named = new HashSet<>();
+    Pattern matcher = Pattern.compile("\"(?:\\.\\./inlineNodes/)?(textures/[^\"]+)\"");
+    for (String text : apartment.texts().values()) {
+      matcher.matcher(text).results().forEach(found -> named.add("inlineNodes/" + found.group(1)));
+    }
+    assertThat(named).isEqualTo(apartment.pictures().keySet());
+  }
+
+  @Test
+  void picturesAreNoLargerThanOneSees() {
+    int bytes = 0;
+    for (Picture picture : apartment.pictures().values()) {
+      assertThat(picture.width()).isLessThanOrEqualTo(512);
+      assertThat(picture.height()).isLessThanOrEqualTo(1024);
+      bytes += picture.png().length;
+    }
+    assertThat(bytes).isLessThan(2_000_000);
   }
 
   @Test

@@ -42,7 +42,7 @@ final class Finish {
   static Look parquet(Room room) {
     double size = Pictures.PARQUET_SIZE;
     return Look.satin(WHITE)
-        .clad(Cladding.from(room.west(), Room.NORTH, Pictures.PARQUET, size, size));
+        .clad(Cladding.floor(room.west(), Room.NORTH, Pictures.PARQUET, size, size));
   }
 
   /**
@@ -53,6 +53,6 @@ final class Finish {
   static Look tiles(Room room, double width, double depth) {
     int each = Pictures.TILES_A_SIDE;
     return Look.satin(WHITE)
-        .clad(Cladding.from(room.west(), Room.NORTH, Pictures.TILES, each * width, each * depth));
+        .clad(Cladding.floor(room.west(), Room.NORTH, Pictures.TILES, each * width, each * depth));
   }
 }

@@ -1,49 +1,36 @@
 package org.selectiverenderer.apartment.lounge;
 
 import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.pictures.Pictures;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Cladding;
 import org.selectiverenderer.modelling.Copies;
-import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
-import org.selectiverenderer.modelling.Prism;
+import org.selectiverenderer.modelling.Sheet;
 
 /**
- * A carpet, 2.6 m by 1.8 m without its fringes, with two stripes and three lozenges. The pattern's
- * pieces lie side by side, so that none fights with another for the same depth.
+ * A carpet, 2.6 m by 1.8 m without its fringes, with borders, lozenges and pile: a picture of a
+ * quarter of it, mirrored.
  */
 final class Carpet {
   private static final double THICK = 0.009;
-  private static final Outline EDGE = Outline.rectangle(2.6, 1.8);
-  private static final double APART = 0.68;
+  private static final double WIDTH = 2.6;
+  private static final double DEPTH = 1.8;
+  private static final Look WOVEN =
+      Look.matt(ModelColour.grey(1)).clad(Cladding.quarter(Pictures.CARPET, WIDTH / 2, DEPTH / 2));
 
   private Carpet() {}
 
   static ParametricModel model() {
-    Outline lozenge = Outline.of(0.31, 0, 0, 0.5, -0.31, 0, 0, -0.5);
-    Outline eye = Outline.of(0.14, 0, 0, 0.21, -0.14, 0, 0, -0.21);
-    Outline third = Outline.rectangle(APART, 1.24);
+    // Two fields by two: the picture turns round at the edges between them.
+    TriangleMesh top = Sheet.field(WIDTH, DEPTH, 2, 2, (x, z) -> THICK);
     return ParametricModel.of(
         "carpet",
-        Part.of("rim", Looks.TEAL_CLOTH, Prism.plate(THICK, 0, 0, EDGE, EDGE.inset(0.1))),
-        Part.of("stripes", Looks.CREAM_CLOTH, frame(0.1, 0.15), frame(0.26, 0.28)),
-        Part.of("field", Looks.TEAL_CLOTH, frame(0.15, 0.26), three(top(third, lozenge))),
-        Part.of("lozenges", Looks.CREAM_CLOTH, three(top(lozenge, eye))),
-        Part.of("eyes", Looks.RUST_CLOTH, three(top(eye))),
+        Part.of("pile", WOVEN, Sheet.thicken(top, 0, -THICK, 0)),
         Part.of("fringes", Looks.CREAM_CLOTH, Copies.bothSides(fringe())));
-  }
-
-  private static TriangleMesh frame(double from, double to) {
-    return top(EDGE.inset(from), EDGE.inset(to));
-  }
-
-  private static TriangleMesh top(Outline outline, Outline... holes) {
-    TriangleMesh plate = Prism.plate(THICK, 0, 0, outline, holes);
-    return CutPieces.where(plate, p -> p.y > 0.9 * THICK);
-  }
-
-  private static TriangleMesh three(TriangleMesh piece) {
-    return Copies.row(piece.move(-APART, 0, 0), 3, APART, 0, 0);
   }
 
   /** Tufts at the right end, each a flat triangle. */

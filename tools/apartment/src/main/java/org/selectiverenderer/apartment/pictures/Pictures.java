@@ -10,7 +10,15 @@ public final class Pictures {
   public static final String PARQUET = "textures/parquet.png";
   public static final String TILES = "textures/floorTiles.png";
   public static final String PLASTER = "textures/plaster.png";
+  public static final String CARPET = "textures/carpet.png";
   public static final String VENEER = "textures/veneer.png";
+
+  /** What the Background shows in each direction. */
+  public static final String NORTH = "textures/outsideNorth.png";
+
+  public static final String EAST = "textures/outsideEast.png";
+  public static final String SOUTH = "textures/outsideSouth.png";
+  public static final String WEST = "textures/outsideWest.png";
 
   /** Metres of floor to the right and up that the parquet's picture shows. */
   public static final double PARQUET_SIZE = Parquet.SIZE;
@@ -45,7 +53,12 @@ public final class Pictures {
     all.put(PARQUET, () -> Parquet.picture(boards));
     all.put(TILES, () -> FloorTiles.picture(tiles));
     all.put(PLASTER, Plaster::picture);
+    all.put(CARPET, CarpetPattern::picture);
     all.put(VENEER, () -> Veneer.picture(door));
+    all.put(NORTH, Outside.NORTH::picture);
+    all.put(EAST, Outside.EAST::picture);
+    all.put(SOUTH, Outside.SOUTH::picture);
+    all.put(WEST, Outside.WEST::picture);
     return all;
   }
 

@@ -6,6 +6,7 @@ import java.util.Map;
 import org.selectiverenderer.apartment.facts.Expectancies;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.frame.SoftShadow;
+import org.selectiverenderer.apartment.pictures.Pictures;
 import org.selectiverenderer.apartment.plan.FloorShadows;
 import org.selectiverenderer.apartment.plan.PlacedObject;
 import org.selectiverenderer.apartment.plan.Room;
@@ -86,9 +87,17 @@ public final class ApartmentScene {
         "skyAngle",
         "1 1.57",
         "groundColor",
-        "0.3 0.34 0.28 0.6 0.66 0.62",
+        "0.36 0.45 0.28 0.4 0.5 0.3 0.6 0.66 0.62",
         "groundAngle",
-        "1.57");
+        "1.1 1.57",
+        "frontUrl",
+        outside(Pictures.NORTH),
+        "rightUrl",
+        outside(Pictures.EAST),
+        "backUrl",
+        outside(Pictures.SOUTH),
+        "leftUrl",
+        outside(Pictures.WEST));
     for (Room room : Room.values()) {
       if (shares.containsKey(room)) {
         unlitRoom(xml, room, placed, shares.get(room));
@@ -107,6 +116,10 @@ public final class ApartmentScene {
     xml.open("head").meta("title", fileName);
     xml.meta("description", "The apartment of the thesis (chapter 5)" + state);
     xml.meta("generator", "./selective-renderer apartment").meta("license", "MIT").close();
+  }
+
+  private static String outside(String picture) {
+    return ValueText.strings("../inlineNodes/" + picture);
   }
 
   private static void viewpoints(X3dWriter xml) {

@@ -6,10 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.selectiverenderer.apartment.pictures.Pictures;
 import org.selectiverenderer.apartment.plan.Room;
+import org.selectiverenderer.base.picture.Srgb;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ExactCount;
+import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
@@ -83,6 +86,25 @@ class RoomModelsTest {
     assertThat(ceiling.maxX()).isBetween(room.east(), room.east() + 0.005);
     assertThat(ceiling.minZ()).isBetween(Room.NORTH - 0.005, Room.NORTH);
     assertThat(ceiling.maxZ()).isBetween(Room.SOUTH, Room.SOUTH + 0.005);
+  }
+
+  /** Boards and tiles are pictures: they take no polygons. */
+  @ParameterizedTest
+  @EnumSource(Room.class)
+  void aFloorIsTwoTriangles(Room room) {
+    Part floor = find(RoomModels.of(room), "floor");
+
+    assertThat(floor.mesh().triangleCount()).isEqualTo(2);
+    assertThat(floor.look().cladding()).isNotNull();
+  }
+
+  /** Plaster darkens the paint by as much as the paint is lighter than the wall. */
+  @Test
+  void aPlasteredWallThrowsBackTheLightOfItsColour() {
+    Look wall = find(RoomModels.of(Room.LOUNGE), "walls").look();
+
+    assertThat(Srgb.light(wall.diffuse().green()) * Pictures.PLASTER_LIGHT)
+        .isCloseTo(Srgb.light(0.78), within(0.002));
   }
 
   @Test

@@ -1,0 +1,67 @@
+package org.selectiverenderer.apartment.pictures;
+
+import java.util.stream.IntStream;
+import org.selectiverenderer.base.picture.PngPicture.Samples;
+
+/**
+ * The landscape as the sides of the box that X3D's Background shows infinitely far away (X3D 4.0,
+ * 24.4.1): so it moves behind a window's frame as one walks. Where sky is, or the ground straight
+ * below, a side is transparent and the Background's own colours show.
+ *
+ * @param x the direction of the side's middle, {@code z} likewise; y is 0
+ */
+record Outside(double x, double z) {
+  static final Outside NORTH = new Outside(0, -1);
+  static final Outside EAST = new Outside(1, 0);
+  static final Outside SOUTH = new Outside(0, 1);
+  static final Outside WEST = new Outside(-1, 0);
+
+  /** Out of focus a little, as what is far is for an eye in a room. */
+  private static final int PIXELS = 512;
+
+  /** Samples of a pixel, across and up, where there are outlines: near the horizon. */
+  private static final int SAMPLES = 2;
+
+  /** How far from the horizon, as a share of the side's half. */
+  private static final double OUTLINES = 0.3;
+
+  /** Where the picture begins to end, as a share of the side's half, at the top and below. */
+  private static final double TOP = 0.62;
+
+  private static final double BOTTOM = -0.72;
+
+  Picture picture() {
+    Landscape land = new Landscape();
+    byte[] pixels = new byte[4 * PIXELS * PIXELS];
+    IntStream.range(0, PIXELS).parallel().forEach(row -> row(land, row, pixels));
+    return new Picture(PIXELS, PIXELS, Samples.RGBA, new byte[0], pixels);
+  }
+
+  private void row(Landscape land, int row, byte[] pixels) {
+    int samples = Math.abs(place(row, 0, 1)) < OUTLINES ? SAMPLES : 1;
+    for (int column = 0; column < PIXELS; column++) {
+      double[] sum = new double[4];
+      for (int i = 0; i < samples * samples; i++) {
+        double right = place(column, i % samples, samples);
+        double up = -place(row, i / samples, samples);
+        // Somebody who looks along (x, z) has (-z, x) at the right.
+        double[] seen = land.colour(x - z * right, up, z + x * right);
+        double opaque = seen[3] * Noise.step(1, TOP, up) * Noise.step(-1, BOTTOM, up);
+        for (int c = 0; c < 3; c++) {
+          sum[c] += opaque * Math.max(0, Math.min(1, seen[c]));
+        }
+        sum[3] += opaque;
+      }
+      int at = 4 * (row * PIXELS + column);
+      for (int c = 0; c < 3; c++) {
+        pixels[at + c] = (byte) Math.round(sum[3] > 0 ? 255 * sum[c] / sum[3] : 224);
+      }
+      pixels[at + 3] = (byte) Math.round(255 * sum[3] / (samples * samples));
+    }
+  }
+
+  /** -1 to 1 from the left or upper edge. */
+  private static double place(int pixel, int sample, int samples) {
+    return (2 * pixel + (2 * sample + 1.0) / samples) / PIXELS - 1;
+  }
+}

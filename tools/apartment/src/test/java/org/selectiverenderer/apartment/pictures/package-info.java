@@ -1,0 +1,4 @@
+@NullMarked
+package org.selectiverenderer.apartment.pictures;
+
+import org.jspecify.annotations.NullMarked;
