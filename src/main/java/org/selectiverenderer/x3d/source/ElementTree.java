@@ -43,6 +43,11 @@ public final class ElementTree {
     return root;
   }
 
+  /** The first element Scene in the root; empty where the text has none, and so is no scene. */
+  public Optional<DocumentElement> scene() {
+    return root.children().stream().filter(child -> child.name().equals("Scene")).findFirst();
+  }
+
   /** The element that gives a name by DEF; the first of several that wrongly give the same. */
   public Optional<DocumentElement> named(String def) {
     return names.find(def);

@@ -10,7 +10,7 @@ import java.awt.event.ComponentEvent;
 import javax.swing.JToolBar;
 
 /** A tool bar whose buttons go on in another line where one has no room for all of them. */
-final class WrappingBar extends JToolBar {
+class WrappingBar extends JToolBar {
   private static final long serialVersionUID = 1L;
 
   WrappingBar(String name) {
