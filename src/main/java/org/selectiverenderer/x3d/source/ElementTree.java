@@ -8,6 +8,9 @@ import java.util.Optional;
 
 /** The elements of a well formed text. */
 public final class ElementTree {
+  /** Reading as many elements one by one takes as long as reading all of a large text. */
+  private static final int MANY = 2000;
+
   private final DocumentElement root;
   private final ElementSource source;
   private final DefNames names = new DefNames();
@@ -114,6 +117,9 @@ public final class ElementTree {
    * @return false if that was not possible: the tree is of no use then and all is to be read again
    */
   public boolean follow(List<TextChange> changes, long revision) {
+    if (changes.size() > MANY) {
+      return false;
+    }
     Map<DocumentElement, int[]> ranges = new IdentityHashMap<>();
     for (TextChange change : changes) {
       if (change.from() <= root.start() || change.to() >= root.end()) {
