@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Location;
@@ -40,6 +41,28 @@ class RandomEditsTest {
     "\u03b1",
     "\ud83d\ude00"
   };
+
+  @Test
+  void anEditOfManyPlacesIsOneStepAndTheTreeIsThatOfTheText() throws IOException {
+    int places = 5000;
+    String text =
+        "<X3D version='4.0'><Scene>" + "<Group DEF='A'/>\n".repeat(places) + "</Scene></X3D>";
+    SceneDocument document = SceneDocument.of("a.x3d", text.getBytes(StandardCharsets.UTF_8));
+    List<DocumentListener.Change> heard = new ArrayList<>();
+    document.addListener(heard::add);
+    List<TextChange> changes = new ArrayList<>();
+    for (int at = text.indexOf('A'); at >= 0; at = text.indexOf('A', at + 1)) {
+      changes.add(new TextChange(at, at + 1, "B" + changes.size()));
+    }
+    document.perform(new Edit("Name all", changes));
+    assertSameAsReadAnew(document);
+    assertThat(document.tree().orElseThrow().named("B" + (places - 1))).isPresent();
+    // Found again one by one, each element would be read for itself.
+    assertThat(heard).singleElement().matches(DocumentListener.Change::readAnew);
+    document.history().undo();
+    assertThat(document.text()).hasToString(text);
+    assertSameAsReadAnew(document);
+  }
 
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})

@@ -49,6 +49,7 @@ public final class WindowChain implements WorldHost {
   private final Runs runs;
   private final ChainTracker tracker;
   private final Optional<HeadsetLink> headset;
+  private final RunStop stop;
   private @Nullable WorldScreen window;
   private volatile @Nullable GuidedRun guided;
   private @Nullable SceneRun current;
@@ -56,10 +57,14 @@ public final class WindowChain implements WorldHost {
   private boolean finished;
   private boolean seen;
 
-  private WindowChain(Runs runs, ChainTracker tracker, Optional<HeadsetLink> headset) {
+  /**
+   * @param stop ends the chain as if its windows were closed
+   */
+  WindowChain(Runs runs, ChainTracker tracker, Optional<HeadsetLink> headset, RunStop stop) {
     this.runs = runs;
     this.tracker = tracker;
     this.headset = headset;
+    this.stop = stop;
   }
 
   /**
@@ -74,7 +79,8 @@ public final class WindowChain implements WorldHost {
   public static void show(
       Runs runs, ChainTracker tracker, Optional<HeadsetLink> headset, Consumer<String> message)
       throws IOException, InterruptedException {
-    WindowChain chain = new WindowChain(runs, tracker, headset);
+    RunStop stop = new RunStop();
+    WindowChain chain = new WindowChain(runs, tracker, headset, stop);
     Optional<GuidedRun> first = runs.next();
     if (first.isEmpty()) {
       return;
@@ -86,6 +92,7 @@ public final class WindowChain implements WorldHost {
       window.run();
     } finally {
       chain.close();
+      stop.ended();
     }
     if (chain.failure != null) {
       throw chain.failure;
@@ -119,8 +126,18 @@ public final class WindowChain implements WorldHost {
     }
   }
 
+  /** Should the process be ended, its windows close first and its files are whole. */
+  @Override
+  public void started() {
+    stop.drawing();
+  }
+
   @Override
   public Optional<World> step() {
+    if (stop.asked()) {
+      finished = true;
+      return Optional.empty();
+    }
     try {
       if (current != null && !current.finished()) {
         return current.step();

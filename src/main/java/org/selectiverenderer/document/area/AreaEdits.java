@@ -57,11 +57,11 @@ public final class AreaEdits {
 
   /** What stands where the viewer walks: the Scene, or the Layer of it that is active. */
   private DocumentElement scene() {
-    DocumentElement root = document.tree().map(tree -> tree.root()).orElseThrow(this::broken);
     DocumentElement scene =
-        root.children().stream()
-            .filter(child -> child.name().equals("Scene"))
-            .findFirst()
+        document
+            .tree()
+            .orElseThrow(this::broken)
+            .scene()
             .orElseThrow(
                 () -> new EditRefused("the file has no Scene, in which an area could stand"));
     for (DocumentElement set : scene.children()) {

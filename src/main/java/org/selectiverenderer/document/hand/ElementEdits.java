@@ -58,13 +58,7 @@ public final class ElementEdits {
   public Edit paste(DocumentElement where, String text, String name) {
     List<String> lines = lines(renamed(text.strip()));
     boolean into = KEPT.contains(where.name());
-    DocumentElement scene =
-        where.name().equals("X3D")
-            ? where.children().stream()
-                .filter(child -> child.name().equals("Scene"))
-                .findFirst()
-                .orElse(where)
-            : where;
+    DocumentElement scene = where.name().equals("X3D") ? tree().scene().orElse(where) : where;
     TextChange change =
         into
             ? document.layout().insertLast(scene, lines)

@@ -8,6 +8,9 @@ import java.util.Optional;
 
 /** The elements of a well formed text. */
 public final class ElementTree {
+  /** Reading as many elements one by one takes as long as reading all of a large text. */
+  private static final int MANY = 2000;
+
   private final DocumentElement root;
   private final ElementSource source;
   private final DefNames names = new DefNames();
@@ -41,6 +44,11 @@ public final class ElementTree {
   /** The element X3D, in a scene. */
   public DocumentElement root() {
     return root;
+  }
+
+  /** The first element Scene in the root; empty where the text has none, and so is no scene. */
+  public Optional<DocumentElement> scene() {
+    return root.children().stream().filter(child -> child.name().equals("Scene")).findFirst();
   }
 
   /** The element that gives a name by DEF; the first of several that wrongly give the same. */
@@ -109,6 +117,9 @@ public final class ElementTree {
    * @return false if that was not possible: the tree is of no use then and all is to be read again
    */
   public boolean follow(List<TextChange> changes, long revision) {
+    if (changes.size() > MANY) {
+      return false;
+    }
     Map<DocumentElement, int[]> ranges = new IdentityHashMap<>();
     for (TextChange change : changes) {
       if (change.from() <= root.start() || change.to() >= root.end()) {

@@ -12,87 +12,13 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
-import org.selectiverenderer.x3d.files.ContentAccess;
-import org.selectiverenderer.x3d.files.ContentBase;
-import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
-import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** X3D 4.0, 4.4.5 External prototypes. */
-class ExternPrototypesTest {
-  private static final String LAMP =
-      """
-      <ProtoDeclare name='Lamp'>
-        <ProtoInterface>
-          <field name='at' type='SFVec3f' accessType='inputOutput' value='1 1 1'/>
-          <field name='on' type='SFBool' accessType='inputOutput' value='true'/>
-          <field name='shade' type='SFNode' accessType='initializeOnly'><Material DEF='Own'/></field>
-        </ProtoInterface>
-        <ProtoBody>
-          <Transform><IS><connect nodeField='translation' protoField='at'/></IS>
-            <PointLight><IS><connect nodeField='on' protoField='on'/></IS></PointLight>
-            <Shape><Appearance><IS><connect nodeField='material' protoField='shade'/></IS>
-              <ImageTexture url='"glow.png"'/></Appearance></Shape>
-          </Transform>
-        </ProtoBody>
-      </ProtoDeclare>
-      """;
-
-  private static final String RED =
-      """
-      <ProtoDeclare name='Red'>
-        <ProtoBody><Material diffuseColor='1 0 0'/></ProtoBody>
-      </ProtoDeclare>
-      """;
-
-  @TempDir private Path folder;
-  private final Problems problems = new Problems();
-  private final X3dReader reader =
-      new X3dReader(NodeCatalogue.load(), new ReadLimits(1 << 24, 1000, 100, 10_000));
-  private ContentRoot root;
-  private ContentBase here;
-
-  @BeforeEach
-  void libraries() throws IOException {
-    root = new ContentRoot(folder, ContentAccess.none());
-    here = ContentBase.folder(folder);
-    write("lib/lamps.x3d", RED + LAMP);
-  }
-
-  private void write(String name, String nodes) throws IOException {
-    Path file = folder.resolve(name);
-    Files.createDirectories(file.getParent());
-    Files.writeString(file, text(nodes));
-  }
-
-  private static String text(String nodes) {
-    return "<X3D version='4.0' profile='Full'><Scene>\n" + nodes + "</Scene></X3D>";
-  }
-
-  private X3dFile scene(String nodes) {
-    return reader
-        .with(new FileLibraries(reader, root), here)
-        .read("test.x3d", text(nodes).getBytes(UTF_8), problems);
-  }
-
-  private void assertTold(String... expected) {
-    assertThat(problems.list())
-        .extracting(problem -> problem.toString().replace(folder + "/", ""))
-        .containsExactly(expected);
-  }
-
-  private static String extern(String name, String url, String... fields) {
-    return "<ExternProtoDeclare name='%s' url='%s'>%s</ExternProtoDeclare>\n"
-        .formatted(name, url, String.join("", fields));
-  }
-
+class ExternPrototypesTest extends ExternPrototypesCase {
   @Test
   void anInstanceHasTheLibrarysBodyAndDefaultsAndItsOwnValues() {
     X3dFile file =
@@ -159,62 +85,6 @@ class ExternPrototypesTest {
   }
 
   @Test
-  void aMissingLibraryIsOneProblemHoweverManyNodesItWouldHaveMade() {
-    X3dFile file =
-        scene(
-            extern("Door", "\"none.x3d#Door\"")
-                + """
-                <ProtoInstance name='Door' DEF='A'/><ProtoInstance name='Door' DEF='B'/>
-                <Group><ProtoInstance name='Door' USE='A'/></Group>
-                <TimeSensor DEF='T'/><EXPORT localDEF='A'/>
-                <ROUTE fromNode='T' fromField='fraction_changed' toNode='A' toField='set_fraction'/>
-                """);
-    assertTold(
-        "test.x3d:2:1: the prototype Door cannot be had: url 'none.x3d#Door' is missing; its"
-            + " instances are left out");
-    assertThat(file.nodes()).hasSize(2);
-    assertThat(file.exports()).isEmpty();
-  }
-
-  @Test
-  void aLibraryThatHasNoSuchPrototypeIsTold() throws IOException {
-    write("empty.x3d", "<Group/>");
-    scene(
-        extern("Lmap", "\"lib/lamps.x3d#Lmap\"")
-            + extern("Any", "\"empty.x3d\"")
-            + "<ProtoInstance name='Lmap'/><ProtoInstance name='Any'/>");
-    assertTold(
-        "test.x3d:2:1: the prototype Lmap cannot be had: it is not in lib/lamps.x3d, which has no"
-            + " prototype Lmap (did you mean Lamp?); its instances are left out",
-        "test.x3d:3:1: the prototype Any cannot be had: it is not in empty.x3d, which declares no"
-            + " prototype; its instances are left out");
-  }
-
-  @Test
-  void interfacesThatDifferAreToldOncePerField() {
-    scene(
-        extern(
-                "Lamp",
-                "\"lib/lamps.x3d#Lamp\"",
-                "\n<field name='on' type='SFInt32' accessType='inputOutput'/>",
-                "\n<field name='at' type='SFVec3f' accessType='initializeOnly'/>",
-                "\n<field name='watts' type='SFFloat' accessType='inputOutput'/>")
-            + """
-            <ProtoInstance name='Lamp' DEF='A'><fieldValue name='watts' value='40'/></ProtoInstance>
-            <ProtoInstance name='Lamp'><fieldValue name='watts' value='60'/></ProtoInstance>
-            <ScalarInterpolator DEF='S'/>
-            <ROUTE fromNode='S' fromField='value_changed' toNode='A' toField='watts'/>
-            """);
-    assertTold(
-        "test.x3d:3:1: on of the prototype Lamp is SFBool in lib/lamps.x3d, not SFInt32; it is used"
-            + " as such",
-        "test.x3d:4:1: at of the prototype Lamp is inputOutput in lib/lamps.x3d, not"
-            + " initializeOnly; it is used as such",
-        "test.x3d:5:1: the prototype Lamp of lib/lamps.x3d has no field watts; values and routes of"
-            + " it are left out");
-  }
-
-  @Test
   void librariesUseLibrariesRelativeToThemselves() throws IOException {
     write(
         "lib/rooms/room.x3d",
@@ -257,54 +127,6 @@ class ExternPrototypesTest {
     X3dFile file = scene(extern("Lamp", "\"all.x3d#Lamp\"") + "<ProtoInstance name='Lamp'/>");
     assertTold();
     assertThat(file.nodes()).hasSize(1);
-  }
-
-  @Test
-  void filesThatNameOneAnotherEnd() throws IOException {
-    write("a.x3d", extern("P", "\"b.x3d#P\""));
-    write("b.x3d", extern("P", "\"a.x3d#P\""));
-    write(
-        "c.x3d",
-        extern("Q", "\"c.x3d#Q\"")
-            + "<ProtoDeclare name='R'><ProtoBody><ProtoInstance name='Q'/></ProtoBody></ProtoDeclare>"
-            + "<ProtoDeclare name='Q'><ProtoBody><Group><ProtoInstance name='Q'/></Group></ProtoBody>"
-            + "</ProtoDeclare>");
-    scene(
-        extern("P", "\"a.x3d#P\"")
-            + extern("Q", "\"c.x3d#Q\"")
-            + "<ProtoInstance name='P'/><ProtoInstance name='Q'/>");
-    assertThat(problems.list())
-        .extracting(Problem::message)
-        .containsExactly(
-            "the prototype P cannot be had: files name one another for it, and none of them"
-                + " declares it; its instances are left out",
-            "the prototype Q contains itself; this instance is left out");
-  }
-
-  @Test
-  void aLibraryOfWhichNothingIsReadIsOneProblem() throws IOException {
-    Files.write(folder.resolve("picture.x3d"), new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, 1, 2, 3});
-    scene(extern("Red", "\"picture.x3d#Red\"") + "<ProtoInstance name='Red'/>");
-    assertThat(problems.list()).hasSize(1);
-    assertThat(problems.list().get(0).toString())
-        .startsWith(
-            "test.x3d:2:1: the prototype Red cannot be had: url 'picture.x3d#Red' cannot be read (")
-        .endsWith("); its instances are left out");
-  }
-
-  @Test
-  void aDamagedLibraryIsToldOnceWithItsPlace() throws IOException {
-    Files.writeString(folder.resolve("bad.x3d"), text(RED).replace("</Scene>", "<Oops"));
-    scene(
-        extern("Red", "\"bad.x3d#Red\"")
-            + extern("Second", "\"bad.x3d#Red\"")
-            + """
-            <Shape><Appearance><ProtoInstance name='Red'/></Appearance></Shape>
-            <Shape><Appearance><ProtoInstance name='Second'/></Appearance></Shape>
-            """);
-    assertThat(problems.list()).hasSize(1);
-    assertThat(problems.list().get(0).location().file()).endsWith("bad.x3d");
-    assertThat(problems.list().get(0).location().line()).isEqualTo(5);
   }
 
   @Test
@@ -381,39 +203,5 @@ class ExternPrototypesTest {
     } finally {
       threads.shutdownNow();
     }
-  }
-
-  @Test
-  void prototypesOfOtherFilesThatMultiplyBeyondTheLimitAreLeftOut() throws IOException {
-    write("p0.x3d", "<ProtoDeclare name='P'><ProtoBody><Group/></ProtoBody></ProtoDeclare>");
-    for (int i = 1; i < 8; i++) {
-      write(
-          "p" + i + ".x3d",
-          extern("Q", "\"p" + (i - 1) + ".x3d#P\"")
-              + "<ProtoDeclare name='P'><ProtoBody><Group>"
-              + "<ProtoInstance name='Q'/>".repeat(10)
-              + "</Group></ProtoBody></ProtoDeclare>");
-    }
-    X3dFile file = scene(extern("P", "\"p7.x3d#P\"") + "<ProtoInstance name='P'/>");
-    assertTold(
-        "test.x3d:3:1: an instance of the prototype P makes more than what is left of the 10000"
-            + " nodes that a file may have; it is left out");
-    assertThat(file.nodes()).isEmpty();
-  }
-
-  @Test
-  void aPrototypeOfAnotherFileHidesALargeOneOfItsName() throws IOException {
-    String many = "<Group/>".repeat(200);
-    X3dFile file =
-        scene(
-            "<ProtoDeclare name='Red'><ProtoBody><Group>"
-                + many
-                + "</Group></ProtoBody></ProtoDeclare>\n<ProtoDeclare name='All'><ProtoBody>"
-                + extern("Red", "\"lib/lamps.x3d#Red\"")
-                + "<Group>"
-                + "<Shape><Appearance><ProtoInstance name='Red'/></Appearance></Shape>".repeat(100)
-                + "</Group></ProtoBody></ProtoDeclare>\n<ProtoInstance name='All'/>");
-    assertTold();
-    assertThat(file.nodes()).hasSize(1);
   }
 }

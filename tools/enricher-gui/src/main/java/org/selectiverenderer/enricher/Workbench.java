@@ -69,6 +69,7 @@ final class Workbench {
   private final JSplitPane left;
   private final JSplitPane right;
   private final JSplitPane all;
+  private final FormColumn column;
   private final NodeMenu menu;
   private final List<Runnable> disposals = new ArrayList<>();
 
@@ -119,6 +120,7 @@ final class Workbench {
     addTab("Plan", Texts.of("area.plan"), plan);
     addTab("Help", Texts.of("window.tab.help"), help);
     right = split(JSplitPane.HORIZONTAL_SPLIT, tabs, form, 1, "form");
+    column = new FormColumn(right, session);
     left = split(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right, 0, "tree");
     all = split(JSplitPane.VERTICAL_SPLIT, left, problems, 1, "problems");
     addMenus(makeVersions);
@@ -127,6 +129,7 @@ final class Workbench {
     disposals.add(tree::dispose);
     disposals.add(source::dispose);
     disposals.add(form::dispose);
+    disposals.add(column::dispose);
     disposals.add(help::dispose);
     disposals.add(plan::dispose);
     disposals.add(preview::dispose);
@@ -233,8 +236,7 @@ final class Workbench {
   void layOut(int width, int height) {
     left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
     int rest = width - left.getDividerLocation() - left.getDividerSize();
-    right.setDividerLocation(
-        Math.max(120, rest - settings.number("split.form", Math.min(375, rest / 2))));
+    column.layOut(rest, settings.number("split.form", Math.min(375, rest / 2)));
     schemas.setDividerLocation(settings.number("split.cost", Math.max(100, height / 2 - 60)));
     all.setDividerLocation(
         Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
@@ -244,7 +246,7 @@ final class Workbench {
   void remember() {
     settings.put("tab", views.get(tabs.getSelectedIndex()));
     settings.put("split.tree", left.getDividerLocation());
-    settings.put("split.form", right.getWidth() - right.getDividerLocation());
+    settings.put("split.form", column.width());
     settings.put("split.cost", schemas.getDividerLocation());
     settings.put("split.problems", all.getHeight() - all.getDividerLocation());
   }

@@ -6,7 +6,7 @@
  * selection), {@code task} (work in the background), {@code tree}, {@code source}, {@code form},
  * {@code preview}, {@code compare}, {@code cost}, {@code run}, {@code problems}, {@code help}, and
  * the dialogs {@code overview}, {@code ratings}, {@code versions} and {@code diff}; {@code
- * settings} remembers, {@code table} is shared.
+ * settings} remembers, {@code table} and {@code parts} are shared.
  *
  * <p>In: a scene's file, the author's hands. Out: edits of the document. Swing with FlatLaf,
  * MigLayout and, for the source, RSyntaxTextArea. Uses these, {@code document}, {@code validation},

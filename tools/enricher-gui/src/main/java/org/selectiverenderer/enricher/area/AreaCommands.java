@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.area;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.selectiverenderer.document.area.AreaBox;
@@ -13,7 +14,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** What makes new areas and Switches, from the menus, the keys and the views. */
 public final class AreaCommands {
-  private static final String SENSOR = "ProximitySensor";
+  /** What an area does not stand around: other areas, and the scene as a whole. */
+  private static final Set<String> NO_OBJECTS = Set.of("ProximitySensor", "X3D", "Scene");
 
   private final EnricherSession session;
   private final SceneProbe probe;
@@ -45,10 +47,11 @@ public final class AreaCommands {
 
   /**
    * Adds an area around what is selected, or around the room that the author looks from when
-   * nothing or an area is.
+   * nothing, an area or the scene as a whole is.
    */
   public void addAroundSelection() {
-    Optional<DocumentElement> around = selected().filter(element -> !element.name().equals(SENSOR));
+    Optional<DocumentElement> around =
+        selected().filter(element -> !NO_OBJECTS.contains(element.name()));
     Consumer<Optional<Bounds>> answer =
         bounds ->
             bounds.ifPresentOrElse(

@@ -1,26 +1,25 @@
 package org.selectiverenderer.enricher.cost;
 
 import java.awt.Component;
-import java.awt.event.MouseEvent;
+import java.awt.EventQueue;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JTable;
-import javax.swing.KeyStroke;
-import javax.swing.ListSelectionModel;
 import javax.swing.SwingConstants;
+import javax.swing.event.CellEditorListener;
+import javax.swing.event.ChangeEvent;
 import javax.swing.table.DefaultTableCellRenderer;
-import javax.swing.table.TableModel;
 import net.miginfocom.swing.MigLayout;
-import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.session.EnricherSession;
@@ -36,10 +35,10 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 public final class CostPanel extends JPanel {
   private static final long serialVersionUID = 1L;
 
-  /** In letters. */
-  private static final int SHORT_NAME = 8;
-
   private static final double HALF = 0.55;
+
+  /** Pixels that a scroll bar and its frame may take. */
+  private static final int SCROLLING = 20;
 
   private final transient EnricherSession session;
   private final transient BudgetPlace place;
@@ -48,13 +47,17 @@ public final class CostPanel extends JPanel {
   private final transient SelectionListener selecting = this::selected;
   private final StatesModel states = new StatesModel(this::limit);
   private final ObjectsModel objects = new ObjectsModel();
-  private final JTable statesTable = table(states, "cost.statesname");
-  private final JTable objectsTable = table(objects, "cost.objectsname");
+  private final CostTable statesTable = new CostTable(states, Texts.of("cost.statesname"));
+  private final CostTable objectsTable = new CostTable(objects, Texts.of("cost.objectsname"));
+  private final JSplitPane split;
   private final JLabel fixed = new JLabel(" ");
   private final JLabel file = new JLabel(" ");
   private transient List<CostRow> before = List.of();
   private transient Optional<CostRow> chosen = Optional.empty();
   private boolean following;
+
+  /** What was counted while the author writes a limit; shown when that is written. */
+  private transient Optional<List<CostRow>> waiting = Optional.empty();
 
   /**
    * @param settingsChanged hears that the settings file has other limits, or is another one
@@ -68,13 +71,20 @@ public final class CostPanel extends JPanel {
     getAccessibleContext().setAccessibleName(Texts.of("cost.name"));
     dressStates();
     dressObjects();
-    JSplitPane split =
+    split =
         new JSplitPane(
             JSplitPane.HORIZONTAL_SPLIT,
             true,
             new JScrollPane(statesTable),
             new JScrollPane(objectsTable));
     split.setResizeWeight(HALF);
+    split.addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            arrange();
+          }
+        });
     split.setBorder(null);
     split.getAccessibleContext().setAccessibleName(Texts.of("cost.border"));
     JButton choose = new JButton(Texts.of("cost.choose"));
@@ -95,75 +105,33 @@ public final class CostPanel extends JPanel {
     feed.now();
   }
 
-  private static JTable table(TableModel model, String name) {
-    JTable table = new WholeTexts(model);
-    table.getAccessibleContext().setAccessibleName(Texts.of(name));
-    table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-    table.getTableHeader().setReorderingAllowed(false);
-    table.setFillsViewportHeight(true);
-    table.setRowHeight(Math.round(table.getFontMetrics(table.getFont()).getHeight() * 1.4f));
-    for (String key : List.of("F8", "F6")) {
-      table
-          .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
-          .put(KeyStroke.getKeyStroke(key), "none"); // the window's
-    }
-    return table;
-  }
-
-  /**
-   * Tells in a tooltip what a narrow column cuts off; scrolls sideways where there is no room for
-   * the least widths of its columns.
-   */
-  private static final class WholeTexts extends JTable {
-    private static final long serialVersionUID = 1L;
-
-    WholeTexts(TableModel model) {
-      super(model);
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportWidth() {
-      return getParent() == null || getParent().getWidth() >= getMinimumSize().width;
-    }
-
-    @Override
-    public @Nullable String getToolTipText(MouseEvent event) {
-      String own = super.getToolTipText(event);
-      int row = rowAtPoint(event.getPoint());
-      int column = columnAtPoint(event.getPoint());
-      return own == null && row >= 0 && getValueAt(row, column) instanceof String text ? text : own;
-    }
-  }
-
-  /**
-   * @param letters negative for columns that do not get narrower; others get half as wide, but not
-   *     narrower than a short name
-   */
-  private static void widths(JTable table, int... letters) {
-    int letter = table.getFontMetrics(table.getFont()).charWidth('n');
-    for (int i = 0; i < letters.length; i++) {
-      int width = Math.abs(letters[i]) * letter;
-      table.getColumnModel().getColumn(i).setPreferredWidth(width);
-      int least = letters[i] < 0 ? width : Math.max(width / 2, SHORT_NAME * letter);
-      table.getColumnModel().getColumn(i).setMinWidth(least);
-    }
-  }
-
-  private static void right(JTable table, int... columns) {
-    for (int column : columns) {
-      DefaultTableCellRenderer right = new DefaultTableCellRenderer();
-      right.setHorizontalAlignment(SwingConstants.TRAILING);
-      table.getColumnModel().getColumn(column).setCellRenderer(right);
+  /** Puts the tables one above the other where there is no room for both side by side. */
+  private void arrange() {
+    int borders = split.getDividerSize() + 2 * SCROLLING;
+    boolean wide =
+        split.getWidth()
+            >= statesTable.getMinimumSize().width + objectsTable.getMinimumSize().width + borders;
+    int wanted = wide ? JSplitPane.HORIZONTAL_SPLIT : JSplitPane.VERTICAL_SPLIT;
+    if (split.getOrientation() != wanted) {
+      split.setOrientation(wanted);
+      split.setDividerLocation(HALF);
     }
   }
 
   private void dressStates() {
-    widths(statesTable, -9, -16, -9, -7, -9, -17);
-    right(statesTable, StatesModel.POLYGONS, StatesModel.PERCENT);
+    statesTable
+        .column(StatesModel.SCOPE, 9, 8)
+        .column(StatesModel.STATE, 20, 14)
+        .numbers(StatesModel.POLYGONS, 9, 8)
+        .numbers(StatesModel.PERCENT, 7, 7)
+        .column(StatesModel.LIMIT, 9, 7)
+        .column(StatesModel.BAR, 17, 11);
     LimitCell limits = new LimitCell();
     limits.setHorizontalAlignment(SwingConstants.TRAILING);
     statesTable.getColumnModel().getColumn(StatesModel.LIMIT).setCellRenderer(limits);
-    statesTable.getColumnModel().getColumn(StatesModel.LIMIT).setCellEditor(new LimitEditor());
+    LimitEditor editor = new LimitEditor();
+    editor.addCellEditorListener(new Written());
+    statesTable.getColumnModel().getColumn(StatesModel.LIMIT).setCellEditor(editor);
     statesTable.getColumnModel().getColumn(StatesModel.BAR).setCellRenderer(new BudgetBar());
     statesTable.putClientProperty("terminateEditOnFocusLost", true);
     statesTable
@@ -194,8 +162,12 @@ public final class CostPanel extends JPanel {
   }
 
   private void dressObjects() {
-    widths(objectsTable, -18, -8, -7, -8, -14);
-    right(objectsTable, ObjectsModel.POLYGONS, ObjectsModel.POLYGONS + 1);
+    objectsTable
+        .column(ObjectsModel.OBJECT, 18, 11)
+        .numbers(ObjectsModel.POLYGONS, 8, 8)
+        .numbers(ObjectsModel.PERCENT, 7, 6)
+        .column(ObjectsModel.SHOWN, 8, 8)
+        .column(ObjectsModel.VERSIONS, 14, 9);
     objectsTable
         .getSelectionModel()
         .addListSelectionListener(
@@ -249,9 +221,34 @@ public final class CostPanel extends JPanel {
     tellFile(found.fault());
   }
 
+  /** Shows what was counted, when the author writes no limit any more. */
+  private final class Written implements CellEditorListener {
+    @Override
+    public void editingStopped(ChangeEvent event) {
+      EventQueue.invokeLater(this::showWaiting); // when the table has taken the limit over
+    }
+
+    @Override
+    public void editingCanceled(ChangeEvent event) {
+      EventQueue.invokeLater(this::showWaiting);
+    }
+
+    private void showWaiting() {
+      Optional<List<CostRow>> rows = waiting;
+      waiting = Optional.empty();
+      rows.ifPresent(CostPanel.this::show);
+    }
+  }
+
+  /** Whether a count is kept back until the author has written a limit. */
+  boolean waits() {
+    return waiting.isPresent();
+  }
+
   private void show(List<CostRow> rows) {
     if (statesTable.isEditing()) {
-      statesTable.getCellEditor().cancelCellEditing();
+      waiting = Optional.of(rows);
+      return;
     }
     states.rows(rows);
     warn(rows);

@@ -14,8 +14,9 @@ import org.selectiverenderer.polygon.count.StateShares.ObjectShare;
 final class ObjectsModel extends RowTableModel<ObjectShare> {
   static final int OBJECT = 0;
   static final int POLYGONS = 1;
-  private static final int PERCENT = 2;
-  private static final int SHOWN = 3;
+  static final int PERCENT = 2;
+  static final int SHOWN = 3;
+  static final int VERSIONS = 4;
   private static final long serialVersionUID = 1L;
 
   private long all;

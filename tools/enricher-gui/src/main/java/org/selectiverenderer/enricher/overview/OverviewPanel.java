@@ -13,6 +13,7 @@ import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.EditRefused;
+import org.selectiverenderer.enricher.parts.WrappingLines;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Letters;
@@ -40,19 +41,20 @@ public final class OverviewPanel extends JPanel {
   private boolean stale;
 
   public OverviewPanel(EnricherSession session) {
-    super(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][grow,fill][][]"));
+    super(new MigLayout("insets dialog, fill", "[grow,fill]", "[][][][grow,fill][][][]"));
     this.session = session;
     this.model = new OverviewTableModel(session.enrichment(), this::make);
     this.table = new SchemaTable(model);
     this.findings = new SchemaFindings(e -> session.select(e, this), this::make);
     OverviewActions actions =
         new OverviewActions(table, model, new MetadataClipboard(session), this::say);
-    add(tools(), "wrap");
-    add(cellTools(actions), "wrap");
-    add(table.scrolling(), "grow, wrap");
-    add(findings, "grow, hidemode 3, wrap");
-    add(status, "split 2, growx, wmin 0");
-    add(legend(), "growx 0");
+    add(filters(), "wmin 0, wrap");
+    add(schemaTools(), "wmin 0, wrap");
+    add(cellTools(actions), "wmin 0, wrap");
+    add(table.scrolling(), "grow, wmin 0, wrap");
+    add(findings, "grow, wmin 0, hidemode 3, wrap");
+    add(status, "wmin 0, wrap");
+    add(legend(), "wmin 0");
     status.getAccessibleContext().setAccessibleName(Texts.of("overview.result"));
     table
         .getSelectionModel()
@@ -76,7 +78,7 @@ public final class OverviewPanel extends JPanel {
     selected(session.selection(), session);
   }
 
-  private JPanel tools() {
+  private JPanel filters() {
     JPanel tools = new JPanel(new MigLayout("insets 0", "[][grow][]"));
     JLabel filter = Letters.label("overview.filter");
     filter.setLabelFor(name);
@@ -88,9 +90,21 @@ public final class OverviewPanel extends JPanel {
     which.addActionListener(e -> filter());
     tools.add(filter);
     tools.add(name, "growx, wmin 60");
-    tools.add(which, "wrap");
+    tools.add(which, "wmin 60");
+    return tools;
+  }
+
+  /** In as many lines as a narrow window makes of it. */
+  private static JPanel lines() {
+    JPanel lines = new JPanel();
+    WrappingLines.in(lines, 4, 1);
+    return lines;
+  }
+
+  private JPanel schemaTools() {
+    JPanel tools = lines();
     SchemaNaming naming = new SchemaNaming(this);
-    tools.add(new JLabel(Texts.of("overview.schema")), "span, split 4");
+    tools.add(new JLabel(Texts.of("overview.schema")));
     tools.add(button("overview.add", () -> addSchema(naming)));
     tools.add(button("overview.rename", () -> rename(naming)));
     tools.add(button("overview.remove", this::remove));
@@ -98,21 +112,24 @@ public final class OverviewPanel extends JPanel {
   }
 
   private static JPanel cellTools(OverviewActions actions) {
-    JPanel tools = new JPanel(new MigLayout("insets 0"));
-    tools.add(new JLabel(Texts.of("overview.cells")));
-    tools.add(button(actions.high, Texts.of("overview.high.tip")));
-    tools.add(button(actions.low, Texts.of("overview.low.tip")));
-    tools.add(button(actions.clear, Texts.of("overview.clear.tip")));
-    tools.add(new JLabel(Texts.of("overview.keys")), "wmin 0, wrap");
+    JPanel tools = new JPanel(new MigLayout("insets 0, wrap 1, gapy 2", "[grow,fill]"));
+    JPanel buttons = lines();
+    buttons.add(new JLabel(Texts.of("overview.cells")));
+    buttons.add(button(actions.high, Texts.of("overview.high.tip")));
+    buttons.add(button(actions.low, Texts.of("overview.low.tip")));
+    buttons.add(button(actions.clear, Texts.of("overview.clear.tip")));
+    buttons.add(new JLabel(Texts.of("overview.keys")));
+    tools.add(buttons, "wmin 0");
     JLabel names = new JLabel(Texts.of("terms.table"));
     names.putClientProperty("FlatLaf.styleClass", "small");
     names.setEnabled(false);
-    tools.add(names, "span, wmin 0");
+    names.setToolTipText(names.getText());
+    tools.add(names, "wmin 0");
     return tools;
   }
 
   private static JPanel legend() {
-    JPanel legend = new JPanel(new MigLayout("insets 0"));
+    JPanel legend = lines();
     legend.add(new JLabel(Texts.of("overview.legend")));
     for (ConsistencySign sign : ConsistencySign.values()) {
       JLabel label = new JLabel(sign.words(), sign.icon(), JLabel.LEADING);

@@ -256,12 +256,26 @@ final class PlanHands extends MouseAdapter {
         : AreaBox.of(now);
   }
 
-  /** Makes an area of a rectangle, from the floor to the ceiling there. */
+  /**
+   * Makes an area of a rectangle, from the floor to the ceiling there. The rectangle is seen until
+   * the author has given a name, or thought better of it.
+   */
   void draw(Bounds rectangle) {
     if (rectangle.width() >= PlanDrag.LEAST && rectangle.depth() >= PlanDrag.LEAST) {
+      view.drawing(rectangle, null);
       commands
           .probe()
-          .raised(rectangle, found -> found.ifPresent(bounds -> commands.add(AreaBox.of(bounds))));
+          .raised(
+              rectangle,
+              found -> {
+                try {
+                  found.ifPresent(bounds -> commands.add(AreaBox.of(bounds)));
+                } finally {
+                  if (view.drawing().equals(Optional.of(rectangle))) {
+                    view.drawing(null, null); // Else another one is drawn already.
+                  }
+                }
+              });
     }
   }
 

@@ -2,7 +2,6 @@ package org.selectiverenderer.enricher.plan;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -15,22 +14,19 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import javax.accessibility.Accessible;
-import javax.accessibility.AccessibleContext;
-import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import javax.swing.UIManager;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.enricher.area.PlanPicture;
+import org.selectiverenderer.enricher.parts.PaintedComponent;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** Paints the plan: what is under the cut, walls, areas, and what is being drawn. */
-final class PlanView extends JComponent implements Accessible {
+final class PlanView extends PaintedComponent {
   private static final long serialVersionUID = 1L;
   private static final Color PAPER = new Color(0xf4f2ee);
   private static final Color WALL = new Color(0x303030);
@@ -51,14 +47,10 @@ final class PlanView extends JComponent implements Accessible {
   private double grid;
 
   PlanView(Supplier<List<PlacedArea>> areas, Supplier<Optional<DocumentElement>> selection) {
+    super(Texts.of("area.plan"));
     this.areas = areas;
     this.selection = selection;
-    setFocusable(true);
-    setOpaque(true);
-    setPreferredSize(new Dimension(480, 360));
-    setMinimumSize(new Dimension(80, 60));
     setName("Plan");
-    getAccessibleContext().setAccessibleName(Texts.of("area.plan"));
   }
 
   void show(PlanPicture of) {
@@ -298,22 +290,5 @@ final class PlanView extends JComponent implements Accessible {
     g.fillRoundRect(left, top, width, metrics.getHeight() + 2, 4, 4);
     g.setColor(Color.WHITE);
     g.drawString(text, left + 4, top + 1 + metrics.getAscent());
-  }
-
-  @Override
-  public AccessibleContext getAccessibleContext() {
-    if (accessibleContext == null) {
-      accessibleContext = new Picture();
-    }
-    return accessibleContext;
-  }
-
-  private final class Picture extends AccessibleJComponent {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    public AccessibleRole getAccessibleRole() {
-      return AccessibleRole.CANVAS;
-    }
   }
 }

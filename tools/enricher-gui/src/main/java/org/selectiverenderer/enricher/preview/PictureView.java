@@ -2,7 +2,6 @@ package org.selectiverenderer.enricher.preview;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -14,21 +13,18 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import javax.accessibility.Accessible;
-import javax.accessibility.AccessibleContext;
-import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.enricher.compare.CompareView;
+import org.selectiverenderer.enricher.parts.PaintedComponent;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
  * Shows frames with their labels and a few lines about them. The picture has the pixels of the
  * screen; positions of this component are turned into them by {@link #toPixels}.
  */
-final class PictureView extends JComponent implements Accessible {
+final class PictureView extends PaintedComponent {
   private static final long serialVersionUID = 1L;
   private static final Color PAPER = new Color(0, 0, 0, 150);
   private static final Color PAPER_SELECTED = new Color(150, 80, 0, 200);
@@ -47,11 +43,7 @@ final class PictureView extends JComponent implements Accessible {
   private final transient CompareView comparison = new CompareView();
 
   PictureView() {
-    setFocusable(true);
-    setOpaque(true);
-    setPreferredSize(new Dimension(480, 360));
-    setMinimumSize(new Dimension(80, 60));
-    getAccessibleContext().setAccessibleName(Texts.of("preview.picture"));
+    super(Texts.of("preview.picture"));
   }
 
   void show(PreviewFrame newFrame) {
@@ -231,23 +223,6 @@ final class PictureView extends JComponent implements Accessible {
     for (int i = 0; i < lines.size(); i++) {
       g.drawString(
           lines.get(i), 2 * PAD, top + PAD / 2 + metrics.getAscent() + i * metrics.getHeight());
-    }
-  }
-
-  @Override
-  public AccessibleContext getAccessibleContext() {
-    if (accessibleContext == null) {
-      accessibleContext = new Picture();
-    }
-    return accessibleContext;
-  }
-
-  private final class Picture extends AccessibleJComponent {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    public AccessibleRole getAccessibleRole() {
-      return AccessibleRole.CANVAS;
     }
   }
 }

@@ -3,7 +3,6 @@ package org.selectiverenderer.enricher.preview;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.enricher.compare.CompareMode;
@@ -207,15 +206,15 @@ final class PreviewStage implements AutoCloseable {
    * Says what an author means by a click on a pixel.
    *
    * @param innermost for the nearest element in any case
-   * @param meant hears the element's anchor and the revision that it belongs to, on this thread
+   * @return the element's anchor and the revision that it belongs to; empty where nothing is
    */
-  void pick(int x, int y, boolean innermost, Consumer<Picked> meant) {
+  Optional<Picked> pick(int x, int y, boolean innermost) {
     PreviewScene of = scene;
-    if (of != null) {
-      cast(x, y)
-          .flatMap(hit -> of.nodes().meant(hit.shape(), innermost))
-          .ifPresent(node -> meant.accept(new Picked(of.nodes().anchor(node), of.revision())));
-    }
+    return of == null
+        ? Optional.empty()
+        : cast(x, y)
+            .flatMap(hit -> of.nodes().meant(hit.shape(), innermost))
+            .map(node -> new Picked(of.nodes().anchor(node), of.revision()));
   }
 
   /** An element that was clicked on, in the text of a revision. */

@@ -1,69 +1,16 @@
 package org.selectiverenderer.enricher.preview;
 
-import java.awt.Component;
-import java.awt.Container;
-import java.awt.Dimension;
-import java.awt.FlowLayout;
-import java.awt.Insets;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import javax.swing.JToolBar;
+import org.selectiverenderer.enricher.parts.WrappingLines;
 
 /** A tool bar whose buttons go on in another line where one has no room for all of them. */
-final class WrappingBar extends JToolBar {
+class WrappingBar extends JToolBar {
   private static final long serialVersionUID = 1L;
 
   WrappingBar(String name) {
     super(name);
     setFloatable(false);
-    setLayout(new Lines());
+    WrappingLines.in(this, 2, 1);
     getAccessibleContext().setAccessibleName(name);
-    addComponentListener(
-        new ComponentAdapter() {
-          @Override
-          public void componentResized(ComponentEvent event) {
-            revalidate(); // Its height depends on the width that it has been given.
-          }
-        });
-  }
-
-  private static final class Lines extends FlowLayout {
-    private static final long serialVersionUID = 1L;
-
-    Lines() {
-      super(FlowLayout.LEADING, 2, 1);
-    }
-
-    @Override
-    public Dimension minimumLayoutSize(Container bar) {
-      return new Dimension(1, preferredLayoutSize(bar).height);
-    }
-
-    @Override
-    public Dimension preferredLayoutSize(Container bar) {
-      Insets insets = bar.getInsets();
-      int given = bar.getWidth() - insets.left - insets.right - 2 * getHgap();
-      int most = given > 0 ? given : Integer.MAX_VALUE;
-      int x = 0;
-      int widest = 0;
-      int line = 0;
-      int height = 0;
-      for (Component each : bar.getComponents()) {
-        if (each.isVisible()) {
-          Dimension size = each.getPreferredSize();
-          if (x > 0 && x + getHgap() + size.width > most) {
-            height += line + getVgap();
-            x = 0;
-            line = 0;
-          }
-          x += (x > 0 ? getHgap() : 0) + size.width;
-          widest = Math.max(widest, x);
-          line = Math.max(line, size.height);
-        }
-      }
-      return new Dimension(
-          widest + insets.left + insets.right + 2 * getHgap(),
-          height + line + insets.top + insets.bottom + 2 * getVgap());
-    }
   }
 }

@@ -25,9 +25,9 @@
  * PreviewThread}, which is told what to do and answers with {@code PreviewFrame}s; files are read
  * by {@code SceneFeed}'s thread.
  *
- * <p>Uses {@code enricher.session}, {@code enricher.compare}, {@code document}, {@code app.walk},
- * {@code control}, {@code runtime} with its renderer but not JOGL, {@code schema}, {@code
- * geometry}, {@code x3d} and {@code base.problem}.
+ * <p>Uses {@code enricher.parts}, {@code enricher.session}, {@code enricher.compare}, {@code
+ * document}, {@code app.walk}, {@code control}, {@code runtime} with its renderer but not JOGL,
+ * {@code schema}, {@code geometry}, {@code x3d} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.preview;

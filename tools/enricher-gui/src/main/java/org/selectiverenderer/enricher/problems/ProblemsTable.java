@@ -5,6 +5,7 @@ import java.awt.Component;
 import java.awt.event.MouseEvent;
 import javax.swing.JTable;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem.Severity;
@@ -22,11 +23,32 @@ final class ProblemsTable extends JTable {
     getTableHeader().setReorderingAllowed(false);
     TableColumn severity = getColumnModel().getColumn(ProblemsTableModel.SEVERITY);
     severity.setCellRenderer(new SeverityRenderer());
-    width(ProblemsTableModel.SEVERITY, 105);
     width(ProblemsTableModel.MESSAGE, 640);
     width(ProblemsTableModel.PLACE, 280);
     width(ProblemsTableModel.FIX, 140);
-    severity.setMaxWidth(UIScale.scale(140));
+    severityWidth();
+    addPropertyChangeListener("font", event -> severityWidth());
+  }
+
+  /** As wide as the longest word of the language, and no wider. */
+  private void severityWidth() {
+    TableColumn column = getColumnModel().getColumn(ProblemsTableModel.SEVERITY);
+    TableCellRenderer cells = column.getCellRenderer();
+    TableCellRenderer head = getTableHeader().getDefaultRenderer();
+    int width = width(head, column.getHeaderValue());
+    for (Severity each : Severity.values()) {
+      width = Math.max(width, width(cells, each));
+    }
+    column.setMinWidth(width);
+    column.setMaxWidth(width);
+    column.setPreferredWidth(width);
+  }
+
+  private int width(TableCellRenderer renderer, Object value) {
+    Component cell =
+        renderer.getTableCellRendererComponent(
+            this, value, false, false, 0, ProblemsTableModel.SEVERITY);
+    return cell.getPreferredSize().width + 2 * getColumnModel().getColumnMargin();
   }
 
   private void width(int column, int pixels) {

@@ -13,7 +13,6 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.runtime.viewer.Pose;
-import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.source.XmlFault;
 
@@ -60,10 +59,10 @@ record RunScene(Path file, boolean copy, Optional<String> viewpoint) {
   private static List<TextChange> viewpoint(Snapshot snapshot, Pose pose) {
     List<TextChange> changes = new ArrayList<>();
     try {
-      DocumentElement root = snapshot.elements().root();
-      root.children().stream()
-          .filter(child -> child.name().equals("Scene") && !child.children().isEmpty())
-          .findFirst()
+      snapshot
+          .elements()
+          .scene()
+          .filter(scene -> !scene.children().isEmpty())
           .ifPresent(
               scene -> {
                 int at = scene.children().get(0).start();

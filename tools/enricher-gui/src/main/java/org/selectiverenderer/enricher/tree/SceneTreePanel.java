@@ -24,6 +24,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementTree;
 
 /** The left side of the window: search, what to show, and the tree. */
 public final class SceneTreePanel {
@@ -215,10 +216,11 @@ public final class SceneTreePanel {
   private void expandTop() {
     Object root = model.getRoot();
     tree.expandPath(new TreePath(root));
-    if (!model.flat() && root instanceof DocumentElement element) {
-      element.children().stream()
-          .filter(child -> child.name().equals("Scene"))
-          .findFirst()
+    if (!model.flat() && root instanceof DocumentElement) {
+      session
+          .document()
+          .tree()
+          .flatMap(ElementTree::scene)
           .flatMap(model::path)
           .ifPresent(tree::expandPath);
     }

@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.cost;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.EventQueue;
+import java.awt.Point;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +13,7 @@ import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JTable;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -201,6 +203,59 @@ class CostPanelTest {
           .as("scrolls: " + name)
           .isTrue();
     }
+  }
+
+  @Test
+  void tablesStandOneAboveTheOtherBeforeAnythingHasToScrollSideways() throws IOException {
+    show();
+    Hands.onEdt(
+        () -> {
+          frame.setSize(640, 400);
+          frame.validate();
+          return true;
+        });
+    JTable states = table("Polygons by area and schemas");
+    JTable objects = table("Polygons by object");
+    hands.await("the other order", () -> below(states, objects));
+    for (JTable table : List.of(states, objects)) {
+      assertThat(Hands.onEdt(() -> table.getWidth() <= table.getParent().getWidth())).isTrue();
+    }
+    Hands.onEdt(
+        () -> {
+          frame.setSize(1100, 300);
+          frame.validate();
+          return true;
+        });
+    hands.await("side by side", () -> !below(states, objects));
+  }
+
+  private boolean below(JTable states, JTable objects) {
+    Point other = SwingUtilities.convertPoint(objects.getParent(), 0, 0, panel);
+    Point first = SwingUtilities.convertPoint(states.getParent(), 0, 0, panel);
+    return other.y > first.y;
+  }
+
+  @Test
+  void aCountThatArrivesLeavesTheLimitThatIsBeingWritten() throws IOException {
+    EnricherSession session = show();
+    JTable states = table("Polygons by area and schemas");
+    describe(session, 0);
+    hands.await("the state", () -> deskRow(states) >= 0);
+    Hands.onEdt(
+        () -> {
+          states.editCellAt(deskRow(states), StatesModel.LIMIT);
+          ((JTextField) states.getEditorComponent()).setText("7");
+          return true;
+        });
+    describe(session, 1);
+    hands.await("another count", () -> panel.waits());
+    assertThat(Hands.onEdt(() -> ((JTextField) states.getEditorComponent()).getText()))
+        .isEqualTo("7");
+    Hands.onEdt(() -> states.getCellEditor().stopCellEditing());
+    hands.await(
+        "the limit", () -> "7".equals(states.getValueAt(deskRow(states), StatesModel.LIMIT)));
+    assertThat(Hands.onEdt(() -> panel.waits())).isFalse();
+    assertThat(column(states, StatesModel.POLYGONS)).contains("24");
   }
 
   @Test

@@ -8,6 +8,7 @@ import java.awt.datatransfer.Clipboard;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -45,13 +46,17 @@ class NodeMenuTest {
     edt(
         () -> {
           session.select(named(def), this);
-          Stream.of(filled().getComponents())
-              .filter(each -> item.equals(each.getName()))
-              .map(JMenuItem.class::cast)
-              .findFirst()
-              .orElseThrow()
-              .doClick();
+          item(item).doClick();
         });
+  }
+
+  /** Of the menu of what is selected now. */
+  private JMenuItem item(String id) {
+    return Stream.of(filled().getComponents())
+        .filter(each -> id.equals(each.getName()))
+        .map(JMenuItem.class::cast)
+        .findFirst()
+        .orElseThrow();
   }
 
   private JPopupMenu filled() {
@@ -120,29 +125,42 @@ class NodeMenuTest {
     }
     assertThat(text()).isEqualTo(before);
     edt(() -> session.select(named("A"), this));
-    JMenuItem rename =
-        get(
-            () ->
-                Stream.of(filled().getComponents())
-                    .filter(each -> "renameNode".equals(each.getName()))
-                    .map(JMenuItem.class::cast)
-                    .findFirst()
-                    .orElseThrow());
+    JMenuItem rename = get(() -> item("renameNode"));
     assertThat(rename.getText()).isEqualTo("Rename Node...");
     assertThat(rename.getMnemonic()).isEqualTo(KeyEvent.VK_N);
     edt(() -> session.select(session.document().tree().orElseThrow().root(), this));
     assertThat(enabled()).containsExactly("copyNode", "pasteNode", "addArea");
   }
 
+  @Test
+  void anAreaForTheSceneAsAWholeStandsInTheRoom() throws IOException {
+    open();
+    NoScene probe = new NoScene();
+    edt(
+        () -> {
+          NameQuestion question = (title, proposal, complaint) -> Optional.of(proposal);
+          menu.add(new AreaCommands(session, probe, question).commands(() -> {}));
+          session.select(session.document().tree().orElseThrow().scene().orElseThrow(), this);
+          item("addArea").doClick();
+        });
+    assertThat(probe.asked).containsExactly("room");
+    choose("A", "addArea");
+    assertThat(probe.asked).containsExactly("room", "around Group A");
+  }
+
   /** Where no preview runs. */
   private static final class NoScene implements SceneProbe {
+    final List<String> asked = new ArrayList<>();
+
     @Override
     public void around(DocumentElement element, Consumer<Optional<Bounds>> answer) {
+      asked.add("around " + element);
       answer.accept(Optional.empty());
     }
 
     @Override
     public void room(Consumer<Optional<Bounds>> answer) {
+      asked.add("room");
       answer.accept(Optional.empty());
     }
 

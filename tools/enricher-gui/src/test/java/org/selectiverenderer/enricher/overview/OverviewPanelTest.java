@@ -2,18 +2,25 @@ package org.selectiverenderer.enricher.overview;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JFrame;
+import javax.swing.JRootPane;
 import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.enricher.driving.Hands;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.testing.ShowsWindows;
 
 /** The table is filled with keys only. */
@@ -51,6 +58,29 @@ class OverviewPanelTest {
           javax.swing.SwingUtilities.getWindowAncestor(table).dispose();
           return true;
         });
+  }
+
+  @Test
+  void inANarrowWindowNothingIsCutOff() throws IOException {
+    Sessions.theme(false);
+    JTable table = shown(Sessions.with(folder, AREA + Sessions.object("Sink")));
+    JRootPane root = SwingUtilities.getRootPane(table);
+    Hands.onEdt(
+        () -> {
+          SwingUtilities.getWindowAncestor(table).setSize(360, 640);
+          return true;
+        });
+    List<JButton> buttons =
+        Stream.of(Texts.of("overview.remove.name"), Texts.of("overview.clear"))
+            .map(name -> Hands.named(root.getContentPane(), name, JButton.class))
+            .toList();
+    hands.await("narrow lines", () -> buttons.stream().allMatch(each -> inside(each, root)));
+    close(table);
+  }
+
+  private static boolean inside(JButton button, JRootPane root) {
+    Rectangle place = SwingUtilities.convertRectangle(button.getParent(), button.getBounds(), root);
+    return root.getWidth() < 400 && root.getBounds().contains(place);
   }
 
   @Test

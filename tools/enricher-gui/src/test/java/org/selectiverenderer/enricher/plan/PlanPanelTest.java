@@ -1,12 +1,15 @@
 package org.selectiverenderer.enricher.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Component;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
@@ -63,9 +66,16 @@ class PlanPanelTest {
   private PlanPanel panel;
   private PlanView view;
 
+  /** What is drawn while a name is asked for. */
+  private final List<Optional<Bounds>> whileAsked = new ArrayList<>();
+
   private void open(String nodes) throws Exception {
     session = Sessions.with(folder, nodes);
-    NameQuestion question = (title, proposal, complaint) -> Optional.of(proposal);
+    NameQuestion question =
+        (title, proposal, complaint) -> {
+          whileAsked.add(view.drawing());
+          return Optional.of(proposal);
+        };
     GridSetting grid = new GridSetting(new EnricherSettings(folder));
     Swing.edt(
         () -> {
@@ -145,6 +155,21 @@ class PlanPanelTest {
           mouse(MouseEvent.MOUSE_RELEASED, -1, 0);
           assertThat(session.document().history().names())
               .containsExactly("Add the area Area", "Move Area", "Resize Area");
+        });
+  }
+
+  @Test
+  void whatWasDrawnIsSeenWhileItsNameIsAskedForAndNoLonger() throws Exception {
+    open("<Group/>\n");
+    Swing.edt(
+        () -> {
+          drag(-1, -2, 1, 1);
+          mouse(MouseEvent.MOUSE_RELEASED, 1, 1);
+          assertThat(whileAsked)
+              .singleElement()
+              .satisfies(
+                  drawn -> assertThat(drawn.orElseThrow().width()).isCloseTo(2, within(0.01)));
+          assertThat(view.drawing()).isEmpty();
         });
   }
 

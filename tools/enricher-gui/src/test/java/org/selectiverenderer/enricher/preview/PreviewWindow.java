@@ -83,10 +83,15 @@ final class PreviewWindow implements AutoCloseable {
 
   /** Clicks at a place of the picture, in its pixels. */
   void click(int x, int y) {
+    click(x, y, InputEvent.BUTTON1_DOWN_MASK);
+  }
+
+  /** The same with a button of the mouse. */
+  void click(int x, int y, int button) {
     Point origin = get(() -> panel.view().getLocationOnScreen());
     robot.mouseMove(origin.x + x, origin.y + y);
-    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    robot.mousePress(button);
+    robot.mouseRelease(button);
     settle();
   }
 

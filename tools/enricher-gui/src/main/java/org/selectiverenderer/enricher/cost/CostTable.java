@@ -1,0 +1,71 @@
+package org.selectiverenderer.enricher.cost;
+
+import java.awt.event.MouseEvent;
+import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.SwingConstants;
+import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableColumn;
+import javax.swing.table.TableModel;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A table of costs. It tells in a tooltip what a narrow column cuts off, and scrolls sideways only
+ * where there is no room for the least widths of its columns.
+ */
+final class CostTable extends JTable {
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * @param name for a screen reader
+   */
+  CostTable(TableModel model, String name) {
+    super(model);
+    getAccessibleContext().setAccessibleName(name);
+    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    getTableHeader().setReorderingAllowed(false);
+    setFillsViewportHeight(true);
+    setRowHeight(Math.round(getFontMetrics(getFont()).getHeight() * 1.4f));
+    for (String key : List.of("F8", "F6")) {
+      getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+          .put(KeyStroke.getKeyStroke(key), "none"); // the window's
+    }
+  }
+
+  /**
+   * Says how wide a column is.
+   *
+   * @param letters that it would like to show, and shows at least
+   */
+  CostTable column(int index, int letters, int least) {
+    int letter = getFontMetrics(getFont()).charWidth('n');
+    TableColumn column = getColumnModel().getColumn(index);
+    column.setPreferredWidth(letters * letter);
+    column.setMinWidth(least * letter);
+    return this;
+  }
+
+  /** The same for a column of numbers. */
+  CostTable numbers(int index, int letters, int least) {
+    DefaultTableCellRenderer right = new DefaultTableCellRenderer();
+    right.setHorizontalAlignment(SwingConstants.TRAILING);
+    getColumnModel().getColumn(index).setCellRenderer(right);
+    return column(index, letters, least);
+  }
+
+  @Override
+  public boolean getScrollableTracksViewportWidth() {
+    return getParent() == null || getParent().getWidth() >= getMinimumSize().width;
+  }
+
+  @Override
+  public @Nullable String getToolTipText(MouseEvent event) {
+    String own = super.getToolTipText(event);
+    int row = rowAtPoint(event.getPoint());
+    int column = columnAtPoint(event.getPoint());
+    return own == null && row >= 0 && getValueAt(row, column) instanceof String text ? text : own;
+  }
+}

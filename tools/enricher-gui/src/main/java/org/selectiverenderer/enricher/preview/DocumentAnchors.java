@@ -1,0 +1,54 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.document.SceneDocument;
+import org.selectiverenderer.x3d.source.DocumentElement;
+
+/** Finds elements of the document in the running scene, and the other way round. */
+final class DocumentAnchors {
+  private final SceneDocument document;
+
+  DocumentAnchors(SceneDocument document) {
+    this.document = document;
+  }
+
+  /** What stands for the scene as a whole; empty while the text is not well formed. */
+  Optional<DocumentElement> scene() {
+    return document.tree().map(tree -> tree.scene().orElse(tree.root()));
+  }
+
+  /** Of an element and those around it, the nearest first. */
+  List<Anchor> of(DocumentElement element) {
+    List<Anchor> anchors = new ArrayList<>();
+    Optional<DocumentElement> at = Optional.of(element).filter(DocumentElement::attached);
+    while (at.isPresent()) {
+      DocumentElement around = at.get();
+      Location place = document.location(around.start());
+      anchors.add(
+          new Anchor(
+              around.def().isPresent() ? around.def() : around.use(),
+              place.line(),
+              place.column()));
+      at = around.parent();
+    }
+    return anchors;
+  }
+
+  /** By its name, or by its place while the text is still the one that was loaded. */
+  Optional<DocumentElement> element(PreviewStage.Picked picked) {
+    Anchor anchor = picked.anchor();
+    return document
+        .tree()
+        .flatMap(
+            tree -> {
+              Optional<DocumentElement> named = anchor.def().flatMap(tree::named);
+              boolean sameText = document.revision() == picked.revision();
+              return named.isPresent() || !sameText
+                  ? named
+                  : tree.at(document.offset(anchor.line(), anchor.column()));
+            });
+  }
+}
