@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Locale;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.runtime.render.draw.Visible;
 import org.selectiverenderer.testing.RequiresDisplay;
 
 /** Small lit shapes that differ in nothing but their diffuse colours. */
@@ -68,5 +70,35 @@ class DiffuseBatchTest {
       assertThat(List.of(at(shot, -2, 0), at(shot, 0, 0), at(shot, 2, 0)))
           .containsExactly(0xffff00, 0x00ff00, 0x0000ff);
     }
+  }
+
+  @Test
+  void areDrawnTogetherHoweverFinelyTheyAreDividedForTheirLight() {
+    StringBuilder scene = new StringBuilder();
+    for (int i = 0; i < 8; i++) {
+      scene.append(octahedron(2 * (i % 4) - 3, 2 * (i / 4) - 1, 0.1 * i));
+    }
+    try (Studio studio = new Studio(Shading.VERTEX)) {
+      Screenshot shot =
+          studio.shoot(TestScene.of(scene.toString()), Studio.parallel(), Backdrop.BLACK, true, 0);
+      Visible seen = studio.renderer.cull(List.of(Studio.parallel()));
+      assertThat(seen.shapes()).isEqualTo(8);
+      assertThat(seen.calls()).as("2,000 triangles at their finest, 64 from afar").isEqualTo(1);
+      assertThat(at(shot, -3, -1) & 0xff).isPositive().isLessThan(at(shot, 3, 1) & 0xff);
+    }
+  }
+
+  /** Round in its normals, shining, with a share of blue. */
+  private static String octahedron(double x, double y, double blue) {
+    return String.format(
+        Locale.ROOT,
+        "<Transform translation='%f %f 0'><Shape><Appearance><Material diffuseColor='.5 .5 %f'"
+            + " ambientIntensity='0' specularColor='.2 .2 .2' shininess='.8'/></Appearance>"
+            + "<IndexedFaceSet creaseAngle='3.2' coordIndex='0 2 4 -1 2 1 4 -1 1 3 4 -1 3 0 4 -1"
+            + " 2 0 5 -1 1 2 5 -1 3 1 5 -1 0 3 5 -1'><Coordinate point='.5 0 0 -.5 0 0 0 .5 0"
+            + " 0 -.5 0 0 0 .5 0 0 -.5'/></IndexedFaceSet></Shape></Transform>",
+        x,
+        y,
+        0.1 + blue);
   }
 }

@@ -53,6 +53,14 @@ final class BatchPlan {
     Mesh mesh() {
       return staged.mesh();
     }
+
+    /**
+     * Indices of what is drawn of it from afar. Calls count where there are many shapes in view,
+     * and then most are far away; a near one has more triangles, which cost more than its call.
+     */
+    int least() {
+      return staged.least();
+    }
   }
 
   /** The batches, of two shapes or more each; shapes that are in none are drawn by themselves. */
@@ -98,7 +106,7 @@ final class BatchPlan {
         && candidate.look().author() == null
         && candidate.mesh().fogDepth() < 0
         && candidate.lighting().settled()
-        && indices <= MOST_OF_ONE
+        && candidate.least() <= MOST_OF_ONE
         && (indices <= ALWAYS_COPIED || (long) indices * uses <= MOST_COPIED)
         && candidate.mesh().vertexCount() <= MeshMerger.MOST_VERTICES
         && candidate.shape().world().isFinite()
@@ -131,7 +139,7 @@ final class BatchPlan {
     long vertices = 0;
     double smallest = Double.POSITIVE_INFINITY;
     for (Candidate candidate : alike) {
-      indices += candidate.mesh().indices().length;
+      indices += candidate.least();
       vertices += candidate.mesh().vertexCount();
       smallest = Math.min(smallest, size(candidate.shape().bounds()));
     }

@@ -24,4 +24,9 @@ public record StagedMesh(Mesh mesh, List<Stage> coarser) {
   public static StagedMesh of(Mesh mesh) {
     return new StagedMesh(mesh, List.of());
   }
+
+  /** Indices of the stage with the fewest triangles. */
+  public int least() {
+    return coarser.isEmpty() ? mesh.indices().length : coarser.get(0).indices().length;
+  }
 }

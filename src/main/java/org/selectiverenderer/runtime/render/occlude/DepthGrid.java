@@ -178,12 +178,10 @@ final class DepthGrid {
   }
 
   /**
-   * Whether nothing can be seen in a rectangle at some depth or farther. What lies outside of the
-   * view cannot be seen.
-   *
-   * @param nearest 1 / depth
+   * Whether nothing can be seen in a rectangle of what comes so near at most. What lies outside of
+   * the view cannot be seen.
    */
-  boolean hides(double minX, double minY, double maxX, double maxY, double nearest) {
+  boolean hides(double minX, double minY, double maxX, double maxY, NearSide side) {
     int left = (int) Math.max(0, Math.floor(minX));
     int right = (int) Math.min(COLUMNS - 1, Math.floor(maxX));
     int bottom = (int) Math.max(0, Math.floor(minY));
@@ -192,8 +190,8 @@ final class DepthGrid {
       int nextRow = Math.min(top + 1, (row / TILE + 1) * TILE);
       for (int column = left; column <= right; ) {
         int next = Math.min(right + 1, (column / TILE + 1) * TILE);
-        if (tiles[row / TILE * TILE_COLUMNS + column / TILE] <= nearest
-            && !hides(row, nextRow, column, next, nearest)) {
+        if (!tileHides(row / TILE, column / TILE, side)
+            && !hides(row, nextRow, column, next, side)) {
           return false;
         }
         column = next;
@@ -203,10 +201,20 @@ final class DepthGrid {
     return true;
   }
 
-  private boolean hides(int fromRow, int toRow, int from, int to, double nearest) {
+  private boolean tileHides(int row, int column, NearSide side) {
+    double hidden = tiles[row * TILE_COLUMNS + column];
+    double half = TILE / 2.0;
+    return hidden > side.nearest()
+        || (hidden > 0
+            && side.slopes()
+            && hidden > side.nearest(column * TILE + half, row * TILE + half, half));
+  }
+
+  private boolean hides(int fromRow, int toRow, int from, int to, NearSide side) {
     for (int row = fromRow; row < toRow; row++) {
       for (int column = from; column < to; column++) {
-        if (hiddenFrom[row * COLUMNS + column] <= nearest) {
+        float hidden = hiddenFrom[row * COLUMNS + column];
+        if (!(hidden > 0 && hidden > side.nearest(column + 0.5, row + 0.5, 0.5))) {
           return false;
         }
       }

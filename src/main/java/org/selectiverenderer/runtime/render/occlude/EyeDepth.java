@@ -18,6 +18,7 @@ final class EyeDepth {
   private static final double SLIVERS = 1 / 32.0;
 
   private final DepthGrid grid = new DepthGrid();
+  private final NearSide side = new NearSide();
   private final PatchClipper clipper = new PatchClipper();
   private final Matrix4d toEye = new Matrix4d();
   private final Matrix4d inverse = new Matrix4d();
@@ -37,6 +38,8 @@ final class EyeDepth {
   private double terms;
   private double sharpFrom;
   private double stretch;
+  private double keep;
+  private double lost;
 
   /** Looks from there; nothing hides anything yet. */
   void look(Camera camera) {
@@ -195,7 +198,16 @@ final class EyeDepth {
       nearest = Math.min(nearest, depth);
       farthest = Math.max(farthest, depth);
     }
-    return hides(minX, minY, maxX, maxY, nearest, farthest, pixels);
+    between(nearest, farthest);
+    for (int axis = 0; axis < 3; axis++) {
+      double from = box[axis] - eye.get(axis);
+      double to = box[axis + 3] - eye.get(axis);
+      double before = from > 0 ? from : to < 0 ? to : 0;
+      if (before != 0) {
+        face(v.get(axis, 0), v.get(axis, 1), v.get(axis, 2), before, pixels);
+      }
+    }
+    return hides(minX, minY, maxX, maxY, pixels);
   }
 
   /** Likewise a sphere in the coordinates that were entered. */
@@ -215,34 +227,50 @@ final class EyeDepth {
     double x = toEye.m00() * cx + toEye.m10() * cy + toEye.m20() * cz + toEye.m30();
     double y = toEye.m01() * cx + toEye.m11() * cy + toEye.m21() * cz + toEye.m31();
     double farthest = depth + radius;
+    between(nearest, farthest);
     return hides(
         (x - radius) / (x < radius ? nearest : farthest),
         (y - radius) / (y < radius ? nearest : farthest),
         (x + radius) / (x > -radius ? nearest : farthest),
         (y + radius) / (y > -radius ? nearest : farthest),
-        nearest,
-        farthest,
         0);
   }
 
-  private boolean hides(
-      double minX,
-      double minY,
-      double maxX,
-      double maxY,
-      double nearest,
-      double farthest,
-      double pixels) {
+  private boolean hides(double minX, double minY, double maxX, double maxY, double pixels) {
     double marginX = (Precision.PIXELS + pixels) * cellsPerPixelX;
     double marginY = (Precision.PIXELS + pixels) * cellsPerPixelY;
-    double depth = 1 / nearest;
     return grid.hides(
         minX * scaleX + originX - marginX,
         minY * scaleY + originY - marginY,
         maxX * scaleX + originX + marginX,
         maxY * scaleY + originY + marginY,
-        depth * (1 + Precision.depthLoss(perspective, terms))
-            + Precision.depthLoss(perspective)
-            + SLIVERS * (depth - 1 / farthest));
+        side);
+  }
+
+  /** Begins to ask about what lies between two depths. */
+  private void between(double nearest, double farthest) {
+    double depth = 1 / nearest;
+    keep = 1 + Precision.depthLoss(perspective, terms);
+    lost = Precision.depthLoss(perspective) + SLIVERS * (depth - 1 / farthest);
+    side.begin(depth * keep + lost);
+  }
+
+  /**
+   * Adds a face of the box asked about, behind which all of it lies.
+   *
+   * @param x the axis of the world that the face stands across, in the eye's coordinates
+   * @param before the distance along that axis from the eye to the face
+   */
+  private void face(double x, double y, double z, double before, double pixels) {
+    // On the face, 1 / depth times that distance is the share of the axis in the line of sight.
+    double a = x / before / scaleX;
+    double b = y / before / scaleY;
+    double c = -z / before - a * originX - b * originY;
+    side.face(
+        a * keep,
+        b * keep,
+        c * keep + lost,
+        (Precision.PIXELS + pixels) * cellsPerPixelX,
+        (Precision.PIXELS + pixels) * cellsPerPixelY);
   }
 }

@@ -21,8 +21,10 @@
  *   <li><i>It is drawn opaquely.</i> Only shapes that neither blend nor cut out are offered. What
  *       is cut away at the near plane is cut away here too, a little farther on.
  *   <li><i>It is nearer.</i> A cell keeps the farthest point of the plane in it, the margin
- *       included; a box asks with its nearest. What the depth buffer rounds away is added: see
- *       {@code Precision}. What touches a wall from behind is drawn.
+ *       included; a box asks with the nearest that it can come in that cell, by its nearest corner
+ *       and by the planes of the faces that the eye sees: all of the box is behind those. So what
+ *       stands along a wall is hidden from aslant too. What the depth buffer rounds away is added:
+ *       see {@code Precision}. What touches a wall from behind is drawn.
  *   <li><i>The occluder itself may be hidden</i>: then what hides it hides what is behind it.
  * </ul>
  *

@@ -19,6 +19,12 @@ class DepthGridTest {
     }
   }
 
+  private static NearSide upTo(double nearest) {
+    NearSide side = new NearSide();
+    side.begin(nearest);
+    return side;
+  }
+
   private int fill(double depth) {
     int covered = grid.fill(0, 0, 1 / depth);
     grid.finish();
@@ -32,9 +38,9 @@ class DepthGridTest {
     assertThat(grid.hiddenFrom(11, 11)).isEqualTo(0.5f);
     assertThat(grid.hiddenFrom(10, 11)).isZero();
     assertThat(grid.hiddenFrom(13, 12)).isZero();
-    assertThat(grid.hides(11, 11, 12.9, 12.9, 0.4)).isTrue();
-    assertThat(grid.hides(11, 11, 12.9, 12.9, 0.5)).isFalse();
-    assertThat(grid.hides(11, 11, 13.01, 12.9, 0.4)).isFalse();
+    assertThat(grid.hides(11, 11, 12.9, 12.9, upTo(0.4))).isTrue();
+    assertThat(grid.hides(11, 11, 12.9, 12.9, upTo(0.5))).isFalse();
+    assertThat(grid.hides(11, 11, 13.01, 12.9, upTo(0.4))).isFalse();
   }
 
   @Test
@@ -42,8 +48,8 @@ class DepthGridTest {
     outline(-5, -5, 200, -5, 200, 200, -5, 200);
     outline(60, 40, 60.001, 40, 60.001, 44, 60, 44);
     assertThat(fill(2)).isEqualTo(128 * 96 - 2 * 6);
-    assertThat(grid.hides(59, 41, 60.5, 42, 0.1)).isFalse();
-    assertThat(grid.hides(61, 41, 62.5, 42, 0.1)).isTrue();
+    assertThat(grid.hides(59, 41, 60.5, 42, upTo(0.1))).isFalse();
+    assertThat(grid.hides(61, 41, 62.5, 42, upTo(0.1))).isTrue();
   }
 
   @Test
@@ -81,6 +87,34 @@ class DepthGridTest {
     outline(-9, -9, -2, -9, -2, 200, -9, 200);
     outline(130, -9, 190, -9, 190, 200, 130, 200);
     assertThat(fill(1)).isZero();
+  }
+
+  @Test
+  void whatSlopesWithAWallIsHiddenBehindIt() {
+    outline(-5, -5, 200, -5, 200, 200, -5, 200);
+    grid.fill(0.01, 0, 0.1);
+    grid.finish();
+    double[] whole = {2, 2, 100, 90};
+    assertThat(hides(whole, upTo(0.5))).isFalse();
+    assertThat(hides(whole, sloping(0.07))).isTrue();
+    assertThat(hides(whole, sloping(0.11))).isFalse();
+    NearSide across = upTo(0.5);
+    across.face(-0.01, 0, 1.5, 0, 0);
+    assertThat(hides(whole, across)).isFalse();
+    // Of two faces the one farther away counts.
+    NearSide both = sloping(0.11);
+    both.face(0, 0, 0.09, 0, 0);
+    assertThat(hides(whole, both)).isTrue();
+  }
+
+  private static NearSide sloping(double atOrigin) {
+    NearSide side = upTo(5);
+    side.face(0.01, 0, atOrigin, MARGIN, MARGIN);
+    return side;
+  }
+
+  private boolean hides(double[] r, NearSide side) {
+    return grid.hides(r[0], r[1], r[2], r[3], side);
   }
 
   @Test

@@ -156,4 +156,19 @@ class OcclusionTest {
     Matrix4d back = new Matrix4d().translation(-far, 0, 0);
     assertThat(hides(mesh(true, points, QUAD), back, BEHIND, camera(HERE))).isFalse();
   }
+
+  @Test
+  void whatStandsAlongAWallIsHiddenAlsoFromAslant() {
+    float[] points = {-20, -20, -3, 20, -20, -3, 20, 20, -3, -20, 20, -3};
+    Mesh wall = mesh(true, points, QUAD);
+    for (double degrees : new double[] {-40, -20, 20, 40}) {
+      Camera aslant = camera(new Matrix4d().rotationY(Math.toRadians(degrees)));
+      assertThat(hides(wall, HERE, new double[] {-1, -0.5, -4, 1, 0.5, -3.2}, aslant)).isTrue();
+      assertThat(hides(wall, HERE, new double[] {-1, -0.5, -4, 1, 0.5, -2.9}, aslant)).isFalse();
+      assertThat(hides(wall, HERE, new double[] {-1, -0.5, -2.9, 1, 0.5, -2}, aslant)).isFalse();
+    }
+    Camera down = camera(new Matrix4d().rotationX(Math.toRadians(30)));
+    assertThat(hides(wall, HERE, new double[] {-1, -2.5, -4, 1, 0.5, -3.2}, down)).isTrue();
+    assertThat(hides(wall, HERE, new double[] {-1, -2.5, -4, 1, 0.5, -2.9}, down)).isFalse();
+  }
 }
