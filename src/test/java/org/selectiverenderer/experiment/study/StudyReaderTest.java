@@ -124,7 +124,8 @@ class StudyReaderTest {
 
   @Test
   void anUnknownKeyOfAnAreaIsFoundToo() throws IOException {
-    assertThat(problems(text.replace("\"KitchenView\", \"seconds\"", "\"KitchenView\", \"secs\"")))
+    assertThat(
+            problems(text.replace("\"KitchenMiddle\", \"seconds\"", "\"KitchenMiddle\", \"secs\"")))
         .hasSize(2)
         .anyMatch(line -> line.contains("an area needs \"seconds\""))
         .anyMatch(
@@ -145,7 +146,7 @@ class StudyReaderTest {
         "\"blocked\" | \"alternating\" | 'alternating' is not one of blocked, latin-square",
         "\"high-low\", | \"low\", | 'low' is not a condition",
         "\"high-low\", | \"high\", | the condition high is named twice",
-        "\"KitchenView\" | \"CellarView\" | no Viewpoint with the DEF 'CellarView'",
+        "\"KitchenMiddle\" | \"CellarView\" | no Viewpoint with the DEF 'CellarView'",
         "\"recognition.csv\" | \"memory.csv\" | there is no file 'memory.csv'",
         "\"side-by-side\" | \"dome\" | 'dome' is not one of window, side-by-side, dual",
         "\"tracker\": \"intertrax2:auto\" | \"tracker\": \"replay:x.csv\" | a recording cannot be the tracker",

@@ -123,9 +123,9 @@ public final class ApartmentScene {
   }
 
   private static void viewpoints(X3dWriter xml) {
-    viewpoint(xml, "KitchenView", "Kitchen", Room.KITCHEN.middle(), 0.1, -66, -10);
-    viewpoint(xml, "LoungeView", "Lounge", Room.LOUNGE.middle(), 0, 140, -14);
-    viewpoint(xml, "OfficeView", "Office", Room.OFFICE.middle(), 0, -110, -12);
+    viewpoint(xml, "KitchenView", "Kitchen", -1.8, 2.7, -46, -13);
+    viewpoint(xml, "LoungeView", "Lounge", -5.2, -1, 152, -15);
+    viewpoint(xml, "OfficeView", "Office", 4.7, 1.12, -77, -11);
     xml.empty(
         "Viewpoint",
         "DEF",
@@ -138,6 +138,16 @@ public final class ApartmentScene {
         SceneNumbers.orientation(0, -72),
         "fieldOfView",
         "0.8");
+    middle(xml, Room.KITCHEN, 0.1, -66, -10);
+    middle(xml, Room.LOUNGE, 0, 140, -14);
+    middle(xml, Room.OFFICE, 0, -110, -12);
+  }
+
+  /** In the middle of a room, where participants turned round (thesis 6.1.1). */
+  private static void middle(X3dWriter xml, Room room, double z, double yaw, double pitch) {
+    String title = room.title();
+    String name = "Middle of the " + title.toLowerCase(Locale.ROOT);
+    viewpoint(xml, title + "Middle", name, room.middle(), z, yaw, pitch);
   }
 
   private static void viewpoint(
