@@ -53,7 +53,7 @@ final class TexelRadiosity {
     Solution solution = iterations.solution();
     SharedTexels shared = SharedTexels.find(scene, atlas, progress);
     LightPages pages =
-        new TexelGatherer(scene, solution, atlas, effort()).gather(shared, progress);
+        new TexelGatherer(scene, solution, atlas, null).gather(shared, progress);
     ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
     return new TexelScene(
         scene, pages, divided, solution, curve, iterations.rays() + pages.rays());

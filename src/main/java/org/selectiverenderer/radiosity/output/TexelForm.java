@@ -118,7 +118,7 @@ public final class TexelForm implements LitForm {
     known.put(kind, name);
     out.open("Appearance").def(name);
     if (gloss.on(number)) {
-      gloss.open(out, body);
+      Gloss.open(out, body);
       picture(into, page, "emissiveTexture");
       out.close();
     } else {

@@ -12,6 +12,7 @@ import org.selectiverenderer.radiosity.bake.TexelScene;
 import org.selectiverenderer.radiosity.mesh.Facet;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
+import org.selectiverenderer.radiosity.trace.Versions;
 import org.selectiverenderer.x3d.write.TupleLines;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
@@ -21,11 +22,16 @@ import org.selectiverenderer.x3d.write.X3dWriter;
  * are shared where all of that agrees.
  */
 final class TexelShapeWriter {
-  /** Steps that a shape's extent is measured in at least: a 10th of a millimetre in a room. */
-  private static final double LEAST = 50_000;
+  /**
+   * Steps that the extent of a room's surface is measured in at least, and that of an object's:
+   * rooms must be tight, and objects have nearly all of the text.
+   */
+  private static final double ROOM = 30_000;
 
-  /** Steps in a texel, or in a pixel of an image. */
-  private static final double FINE = 16;
+  private static final double OBJECT = 3_000;
+
+  /** Steps in a texel, or in a pixel of an image: so it is met to a 16th. */
+  private static final double FINE = 8;
 
   private static final int NORMAL_DECIMALS = 2;
 
@@ -77,7 +83,7 @@ final class TexelShapeWriter {
     TexelMap page = lit.atlas().pages().get(layout.page());
     int fine = decimals(Math.max(page.width(), page.height()));
     OwnTexture own = apart ? OwnTexture.of(body) : null;
-    int decimals = ShapeNumbers.decimals(body.mesh(), LEAST);
+    int decimals = ShapeNumbers.decimals(body.mesh(), body.version() == Versions.FIXED ? ROOM : OBJECT);
     int[] index = new int[3 * count];
     Lists lists =
         new Lists(
