@@ -11,5 +11,13 @@ import org.selectiverenderer.radiosity.atlas.Atlas;
  *     chart has
  * @param complete whether every texel was gathered; if not, the rest has the patches' own values
  * @param rays cast
+ * @param noise that is left
  */
-public record LightPages(Atlas atlas, List<float[]> irradiance, boolean complete, long rays) {}
+public record LightPages(
+    Atlas atlas, List<float[]> irradiance, boolean complete, long rays, TexelNoise noise) {
+
+  /** Of light whose noise is not known, or that has none. */
+  public LightPages(Atlas atlas, List<float[]> irradiance, boolean complete, long rays) {
+    this(atlas, irradiance, complete, rays, TexelNoise.NONE);
+  }
+}
