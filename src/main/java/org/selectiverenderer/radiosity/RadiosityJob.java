@@ -19,6 +19,7 @@ import org.selectiverenderer.radiosity.bake.LightPictures;
 import org.selectiverenderer.radiosity.bake.Lit;
 import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.output.FilePlaces;
 import org.selectiverenderer.radiosity.output.LampFit;
 import org.selectiverenderer.radiosity.output.LitForm;
 import org.selectiverenderer.radiosity.output.LitSceneWriter;
@@ -167,7 +168,7 @@ public record RadiosityJob(
     TextureNotes.inPictures(work.light(), work.problems());
     TexelScene lit =
         new TexelRadiosity(settings, progress, work.problems())
-            .light(work.light(), TexelForm.places(work.light()), each);
+            .light(work.light(), FilePlaces.of(work.light()).ofBodies(), each);
     show(picture.of(lit));
     LightPictures painted = LightPictures.of(lit);
     LampFit lamps = new LampFit(lit.curve(), settings.photometric(), unit);

@@ -8,7 +8,6 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.AtlasMaker;
 import org.selectiverenderer.radiosity.atlas.AtlasSettings;
-import org.selectiverenderer.radiosity.atlas.SharedTexels;
 import org.selectiverenderer.radiosity.bake.TexelScene;
 import org.selectiverenderer.radiosity.bake.ToneCurve;
 import org.selectiverenderer.radiosity.mesh.Facet;
@@ -17,6 +16,7 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.texel.LightPages;
+import org.selectiverenderer.radiosity.texel.TexelChoice;
 import org.selectiverenderer.radiosity.texel.TexelGatherer;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
@@ -38,7 +38,7 @@ final class TexelRadiosity {
   /**
    * Lights a scene. If it is cancelled, the last complete iteration is what it is lit by.
    *
-   * @param fileOf the number of the file of each body, or {@link AtlasMaker#NO_GROUP}
+   * @param fileOf the number of the file of each body
    * @param each hears the solution after every iteration
    * @throws UnlitSceneException if the scene cannot be lit as asked for, before the long work, or
    *     if it is cancelled before the first iteration is complete
@@ -51,9 +51,10 @@ final class TexelRadiosity {
     Atlas atlas = new AtlasMaker(atlasSettings(), problems).make(scene, fileOf);
     Iterations iterations = Iterations.of(scene, plan, settings, progress, each);
     Solution solution = iterations.solution();
-    SharedTexels shared = SharedTexels.find(scene, atlas, progress);
+    TexelGatherer.Effort effort =
+        TexelGatherer.Effort.of(settings.rays(), settings.regather(), settings.seed());
     LightPages pages =
-        new TexelGatherer(scene, solution, atlas, null).gather(shared, progress);
+        new TexelGatherer(scene, solution, atlas, effort).gather(TexelChoice.ALL, progress);
     ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
     return new TexelScene(
         scene, pages, divided, solution, curve, iterations.rays() + pages.rays());

@@ -13,7 +13,6 @@ import org.selectiverenderer.radiosity.bake.LightPictures;
 import org.selectiverenderer.radiosity.bake.OwnTexture;
 import org.selectiverenderer.radiosity.bake.TexelScene;
 import org.selectiverenderer.radiosity.scene.Body;
-import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.x3d.write.X3dWriter;
@@ -47,18 +46,6 @@ public final class TexelForm implements LitForm {
     this.lamps = lamps;
     gloss = highlights ? Gloss.of(lit.scene(), painted.use()) : Gloss.none();
     places = FilePlaces.of(lit.scene());
-  }
-
-  /**
-   * The number of the file of each body, or -1 for those that need no light: they show a picture by
-   * their own.
-   */
-  public static int[] places(LightScene scene) {
-    int[] places = FilePlaces.of(scene).ofBodies();
-    for (int i = 0; i < places.length; i++) {
-      places[i] = showsByItself(scene.bodies().get(i)) ? FilePlaces.NONE : places[i];
-    }
-    return places;
   }
 
   private static boolean showsByItself(Body body) {
