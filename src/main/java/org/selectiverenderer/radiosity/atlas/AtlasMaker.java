@@ -205,7 +205,8 @@ public final class AtlasMaker {
   }
 
   private static String megabytes(long bytes) {
-    return String.format(Locale.ROOT, "%.1f", bytes / (double) (1 << 20));
+    double megabytes = bytes / (double) (1 << 20);
+    return String.format(Locale.ROOT, megabytes < 1 ? "%.3f" : "%.1f", megabytes);
   }
 
   private static String digits(double value) {

@@ -74,7 +74,9 @@ public final class PageLookup {
         continue;
       }
       int other = map.chart()[ny * map.width() + nx];
-      double distance = Math.hypot(nx + 0.5 - x, ny + 0.5 - y);
+      double dx = nx + 0.5 - x;
+      double dy = ny + 0.5 - y;
+      double distance = dx * dx + dy * dy;
       if (other != TexelMap.NONE && distance < best) {
         best = distance;
         chart = other;
