@@ -169,7 +169,7 @@ public record RadiosityJob(
     TexelScene lit =
         new TexelRadiosity(settings, progress, work.problems())
             .light(work.light(), FilePlaces.of(work.light()).ofBodies(), each);
-    show(picture.of(lit));
+    show(picture.of(lit.pages(), lit.curve()));
     LightPictures painted = LightPictures.of(lit);
     LampFit lamps = new LampFit(lit.curve(), settings.photometric(), unit);
     TexelForm form = new TexelForm(lit, painted, lamps, settings.store().highlights());

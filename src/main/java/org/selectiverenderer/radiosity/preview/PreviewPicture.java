@@ -6,7 +6,6 @@ import org.joml.Vector3d;
 import org.selectiverenderer.base.picture.PngFile;
 import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.bake.LitScene;
-import org.selectiverenderer.radiosity.bake.TexelScene;
 import org.selectiverenderer.radiosity.bake.ToneCurve;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
@@ -70,22 +69,6 @@ public final class PreviewPicture {
               all[3 * patch + 2] + emission[2],
               rgb,
               0);
-        });
-  }
-
-  /** The light at the texels, textures averaged over each triangle. */
-  public byte[] of(TexelScene lit) {
-    return draw(
-        (pixel, rgb) -> {
-          Body body = scene.body(triangle[pixel]);
-          int own = triangle[pixel] - body.firstTriangle();
-          int at = body.reflectanceAt(own);
-          double[] light = new double[3];
-          lit.irradiance(scene.bodyOf()[triangle[pixel]], own, u[pixel], v[pixel], light);
-          for (int c = 0; c < 3; c++) {
-            light[c] = body.emission()[c] + body.reflectance()[at + c] * light[c] / Math.PI;
-          }
-          lit.curve().colour(light[0], light[1], light[2], rgb, 0);
         });
   }
 
