@@ -5,6 +5,7 @@ import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.TexelMap;
 import org.selectiverenderer.radiosity.bake.TexelScene;
 import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.texel.TexelNoise;
 
 /**
  * What has become of light in pictures.
@@ -17,6 +18,7 @@ import org.selectiverenderer.radiosity.scene.Body;
  * @param mostPerMetre of the one that has most
  * @param multiplied shapes whose own texture stays, multiplied by the light
  * @param shining shapes that keep their highlights
+ * @param noise that the rays left in the light
  */
 public record PictureReport(
     int files,
@@ -25,7 +27,8 @@ public record PictureReport(
     double leastPerMetre,
     double mostPerMetre,
     int multiplied,
-    int shining) {
+    int shining,
+    TexelNoise noise) {
 
   static PictureReport of(TexelScene lit, List<Integer> bytes, int multiplied, int shining) {
     double least = Double.POSITIVE_INFINITY;
@@ -44,7 +47,8 @@ public record PictureReport(
         most > 0 ? least : 0,
         most,
         multiplied,
-        shining);
+        shining,
+        lit.pages().noise());
   }
 
   private static double perMetre(TexelScene lit, int number) {

@@ -111,18 +111,20 @@ public final class RadiosityCommand extends CliCommand {
   @Option(
       names = "--min-mesh",
       paramLabel = "M",
-      description = "minimum mesh size, metres (default: a tenth of the maximum)")
+      description =
+          "minimum mesh size, metres; for light at vertices (default: a tenth of the maximum)")
   private @Nullable Double minMesh;
 
   @Option(
       names = "--max-mesh",
       paramLabel = "M",
-      description = "maximum mesh size, metres (default: a 40th of the scene's extent)")
+      description =
+          "maximum mesh size, metres; patches are 0.4 of it (default: a 40th of the scene's extent)")
   private @Nullable Double maxMesh;
 
   @Option(
       names = "--no-global-subdivision",
-      description = "keeps the polygons of all surfaces and stores light only at existing vertices")
+      description = "keeps the polygons of all surfaces, also where the scene asks for a number of them")
   private boolean noSubdivision;
 
   @Option(
@@ -138,7 +140,8 @@ public final class RadiosityCommand extends CliCommand {
   @Option(
       names = "--rays",
       paramLabel = "N",
-      description = "number of rays gathered at each vertex (default: ${DEFAULT-VALUE})")
+      description = "number of rays gathered at each vertex, or at each place between which the light at texels is "
+              + "interpolated (default: ${DEFAULT-VALUE})")
   private int rays = RadiositySettings.DEFAULT.rays();
 
   @Option(
@@ -309,6 +312,8 @@ public final class RadiosityCommand extends CliCommand {
     node.put("texels", pictures.texels());
     node.put("least_texels_per_metre", Rounded.to(1, pictures.leastPerMetre()));
     node.put("most_texels_per_metre", Rounded.to(1, pictures.mostPerMetre()));
+    node.put("noise_mean_percent", Rounded.to(2, 100 * pictures.noise().mean()));
+    node.put("noise_most_percent", Rounded.to(2, 100 * pictures.noise().most()));
     node.put("multiplied", pictures.multiplied()).put("shining", pictures.shining());
   }
 
@@ -317,12 +322,14 @@ public final class RadiosityCommand extends CliCommand {
         .out()
         .printf(
             Locale.ROOT,
-            "  pictures: %.1f M texels, %.1f to %.1f per metre, %.1f MB; %d shapes keep their"
-                + " textures, %d their highlights%n",
+            "  pictures: %.1f M texels, %.0f to %.0f per metre, %.1f MB, noise %.1f %% (95 in 100"
+                + " below %.1f %%); %d shapes keep their textures, %d their highlights%n",
             pictures.texels() / 1e6,
             pictures.leastPerMetre(),
             pictures.mostPerMetre(),
             pictures.bytes() / 1e6,
+            100 * pictures.noise().mean(),
+            100 * pictures.noise().most(),
             pictures.multiplied(),
             pictures.shining());
   }
