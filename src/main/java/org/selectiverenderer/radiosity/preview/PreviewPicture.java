@@ -109,15 +109,17 @@ public final class PreviewPicture {
           int source = triangle[pixel];
           Body body = scene.body(source);
           Atlas.Layout layout = light.atlas().layouts().get(scene.bodyOf()[source]);
-          float[] st = layout.st();
-          int at = 6 * (source - body.firstTriangle());
-          double w = 1 - u[pixel] - v[pixel];
           double[] arriving = new double[3];
-          light.at(
-              layout.page(),
-              w * st[at] + u[pixel] * st[at + 2] + v[pixel] * st[at + 4],
-              w * st[at + 1] + u[pixel] * st[at + 3] + v[pixel] * st[at + 5],
-              arriving);
+          if (layout.page() >= 0) {
+            float[] st = layout.st();
+            int at = 6 * (source - body.firstTriangle());
+            double w = 1 - u[pixel] - v[pixel];
+            light.at(
+                layout.page(),
+                w * st[at] + u[pixel] * st[at + 2] + v[pixel] * st[at + 4],
+                w * st[at + 1] + u[pixel] * st[at + 3] + v[pixel] * st[at + 5],
+                arriving);
+          }
           int rho = body.reflectanceAt(source - body.firstTriangle());
           for (int c = 0; c < 3; c++) {
             arriving[c] = body.emission()[c] + body.reflectance()[rho + c] * arriving[c] / Math.PI;
