@@ -19,7 +19,6 @@ import org.selectiverenderer.radiosity.bake.LightPictures;
 import org.selectiverenderer.radiosity.bake.Lit;
 import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.radiosity.bake.TexelScene;
-import org.selectiverenderer.radiosity.output.FilePlaces;
 import org.selectiverenderer.radiosity.output.LampFit;
 import org.selectiverenderer.radiosity.output.LitForm;
 import org.selectiverenderer.radiosity.output.LitSceneWriter;
@@ -168,7 +167,7 @@ public record RadiosityJob(
     TextureNotes.inPictures(work.light(), work.problems());
     TexelScene lit =
         new TexelRadiosity(settings, progress, work.problems())
-            .light(work.light(), FilePlaces.of(work.light()).ofBodies(), each);
+            .light(work.light(), TexelForm.files(work.light()), each);
     show(picture.of(lit.pages(), lit.curve()));
     LightPictures painted = LightPictures.of(lit);
     LampFit lamps = new LampFit(lit.curve(), settings.photometric(), unit);

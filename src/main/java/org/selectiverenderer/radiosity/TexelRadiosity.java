@@ -38,7 +38,7 @@ final class TexelRadiosity {
   /**
    * Lights a scene. If it is cancelled, the last complete iteration is what it is lit by.
    *
-   * @param fileOf the number of the file of each body
+   * @param fileOf the number of the file of each body, or {@link AtlasMaker#NO_GROUP}
    * @param each hears the solution after every iteration
    * @throws UnlitSceneException if the scene cannot be lit as asked for, before the long work, or
    *     if it is cancelled before the first iteration is complete
@@ -56,8 +56,7 @@ final class TexelRadiosity {
     LightPages pages =
         new TexelGatherer(scene, solution, atlas, effort).gather(TexelChoice.ALL, progress);
     ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
-    return new TexelScene(
-        scene, pages, divided, solution, curve, iterations.rays() + pages.rays());
+    return new TexelScene(scene, pages, divided, solution, curve, iterations.rays() + pages.rays());
   }
 
   private AtlasSettings atlasSettings() {

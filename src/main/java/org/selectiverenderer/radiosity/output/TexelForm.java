@@ -8,11 +8,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.selectiverenderer.base.picture.PngFile;
+import org.selectiverenderer.radiosity.atlas.AtlasMaker;
 import org.selectiverenderer.radiosity.bake.LightPicture;
 import org.selectiverenderer.radiosity.bake.LightPictures;
 import org.selectiverenderer.radiosity.bake.OwnTexture;
 import org.selectiverenderer.radiosity.bake.TexelScene;
 import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.x3d.write.X3dWriter;
@@ -39,13 +41,24 @@ public final class TexelForm implements LitForm {
    * @param lamps what lights become, if highlights are kept
    * @param highlights whether they are
    */
-  public TexelForm(
-      TexelScene lit, LightPictures painted, LampFit lamps, boolean highlights) {
+  public TexelForm(TexelScene lit, LightPictures painted, LampFit lamps, boolean highlights) {
     this.lit = lit;
     this.painted = painted;
     this.lamps = lamps;
     gloss = highlights ? Gloss.of(lit.scene(), painted.use()) : Gloss.none();
     places = FilePlaces.of(lit.scene());
+  }
+
+  /**
+   * The number of the file of each body; {@link AtlasMaker#NO_GROUP} for those that need no light:
+   * they show a picture by their own.
+   */
+  public static int[] files(LightScene scene) {
+    int[] files = FilePlaces.of(scene).ofBodies();
+    for (int i = 0; i < files.length; i++) {
+      files[i] = showsByItself(scene.bodies().get(i)) ? AtlasMaker.NO_GROUP : files[i];
+    }
+    return files;
   }
 
   private static boolean showsByItself(Body body) {
