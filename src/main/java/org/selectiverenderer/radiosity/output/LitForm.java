@@ -7,7 +7,7 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
 
 /** What becomes of lit shapes and of lights where a lit scene is written. */
 public interface LitForm {
-  /** The number of the file of a place of an Inline, and so on. */
+  /** The files that lit shapes are written to. */
   FilePlaces places();
 
   /**
