@@ -49,6 +49,9 @@ final class HitLight {
 
   private int texel(Ray ray, int body) {
     Atlas.Layout layout = texels.atlas().layouts().get(body);
+    if (layout.page() < 0) {
+      return -1;
+    }
     TexelMap map = texels.map(layout.page());
     int at = 6 * (ray.triangle - scene.bodies().get(body).firstTriangle());
     float[] st = layout.st();
