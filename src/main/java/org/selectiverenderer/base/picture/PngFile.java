@@ -6,7 +6,6 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
-import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
 /** Pixels as a PNG file (ISO/IEC 15948), true colour, 8 bits. */
@@ -30,17 +29,7 @@ public final class PngFile {
    * @param rgb three bytes per pixel, rows from the top
    */
   public static byte[] small(int width, int height, byte[] rgb) {
-    byte[] filtered = PngFilters.filtered(3 * width, height, rgb);
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    Deflater best = new Deflater(Deflater.BEST_COMPRESSION);
-    try (DeflaterOutputStream deflater = new DeflaterOutputStream(out, best)) {
-      deflater.write(filtered);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e); // an array does not fail
-    } finally {
-      best.end();
-    }
-    return file(width, height, out.toByteArray());
+    return PngPicture.of(width, height, PngPicture.Samples.RGB, new byte[0], rgb);
   }
 
   private static byte[] file(int width, int height, byte[] deflated) {
