@@ -20,12 +20,25 @@ public final class PngFile {
    * @param rgb three bytes per pixel, rows from the top
    */
   public static byte[] of(int width, int height, byte[] rgb) {
+    return file(width, height, deflated(3 * width, height, rgb));
+  }
+
+  /**
+   * The bytes of the file, made as small as can be, which takes some ten times as long.
+   *
+   * @param rgb three bytes per pixel, rows from the top
+   */
+  public static byte[] small(int width, int height, byte[] rgb) {
+    return PngPicture.of(width, height, PngPicture.Samples.RGB, new byte[0], rgb);
+  }
+
+  private static byte[] file(int width, int height, byte[] deflated) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     out.writeBytes(SIGNATURE);
     ByteBuffer header = ByteBuffer.allocate(13).putInt(width).putInt(height);
     header.put(new byte[] {8, 2, 0, 0, 0});
     chunk(out, "IHDR", header.array());
-    chunk(out, "IDAT", deflated(3 * width, height, rgb));
+    chunk(out, "IDAT", deflated);
     chunk(out, "IEND", new byte[0]);
     return out.toByteArray();
   }

@@ -32,9 +32,6 @@ public final class PngPicture {
     }
   }
 
-  /** Kinds of filters (ISO/IEC 15948, 9.2): none, left, above, their mean, Paeth's. */
-  private static final int FILTERS = 5;
-
   private PngPicture() {}
 
   /**
@@ -72,50 +69,13 @@ public final class PngPicture {
 
   /** Each row after the number of its filter; numbers of a palette are not filtered. */
   private static byte[] filtered(int row, int height, Samples samples, byte[] pixels) {
+    if (samples != Samples.PALETTE) {
+      return PngFilters.filtered(row, height, samples.count, pixels);
+    }
     byte[] out = new byte[(row + 1) * height];
-    byte[] tried = new byte[row];
-    int filters = samples == Samples.PALETTE ? 1 : FILTERS;
     for (int y = 0; y < height; y++) {
-      long least = Long.MAX_VALUE;
-      for (int filter = 0; filter < filters; filter++) {
-        long sum = 0;
-        for (int x = 0; x < row; x++) {
-          int at = y * row + x;
-          int left = x < samples.count ? 0 : pixels[at - samples.count] & 0xff;
-          int above = y == 0 ? 0 : pixels[at - row] & 0xff;
-          int both = x < samples.count || y == 0 ? 0 : pixels[at - row - samples.count] & 0xff;
-          tried[x] = (byte) (pixels[at] - guess(filter, left, above, both));
-          sum += Math.abs(tried[x]);
-        }
-        if (sum < least) {
-          least = sum;
-          out[y * (row + 1)] = (byte) filter;
-          System.arraycopy(tried, 0, out, y * (row + 1) + 1, row);
-        }
-      }
+      System.arraycopy(pixels, y * row, out, y * (row + 1) + 1, row);
     }
     return out;
-  }
-
-  private static int guess(int filter, int left, int above, int both) {
-    return switch (filter) {
-      case 0 -> 0;
-      case 1 -> left;
-      case 2 -> above;
-      case 3 -> (left + above) / 2;
-      default -> paeth(left, above, both);
-    };
-  }
-
-  /** Whichever of the three is nearest to left + above - both (ISO/IEC 15948, 9.4). */
-  private static int paeth(int left, int above, int both) {
-    int sum = left + above - both;
-    int toLeft = Math.abs(sum - left);
-    int toAbove = Math.abs(sum - above);
-    int toBoth = Math.abs(sum - both);
-    if (toLeft <= toAbove && toLeft <= toBoth) {
-      return left;
-    }
-    return toAbove <= toBoth ? above : both;
   }
 }

@@ -3,10 +3,11 @@
  * a desk and a bookcase sub-area, as files that a generator writes.
  *
  * <p>In: recipes ({@code kitchen}, {@code lounge}, {@code office}, {@code furniture}), the rooms
- * ({@code frame}), a floor plan ({@code plan}) and what the thesis says of the objects ({@code
- * facts}). Out: the files of {@code versions} and {@code scene}: {@code scenes/apartment.x3d} and
- * what it inlines. Uses {@code modelling}, {@code geometry.mesh} and {@code base.files}; the
- * packages within also {@code polygon}, {@code schema} and {@code x3d}. No AWT and no GL.
+ * ({@code frame}), what covers them and is outside ({@code pictures}), a floor plan ({@code plan})
+ * and what the thesis says of the objects ({@code facts}). Out: the files of {@code versions} and
+ * {@code scene}: {@code scenes/apartment.x3d} and what it inlines. Uses {@code modelling}, {@code
+ * geometry.mesh} and {@code base.files}; the packages within also {@code polygon}, {@code schema}
+ * and {@code x3d}. No AWT and no GL.
  */
 @NullMarked
 package org.selectiverenderer.apartment;

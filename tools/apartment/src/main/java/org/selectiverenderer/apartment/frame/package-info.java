@@ -3,8 +3,8 @@
  * windows, skirting, light switches, lamps.
  *
  * <p>In: the floor plan. Out: one model per room, in the room's own coordinates (see {@code plan}).
- * Uses {@code apartment.plan}, {@code modelling}, {@code geometry.mesh}, {@code x3d.write} and
- * {@code base.decimal}.
+ * Uses {@code apartment.plan}, {@code apartment.pictures}, {@code modelling}, {@code
+ * geometry.mesh}, {@code x3d.write}, {@code base.decimal} and {@code base.picture}.
  */
 @NullMarked
 package org.selectiverenderer.apartment.frame;

@@ -22,7 +22,9 @@ final class Landscape {
   /** Of the light, in turns: the south-west. */
   private static final double SUN = 0.63;
 
-  /** The farthest trees and houses stand so far away. */
+  /** Trees stand so far away, metres. */
+  private static final double NEAR = 32;
+
   private static final double FAR = 150;
 
   private final Noise noise = new Noise(7);
@@ -43,7 +45,7 @@ final class Landscape {
     for (int i = 0; i < 170; i++) {
       double turn = (i * 0.618 + 0.1 * noise.dice(i, 5)) % 1;
       double far = noise.dice(i, 6);
-      double distance = 22 + (FAR - 22) * Math.sqrt(far) * (i % 6 == 0 ? 0.12 : 1);
+      double distance = NEAR + (FAR - NEAR) * Math.sqrt(far) * (i % 6 == 0 ? 0.12 : 1);
       double tall = 6 + 7 * noise.dice(i, 7);
       double slim = i % 9 == 4 ? 0.32 : 0.8 + 0.35 * noise.dice(i, 8);
       double side = -Math.signum(StrictMath.sin(2 * Math.PI * (turn - SUN)));

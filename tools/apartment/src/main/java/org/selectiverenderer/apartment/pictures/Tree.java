@@ -113,9 +113,9 @@ final class Tree implements Stander {
   private double[] leaf(double light) {
     double l = Math.max(0, Math.min(1, light));
     return new double[] {
-      Noise.mix(0.15, 0.45 + 0.14 * hue, l),
-      Noise.mix(0.2, 0.57 + 0.04 * hue, l),
-      Noise.mix(0.12, 0.34 - 0.06 * hue, l)
+      Noise.mix(0.2, 0.52 + 0.14 * hue, l),
+      Noise.mix(0.26, 0.64 + 0.04 * hue, l),
+      Noise.mix(0.17, 0.4 - 0.06 * hue, l)
     };
   }
 }
