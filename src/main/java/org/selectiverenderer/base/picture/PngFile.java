@@ -13,6 +13,11 @@ import java.util.zip.DeflaterOutputStream;
 public final class PngFile {
   private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
+  /** Colour types (11.2.2). */
+  private static final byte RGB = 2;
+
+  private static final byte RGBA = 6;
+
   private PngFile() {}
 
   /**
@@ -21,16 +26,17 @@ public final class PngFile {
    * @param rgb three bytes per pixel, rows from the top
    */
   public static byte[] of(int width, int height, byte[] rgb) {
-    return file(width, height, deflated(3 * width, height, rgb));
+    return file(width, height, RGB, deflated(3 * width, height, rgb));
   }
 
   /**
    * The bytes of the file, made as small as can be, which takes some ten times as long.
    *
-   * @param rgb three bytes per pixel, rows from the top
+   * @param pixels rows from the top, three bytes per pixel, or four with alpha
    */
-  public static byte[] small(int width, int height, byte[] rgb) {
-    byte[] filtered = PngFilters.filtered(3 * width, height, rgb);
+  public static byte[] small(int width, int height, byte[] pixels) {
+    int each = pixels.length / (width * height);
+    byte[] filtered = new PngFilters(each).filtered(each * width, height, pixels);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     Deflater best = new Deflater(Deflater.BEST_COMPRESSION);
     try (DeflaterOutputStream deflater = new DeflaterOutputStream(out, best)) {
@@ -40,14 +46,14 @@ public final class PngFile {
     } finally {
       best.end();
     }
-    return file(width, height, out.toByteArray());
+    return file(width, height, each == 4 ? RGBA : RGB, out.toByteArray());
   }
 
-  private static byte[] file(int width, int height, byte[] deflated) {
+  private static byte[] file(int width, int height, byte colours, byte[] deflated) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     out.writeBytes(SIGNATURE);
     ByteBuffer header = ByteBuffer.allocate(13).putInt(width).putInt(height);
-    header.put(new byte[] {8, 2, 0, 0, 0});
+    header.put(new byte[] {8, colours, 0, 0, 0});
     chunk(out, "IHDR", header.array());
     chunk(out, "IDAT", deflated);
     chunk(out, "IEND", new byte[0]);

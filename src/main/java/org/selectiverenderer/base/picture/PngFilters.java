@@ -1,21 +1,27 @@
 package org.selectiverenderer.base.picture;
 
 /**
- * PNG's filters (ISO/IEC 15948, clause 9) of three bytes per pixel: each row has the one that
- * leaves the least sum of differences (12.8), which deflates best.
+ * PNG's filters (ISO/IEC 15948, clause 9): each row has the one that leaves the least sum of
+ * differences (12.8), which deflates best.
  */
 final class PngFilters {
-  private static final int PIXEL = 3;
   private static final int FILTERS = 5;
 
-  private PngFilters() {}
+  private final int pixel;
+
+  /**
+   * @param pixel bytes of one
+   */
+  PngFilters(int pixel) {
+    this.pixel = pixel;
+  }
 
   /**
    * Every row, its filter's number before it.
    *
    * @param row bytes of one
    */
-  static byte[] filtered(int row, int height, byte[] rgb) {
+  byte[] filtered(int row, int height, byte[] rgb) {
     byte[] out = new byte[(row + 1) * height];
     byte[] tried = new byte[row];
     byte[] best = new byte[row];
@@ -37,12 +43,12 @@ final class PngFilters {
   }
 
   /** Filters a row; returns the sum of what is left, as signed bytes. */
-  private static long filter(int filter, byte[] all, int from, int row, byte[] out) {
+  private long filter(int filter, byte[] all, int from, int row, byte[] out) {
     long sum = 0;
     for (int i = 0; i < row; i++) {
-      int left = i < PIXEL ? 0 : all[from + i - PIXEL] & 0xff;
+      int left = i < pixel ? 0 : all[from + i - pixel] & 0xff;
       int above = from == 0 ? 0 : all[from + i - row] & 0xff;
-      int corner = from == 0 || i < PIXEL ? 0 : all[from + i - row - PIXEL] & 0xff;
+      int corner = from == 0 || i < pixel ? 0 : all[from + i - row - pixel] & 0xff;
       int guess =
           switch (filter) {
             case 1 -> left;

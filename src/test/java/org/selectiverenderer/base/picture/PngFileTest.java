@@ -36,7 +36,7 @@ class PngFileTest {
         rgb[y * 210 + i] = (byte) value;
       }
     }
-    byte[] filtered = PngFilters.filtered(210, 200, rgb);
+    byte[] filtered = new PngFilters(3).filtered(210, 200, rgb);
     Set<Byte> used = new HashSet<>();
     for (int y = 0; y < 200; y++) {
       used.add(filtered[211 * y]);
