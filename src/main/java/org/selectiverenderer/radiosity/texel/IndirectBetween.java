@@ -70,7 +70,7 @@ final class IndirectBetween {
       }
       for (int i = 0; i < size; i++) {
         place.at(run[i]);
-        boolean known = reader.at(place.point, place.normal, pass.group(place));
+        boolean known = pass.at(reader, run[i], place);
         for (int c = 0; c < 3; c++) {
           light[3 * run[i] + c] +=
               known ? (float) reader.light[c] : solution.indirect()[3 * place.patch + c];
