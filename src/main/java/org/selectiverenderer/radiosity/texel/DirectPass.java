@@ -114,9 +114,10 @@ final class DirectPass {
     private int first;
     private TexelMap map = new TexelMap(0, 0, new int[0], new float[0], new float[0], new int[0]);
 
-    // Of the texel looked at: its share by interpolation, and whether its whole cell is there.
+    // Of the texel looked at: its share by interpolation, and whether its cell has any of the
+    // grid.
     private double interpolated;
-    private boolean whole;
+    private boolean cornered;
 
     Worker(int number) {
       this.number = number;
@@ -164,7 +165,7 @@ final class DirectPass {
         share = Math.max(0, shadow.edge(place, number, texel + 7919 * number));
       } else if (interpolate(x, y)) {
         share = interpolated;
-      } else if (whole) {
+      } else if (cornered || lamp.hard()) {
         share = Math.max(0, shadow.edge(place, number, texel + 7919 * number));
       } else {
         share = Math.max(0, shadow.small(place, number, texel + 7919 * number));
@@ -217,7 +218,8 @@ final class DirectPass {
         sum += wx * wy * value;
         weights += wx * wy;
       }
-      whole = weights > 0.999;
+      boolean whole = weights > 0.999;
+      cornered = weights > 0;
       if (!(weights > 0)) {
         return say(x, y, chart);
       }

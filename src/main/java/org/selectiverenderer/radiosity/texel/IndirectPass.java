@@ -18,7 +18,7 @@ final class IndirectPass {
   private static final int[] STRIDES = {16, 8, 4, 2, 1};
 
   /** A record counts within this share of how far what it sees is. */
-  private static final double REACH = 0.25;
+  private static final double REACH = 0.15;
 
   /**
    * The radius of a record, in texels: at least on all grids, on that of single texels; at most.

@@ -90,8 +90,7 @@ public final class TexelGatherer {
       patches.addIndirect(direct);
       return pages(texels, choice, direct, false, rays, TexelNoise.NONE);
     }
-    TexelNoise noise = RecordNoise.of(surfaces.records());
-    new IndirectBetween(scene, solution, texels, surfaces).addTo(direct);
+    TexelNoise noise = new IndirectBetween(scene, solution, texels, surfaces).addTo(direct);
     progress.at(WorkProgress.Stage.TEXELS, 1);
     return pages(texels, choice, direct, true, rays, noise);
   }
