@@ -16,7 +16,7 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.texel.LightPages;
-import org.selectiverenderer.radiosity.texel.TexelChoice;
+import org.selectiverenderer.radiosity.texel.SharedTexels;
 import org.selectiverenderer.radiosity.texel.TexelGatherer;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
@@ -54,7 +54,8 @@ final class TexelRadiosity {
     TexelGatherer.Effort effort =
         TexelGatherer.Effort.of(settings.rays(), settings.regather(), settings.seed());
     LightPages pages =
-        new TexelGatherer(scene, solution, atlas, effort).gather(TexelChoice.ALL, progress);
+        new TexelGatherer(scene, solution, atlas, effort)
+            .gather(SharedTexels.find(scene, atlas, progress), progress);
     ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
     return new TexelScene(scene, pages, divided, solution, curve, iterations.rays() + pages.rays());
   }
