@@ -63,7 +63,7 @@ final class Rasterizer {
       for (int column = left; column <= right; column++) {
         int texel = row * width + column;
         if (away[texel] > 0) {
-          float distance = (float) TexelPlace.nearest(p, column + 0.5, row + 0.5, place);
+          float distance = (float) FlatTriangle.nearest(p, column + 0.5, row + 0.5, place);
           if (distance < away[texel]) {
             away[texel] = distance;
             triangle[texel] = id;

@@ -1,10 +1,12 @@
 package org.selectiverenderer.radiosity.atlas;
 
-/** The place of a flat triangle that is nearest to a point. */
-final class TexelPlace {
-  private TexelPlace() {}
+/** Places of a triangle that lies in a page. */
+final class FlatTriangle {
+  private FlatTriangle() {}
 
   /**
+   * Finds the place that is nearest to a point.
+   *
    * @param p x, y of the three corners
    * @param out gets the weights of the second and third corner
    * @return the square of the distance, 0 inside

@@ -1,0 +1,211 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.radiosity.atlas.Atlas;
+import org.selectiverenderer.radiosity.atlas.PageLookup;
+import org.selectiverenderer.radiosity.atlas.TexelMap;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.trace.Versions;
+import org.selectiverenderer.radiosity.work.ParallelWork;
+import org.selectiverenderer.radiosity.work.WorkProgress;
+
+/**
+ * Lets all versions of an object have one light. A texel of a version that does not stand for its
+ * object takes the light of the nearest place with a like normal on the version that does, so that
+ * switching changes the outline and not the light. Where there is no such place near, it is
+ * gathered by itself.
+ */
+public final class SharedTexels implements TexelChoice {
+  private static final int CHUNK = 4096;
+
+  private final PageLookup lookup;
+
+  /** By page: the triangle and the weights of the place to take light from; null for none. */
+  private final @Nullable Places[] pages;
+
+  private final long count;
+
+  private record Places(int[] triangle, float[] u, float[] v) {}
+
+  private SharedTexels(PageLookup lookup, @Nullable Places[] pages, long count) {
+    this.lookup = lookup;
+    this.pages = pages;
+    this.count = count;
+  }
+
+  /** Finds them; if it is cancelled, only some. */
+  public static SharedTexels find(LightScene scene, Atlas atlas, WorkProgress progress) {
+    PageLookup lookup = new PageLookup(scene, atlas);
+    @Nullable ReferenceSurface[] surfaces = surfaces(scene, lookup);
+    @Nullable Places[] pages = new Places[atlas.pages().size()];
+    int[] first = new int[pages.length + 1];
+    for (int i = 0; i < pages.length; i++) {
+      TexelMap map = atlas.pages().get(i);
+      boolean shares = IntStream.of(map.triangle()).anyMatch(t -> shares(scene, t));
+      first[i + 1] = first[i] + (shares ? (map.texels() + CHUNK - 1) / CHUNK : 0);
+      if (shares) {
+        int[] triangle = new int[map.texels()];
+        Arrays.fill(triangle, TexelMap.NONE);
+        pages[i] = new Places(triangle, new float[map.texels()], new float[map.texels()]);
+      }
+    }
+    AtomicLong found = new AtomicLong();
+    ParallelWork.run(
+        first[pages.length],
+        1,
+        progress,
+        share -> {},
+        (from, to) -> {
+          for (int chunk = from; chunk < to; chunk++) {
+            int page = pageOf(first, chunk);
+            TexelMap map = atlas.pages().get(page);
+            int begin = (chunk - first[page]) * CHUNK;
+            found.addAndGet(
+                search(
+                    scene,
+                    surfaces,
+                    map,
+                    pages[page],
+                    begin,
+                    Math.min(map.texels(), begin + CHUNK)));
+          }
+        });
+    return new SharedTexels(lookup, pages, found.get());
+  }
+
+  /** How many texels take their light from elsewhere. */
+  public long count() {
+    return count;
+  }
+
+  @Override
+  public boolean wanted(int page, int texel) {
+    Places places = pages[page];
+    return places == null || places.triangle()[texel] == TexelMap.NONE;
+  }
+
+  @Override
+  public void rest(List<float[]> irradiance) {
+    IntStream.range(0, pages.length)
+        .parallel()
+        .filter(page -> pages[page] != null)
+        .forEach(page -> copy(pages[page], irradiance, irradiance.get(page)));
+  }
+
+  private void copy(Places places, List<float[]> irradiance, float[] out) {
+    int[] texels = new int[4];
+    float[] weights = new float[4];
+    for (int i = 0; i < places.triangle().length; i++) {
+      int triangle = places.triangle()[i];
+      if (triangle == TexelMap.NONE) {
+        continue;
+      }
+      float[] light = irradiance.get(lookup.page(triangle));
+      int count = lookup.find(triangle, places.u()[i], places.v()[i], texels, weights);
+      for (int c = 0; c < 3; c++) {
+        float sum = 0;
+        for (int k = 0; k < count; k++) {
+          sum += weights[k] * light[3 * texels[k] + c];
+        }
+        out[3 * i + c] = sum;
+      }
+    }
+  }
+
+  private static boolean shares(LightScene scene, int triangle) {
+    return triangle != TexelMap.NONE
+        && !scene.versions().isReference(scene.triangles().version()[triangle]);
+  }
+
+  /** By version: the surface of its object's reference, where that has pages. */
+  private static @Nullable ReferenceSurface[] surfaces(LightScene scene, PageLookup lookup) {
+    Versions versions = scene.versions();
+    int[] version = scene.triangles().version();
+    int[] sizes = new int[versions.count()];
+    int objects = IntStream.range(0, versions.count()).map(versions::object).max().orElse(0);
+    int[] standsFor = new int[objects + 1];
+    for (int v = 1; v < versions.count(); v++) {
+      if (versions.isReference(v)) {
+        standsFor[versions.object(v)] = v;
+      }
+    }
+    for (int t = 0; t < version.length; t++) {
+      if (has(versions, version[t]) && lookup.page(t) != TexelMap.NONE) {
+        sizes[version[t]]++;
+      }
+    }
+    int[][] members = new int[sizes.length][];
+    for (int v = 0; v < sizes.length; v++) {
+      members[v] = new int[sizes[v]];
+    }
+    Arrays.fill(sizes, 0);
+    for (int t = 0; t < version.length; t++) {
+      if (has(versions, version[t]) && lookup.page(t) != TexelMap.NONE) {
+        members[version[t]][sizes[version[t]]++] = t;
+      }
+    }
+    @Nullable ReferenceSurface[] made = new ReferenceSurface[versions.count()];
+    IntStream.range(1, made.length)
+        .parallel()
+        .filter(v -> versions.isReference(v) && members[v].length > 0)
+        .forEach(v -> made[v] = new ReferenceSurface(scene.triangles(), members[v]));
+    @Nullable ReferenceSurface[] byVersion = new ReferenceSurface[versions.count()];
+    for (int v = 1; v < byVersion.length; v++) {
+      byVersion[v] = made[standsFor[versions.object(v)]];
+    }
+    return byVersion;
+  }
+
+  private static boolean has(Versions versions, int version) {
+    return version != Versions.FIXED && versions.isReference(version);
+  }
+
+  private static int pageOf(int[] first, int chunk) {
+    int page = 0;
+    while (first[page + 1] <= chunk) {
+      page++;
+    }
+    return page;
+  }
+
+  private static int search(
+      LightScene scene,
+      @Nullable ReferenceSurface[] surfaces,
+      TexelMap map,
+      Places places,
+      int from,
+      int to) {
+    ReferenceSurface surface = null;
+    ReferenceSurface.Search search = null;
+    double[] point = new double[3];
+    double[] normal = new double[3];
+    int found = 0;
+    for (int i = from; i < to; i++) {
+      int triangle = map.triangle()[i];
+      if (!shares(scene, triangle)) {
+        continue;
+      }
+      ReferenceSurface own = surfaces[scene.triangles().version()[triangle]];
+      if (own == null) {
+        continue;
+      }
+      if (own != surface) {
+        surface = own;
+        search = own.new Search();
+      }
+      scene.triangles().point(triangle, map.u()[i], map.v()[i], point);
+      scene.triangles().normal(triangle, normal);
+      if (search.find(point, normal)) {
+        places.triangle()[i] = search.triangle();
+        places.u()[i] = (float) search.u();
+        places.v()[i] = (float) search.v();
+        found++;
+      }
+    }
+    return found;
+  }
+}
