@@ -26,10 +26,16 @@ public final class PngFile {
   /**
    * The bytes of the file, made as small as can be, which takes some ten times as long.
    *
-   * @param rgb three bytes per pixel, rows from the top
+   * @param pixels rows from the top, three bytes per pixel, or four with alpha
    */
-  public static byte[] small(int width, int height, byte[] rgb) {
-    return PngPicture.of(width, height, PngPicture.Samples.RGB, new byte[0], rgb);
+  public static byte[] small(int width, int height, byte[] pixels) {
+    boolean alpha = pixels.length == 4 * width * height;
+    return PngPicture.of(
+        width,
+        height,
+        alpha ? PngPicture.Samples.RGBA : PngPicture.Samples.RGB,
+        new byte[0],
+        pixels);
   }
 
   private static byte[] file(int width, int height, byte[] deflated) {

@@ -13,8 +13,13 @@ final class Overlaps {
   /** Cells to a side at most. */
   private static final int MOST_CELLS = 512;
 
-  /** Pairs looked at per triangle beyond which a chart is given up. */
-  private static final int PAIRS = 400;
+  /**
+   * Pairs looked at per triangle beyond which a chart is given up, and in any case: fans of some
+   * thousand triangles meet in one cell.
+   */
+  private static final long PAIRS = 400;
+
+  private static final long SOME_PAIRS = 4_000_000;
 
   private final WeldedBody body;
   private final int[] chartOf;
@@ -167,7 +172,7 @@ final class Overlaps {
           if (chartOf[members[b]] < 0 || beside(members[a], members[b])) {
             continue;
           }
-          if (++looked > (long) PAIRS * members.length) {
+          if (++looked > SOME_PAIRS + PAIRS * members.length) {
             return evicted + giveUp(members);
           }
           if (!apart(6 * a, 6 * b) && !apart(6 * b, 6 * a)) {

@@ -3,7 +3,9 @@ package org.selectiverenderer.radiosity.bake;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import org.selectiverenderer.radiosity.atlas.TexelMap;
 import org.selectiverenderer.radiosity.scene.Body;
@@ -13,18 +15,18 @@ import org.selectiverenderer.radiosity.scene.Body;
  * sends out, emission + reflectance * irradiance / pi. Where a surface's image stays a texture of
  * its own, the picture has that colour by the image's mean colour, as a display is given both: so
  * their product is the tone curve's colour where the image has its mean, and elsewhere as far from
- * it as the curve is from a power. Where the light makes it brighter than the image, the picture
- * has half of it and is to be multiplied twice ({@code MODULATE2X}).
+ * it as the curve is from a power. Where the light makes it brighter than the image, the image gets
+ * as much brighter as it can be, and the picture that much darker ({@link BrightImage}).
  */
 public final class LightPictures {
-  /** The share of a body's texels that may be too bright before it is halved. */
+  /** The share of a body's texels that may be too bright for its image as it is. */
   private static final double TOO_BRIGHT = 0.002;
 
   private static final double LEAST_OPAQUE = 0.05;
 
   private final TexelScene lit;
   private final TextureUse use;
-  private final BitSet doubled = new BitSet();
+  private final BitSet brighter = new BitSet();
   private final List<LightPicture> pictures;
 
   private LightPictures(TexelScene lit) {
@@ -50,9 +52,9 @@ public final class LightPictures {
     return use;
   }
 
-  /** Whether a body's image is to be multiplied by its picture twice. */
-  public boolean doubled(int body) {
-    return doubled.get(body);
+  /** Whether a body's image is to be a {@link BrightImage}. */
+  public boolean brighter(int body) {
+    return brighter.get(body);
   }
 
   private LightPicture picture(int number) {
@@ -60,17 +62,11 @@ public final class LightPictures {
     float[] colours = new float[3 * page.texels()];
     int[] bodies = new int[page.texels()];
     paint(page, lit.pages().irradiance().get(number), colours, bodies);
-    BitSet halved = halved(colours, bodies);
-    synchronized (doubled) {
-      doubled.or(halved);
+    BitSet bright = bright(colours, bodies);
+    synchronized (brighter) {
+      brighter.or(bright);
     }
-    for (int texel = 0; texel < bodies.length; texel++) {
-      if (bodies[texel] >= 0 && halved.get(bodies[texel])) {
-        for (int c = 0; c < 3; c++) {
-          colours[3 * texel + c] /= 2;
-        }
-      }
-    }
+    darken(colours, bodies, bright);
     Gutters.fill(page.width(), page.height(), bodies, colours);
     return new LightPicture(page.width(), page.height(), bytes(page, colours));
   }
@@ -111,24 +107,38 @@ public final class LightPictures {
     }
   }
 
+  private void darken(float[] colours, int[] bodies, BitSet bright) {
+    Map<Integer, double[]> gains = new HashMap<>();
+    bright.stream().forEach(body -> gains.put(body, use.gains(body)));
+    for (int texel = 0; texel < bodies.length; texel++) {
+      double[] gain = gains.get(bodies[texel]);
+      for (int c = 0; gain != null && c < 3; c++) {
+        colours[3 * texel + c] /= (float) gain[c];
+      }
+    }
+  }
+
   /** The bodies too many of whose texels are brighter than a picture can be. */
-  private BitSet halved(float[] colours, int[] bodies) {
+  private BitSet bright(float[] colours, int[] bodies) {
     int[] all = new int[lit.scene().bodies().size()];
-    int[] bright = new int[all.length];
+    int[] over = new int[all.length];
     for (int texel = 0; texel < bodies.length; texel++) {
       int body = bodies[texel];
       if (body >= 0 && use.apart(body)) {
         int at = 3 * texel;
         all[body]++;
-        bright[body] +=
-            Math.max(colours[at], Math.max(colours[at + 1], colours[at + 2])) > 1 ? 1 : 0;
+        over[body] += Math.max(colours[at], Math.max(colours[at + 1], colours[at + 2])) > 1 ? 1 : 0;
       }
     }
-    BitSet halved = new BitSet();
+    BitSet bright = new BitSet();
     for (int body = 0; body < all.length; body++) {
-      halved.set(body, bright[body] > TOO_BRIGHT * all[body]);
+      bright.set(body, over[body] > TOO_BRIGHT * all[body] && max(use.gains(body)) > 1);
     }
-    return halved;
+    return bright;
+  }
+
+  private static double max(double[] three) {
+    return Math.max(three[0], Math.max(three[1], three[2]));
   }
 
   private static byte[] bytes(TexelMap page, float[] colours) {

@@ -71,6 +71,16 @@ public final class OwnTexture {
     return Optional.ofNullable(used).filter(node -> PLAIN.contains(node.type().name()));
   }
 
+  /** The image itself; the same object where it is the same image. */
+  public Texture texture() {
+    return texture;
+  }
+
+  /** Whether a file can have a brighter copy in its place: no film moves in it. */
+  boolean copies() {
+    return texture.image().film() == null && texture.image().layers() == 1;
+  }
+
   /** Whether the image multiplies the material's colour, else it replaces it. */
   boolean tints() {
     return body.shape().surface().tints();
@@ -129,8 +139,7 @@ public final class OwnTexture {
     place(triangle, 0, 0, a);
     place(triangle, 1, 0, b);
     place(triangle, 0, 1, c);
-    double area =
-        Math.abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    double area = Math.abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
     return area * width() * height();
   }
 
@@ -149,7 +158,8 @@ public final class OwnTexture {
     for (int dy = 0; dy < 2; dy++) {
       for (int dx = 0; dx < 2; dx++) {
         double weight = (dx == 0 ? 1 - (x - left) : x - left) * (dy == 0 ? 1 - (y - low) : y - low);
-        add(wrapped(left + dx, width(), texture.repeatS()),
+        add(
+            wrapped(left + dx, width(), texture.repeatS()),
             wrapped(low + dy, height(), texture.repeatT()),
             weight,
             out);

@@ -109,6 +109,14 @@ public final class TextureUse {
     return uses.get(body).mean() != null;
   }
 
+  /** What a brighter copy of a body's image would have; 1 where there is none. */
+  double[] gains(int body) {
+    OwnTexture own = uses.get(body).own();
+    return own == null || !apart(body) || !own.copies()
+        ? new double[] {1, 1, 1}
+        : BrightImage.gains(own.texture().image());
+  }
+
   BodyPaint paint(Body body, int number) {
     return new BodyPaint(body, uses.get(number).own(), uses.get(number).mean());
   }

@@ -34,6 +34,7 @@ public final class TexelForm implements LitForm {
   private final Gloss gloss;
   private final LampFit lamps;
   private final FilePlaces places;
+  private final BrightImages images = new BrightImages();
   private final Map<Integer, Path> files = new LinkedHashMap<>();
   private final Map<Path, Map<String, String>> appearances = new HashMap<>();
 
@@ -149,9 +150,13 @@ public final class TexelForm implements LitForm {
       picture(into, page, "");
       return;
     }
-    String by = painted.doubled(number) ? "MODULATE2X" : "MODULATE";
-    into.out().open("MultiTexture", "mode", "\"MODULATE\" \"%s\"".formatted(by));
-    into.nodes().append(OwnTexture.of(body).node().orElseThrow(), "texture", into);
+    OwnTexture own = OwnTexture.of(body);
+    into.out().open("MultiTexture", "mode", "\"MODULATE\" \"MODULATE\"");
+    if (painted.brighter(number)) {
+      images.append(into, own);
+    } else {
+      into.nodes().append(own.node().orElseThrow(), "texture", into);
+    }
     picture(into, page, "");
     into.out().close();
   }
@@ -204,6 +209,7 @@ public final class TexelForm implements LitForm {
     for (int i = 0; i < bytes.length; i++) {
       made.put(all.get(i).getValue(), bytes[i]);
     }
+    made.putAll(images.pictures());
     return made;
   }
 

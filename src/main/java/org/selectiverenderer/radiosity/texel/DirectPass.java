@@ -25,6 +25,9 @@ final class DirectPass {
   private static final char UNKNOWN = 65_535;
   private static final char DARK = 65_534;
 
+  /** Single rays that together are as good as those of a texel of the grid. */
+  private static final int ENOUGH = 6;
+
   /** Shares that differ by less count as one. */
   private static final double SAME = 0.02;
 
@@ -111,8 +114,10 @@ final class DirectPass {
     private int first;
     private TexelMap map = new TexelMap(0, 0, new int[0], new float[0], new float[0], new int[0]);
 
-    // Of the texel looked at: its share by interpolation.
+    // Of the texel looked at: its share by interpolation, and whether its cell has any of the
+    // grid.
     private double interpolated;
+    private boolean cornered;
 
     Worker(int number) {
       this.number = number;
@@ -133,7 +138,7 @@ final class DirectPass {
       int x = (texel - first) % map.width();
       int y = (texel - first) / map.width();
       double share;
-      if (x % GRID == 0 && y % GRID == 0) {
+      if (onGrid(x, y)) {
         share = shadow.share(place, number, texel + 7919 * number);
       } else {
         int cell = first + y / GRID * GRID * map.width() + x / GRID * GRID;
@@ -154,16 +159,39 @@ final class DirectPass {
         return;
       }
       double share;
-      if (x % GRID == 0 && y % GRID == 0) {
-        share = shares[texel] == DARK ? 0 : (double) shares[texel] / WHOLE;
+      if (onGrid(x, y) && settled(x, y, texel)) {
+        share = (double) shares[texel] / WHOLE;
+      } else if (onGrid(x, y)) {
+        share = Math.max(0, shadow.edge(place, number, texel + 7919 * number));
       } else if (interpolate(x, y)) {
         share = interpolated;
+      } else if (cornered || lamp.hard()) {
+        share = Math.max(0, shadow.edge(place, number, texel + 7919 * number));
       } else {
-        share = Math.max(0, shadow.share(place, number, texel + 7919 * number));
+        share = Math.max(0, shadow.small(place, number, texel + 7919 * number));
       }
       for (int c = 0; c < 3; c++) {
         light[3 * texel + c] += (float) (share * open[c]);
       }
+    }
+
+    /** Whether a texel is one of the grid, with others of it in its chart. */
+    private boolean onGrid(int x, int y) {
+      int chart = map.chart()[y * map.width() + x];
+      return x % GRID == 0
+          && y % GRID == 0
+          && (in(x - GRID, y, chart)
+              || in(x + GRID, y, chart)
+              || in(x, y - GRID, chart)
+              || in(x, y + GRID, chart));
+    }
+
+    /** Whether the rays of a texel of the grid are enough: no edge is near, or it had them all. */
+    private boolean settled(int x, int y, int texel) {
+      char share = shares[texel];
+      boolean hidden = share < SAME * WHOLE;
+      boolean mixed = !hidden && share < (1 - SAME) * WHOLE;
+      return share < DARK && (mixed || allSay(x, y, map.chart()[y * map.width() + x], hidden));
     }
 
     /** Whether the texels around say what reaches this one. */
@@ -190,12 +218,17 @@ final class DirectPass {
         sum += wx * wy * value;
         weights += wx * wy;
       }
-      if (!(weights > 0) || high - low > STEEP) {
+      boolean whole = weights > 0.999;
+      cornered = weights > 0;
+      if (!(weights > 0)) {
+        return say(x, y, chart);
+      }
+      if (high - low > STEEP) {
         return false;
       }
       interpolated = sum / weights;
       boolean even = high < SAME || low > 1 - SAME;
-      return even ? allSay(x, y, chart, high < SAME) : agree(x0, y0, chart, weights);
+      return even ? allSay(x, y, chart, high < SAME) : whole && agree(x0, y0, chart);
     }
 
     /** Whether single rays around a texel all find the lamp hidden, or all see it. */
@@ -212,10 +245,7 @@ final class DirectPass {
     }
 
     /** Whether single rays of a cell are what a share in a half-shadow gives. */
-    private boolean agree(int x0, int y0, int chart, double weights) {
-      if (weights < 0.999) {
-        return false;
-      }
+    private boolean agree(int x0, int y0, int chart) {
       double sum = 0;
       int count = 0;
       for (int y = y0; y < y0 + GRID; y++) {
@@ -231,12 +261,31 @@ final class DirectPass {
       return count > 8 && Math.abs(sum / count - interpolated) < AGREES * error + SAME;
     }
 
-    private char at(int x, int y, int chart) {
-      if (x < 0 || y < 0 || x >= map.width() || y >= map.height()) {
-        return UNKNOWN;
+    /** Likewise without any texel of the grid: the single rays must be all that is needed. */
+    private boolean say(int x, int y, int chart) {
+      int count = 0;
+      int seen = 0;
+      for (int ny = y - 2; ny <= y + 2; ny++) {
+        for (int nx = x - 2; nx <= x + 2; nx++) {
+          char share = at(nx, ny, chart);
+          count += share < DARK ? 1 : 0;
+          seen += share < DARK && share > (1 - SAME) * WHOLE ? 1 : 0;
+        }
       }
-      int there = y * map.width() + x;
-      return map.chart()[there] == chart ? shares[first + there] : UNKNOWN;
+      interpolated = seen == 0 ? 0 : 1;
+      return count >= ENOUGH && (seen == count || seen == 0 && allSay(x, y, chart, true));
+    }
+
+    private char at(int x, int y, int chart) {
+      return in(x, y, chart) ? shares[first + y * map.width() + x] : UNKNOWN;
+    }
+
+    private boolean in(int x, int y, int chart) {
+      return x >= 0
+          && y >= 0
+          && x < map.width()
+          && y < map.height()
+          && map.chart()[y * map.width() + x] == chart;
     }
   }
 }

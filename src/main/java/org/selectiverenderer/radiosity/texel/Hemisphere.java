@@ -17,11 +17,19 @@ final class Hemisphere {
   /** A place that meets so many backs, as a share of its rays, lies inside of something. */
   private static final double BURIED = 0.25;
 
-  /** Covered: so many of the rays end within half a texel. */
+  /**
+   * Covered: so many of the rays end so near, in offsets of starts, that something lies right on
+   * the place. Through a wider gap it can be seen, and it is dark.
+   */
   private static final double COVERED = 0.95;
+
+  private static final double TOUCHING = 4;
 
   /** Directions flatter than this leave the triangle to its back. */
   private static final double FLAT = 0.005;
+
+  /** Reflections between things that are near to each other that a ray follows. */
+  private static final int MOST_BOUNCES = 8;
 
   /** Of flat rays no more than this counts for how light turns, as a cosine. */
   private static final double LEAST_COSINE = 0.1;
@@ -33,6 +41,13 @@ final class Hemisphere {
   private final double[] start = new double[3];
   private final double[] direction = new double[3];
   private final double[] radiance = new double[3];
+  private final double[] toward = new double[3];
+  private final double[] bounced = new double[3];
+  private final double[] fromSurfaces = new double[3];
+  private final double[] hitNormal = new double[3];
+  private final double[] share = new double[3];
+  private final double[] light = new double[3];
+  private final double[] reflected = new double[3];
   private final double[] parts = new double[PARTS];
 
   /** Directions that all share. */
@@ -49,6 +64,11 @@ final class Hemisphere {
     this.scene = scene;
     this.hits = hits;
     this.sets = sets;
+  }
+
+  /** Rays of one set. */
+  int most() {
+    return sets.rays();
   }
 
   long rays() {
@@ -71,6 +91,7 @@ final class Hemisphere {
     int valid = 0;
     int backs = 0;
     int near = 0;
+    int met = 0;
     for (int part = 0; part < PARTS; part++) {
       double sum = 0;
       int counted = 0;
@@ -86,9 +107,11 @@ final class Hemisphere {
         if (ray.triangle == Ray.NOTHING) {
           continue;
         }
-        near += ray.length < place.size() / 2 ? 1 : 0;
+        near += ray.length < TOUCHING * scene.offset() ? 1 : 0;
+        met++;
         inverse += 1 / Math.max(1e-6, ray.length);
-        hits.of(ray, radiance);
+        System.arraycopy(direction, 0, toward, 0, 3);
+        look(place.version, first + i);
         sum += radiance[0] + radiance[1] + radiance[2];
         add(place.normal, out);
       }
@@ -96,7 +119,23 @@ final class Hemisphere {
       valid += counted;
     }
     out.seen = backs <= BURIED * (backs + valid) && near < COVERED * valid;
-    finish(valid, inverse, out);
+    finish(valid, out);
+    out.distance = inverse > 0 ? met / inverse : Double.POSITIVE_INFINITY;
+  }
+
+  /** Whether one ray ends within some texels of a place. */
+  boolean near(TexelPlace place, int i, int turn, double most) {
+    place.start(start);
+    sets.directions()
+        .about(place.normal, (PointSet.hash(turn) & SETS - 1) * sets.rays() + i, direction);
+    if (dot(direction, place.facing) < FLAT) {
+      return false;
+    }
+    ray.from(start, direction);
+    ray.length = most * place.size();
+    ray.pass = 0.5;
+    scene.visibility().nearest(ray, place.version);
+    return ray.triangle != Ray.NOTHING;
   }
 
   /** Whether a place lies inside of something or is covered closely, as few rays tell. */
@@ -111,7 +150,7 @@ final class Hemisphere {
         valid++;
         boolean met = ray.triangle != Ray.NOTHING;
         backs += met && ray.behind && !twoSided() ? 1 : 0;
-        near += met && ray.length < place.size() / 2 ? 1 : 0;
+        near += met && ray.length < TOUCHING * scene.offset() ? 1 : 0;
       }
     }
     return 2 * backs >= valid && backs > 0 || near == valid && near > 0;
@@ -119,8 +158,7 @@ final class Hemisphere {
 
   private boolean cast(TexelPlace place, int i) {
     sets.directions().about(place.normal, i, direction);
-    double[] n = place.facing;
-    if (direction[0] * n[0] + direction[1] * n[1] + direction[2] * n[2] < FLAT) {
+    if (dot(direction, place.facing) < FLAT) {
       return false;
     }
     ray.from(start, direction);
@@ -134,18 +172,66 @@ final class Hemisphere {
     return scene.triangles().twoSided()[ray.triangle];
   }
 
-  private void add(double[] n, LightRecord out) {
-    double cosine = direction[0] * n[0] + direction[1] * n[1] + direction[2] * n[2];
-    double scale = 1 / Math.max(LEAST_COSINE, cosine);
-    for (int c = 0; c < 3; c++) {
-      out.light[c] += radiance[c];
-      for (int axis = 0; axis < 3; axis++) {
-        out.turn[3 * c + axis] += radiance[c] * scale * (direction[axis] - cosine * n[axis]);
+  /**
+   * Finds the radiance of what the ray has met. Where that is near, as in a corner or under
+   * furniture, the light from surfaces there is not the patch's: one more ray fetches it.
+   */
+  private void look(int version, int i) {
+    Arrays.fill(radiance, 0);
+    Arrays.fill(share, 1);
+    for (int bounce = 0; ; bounce++) {
+      int patch = hits.patch(ray);
+      hits.reflectance(ray, reflected);
+      hits.direct(ray, patch, light);
+      boolean goesOn = bounce < MOST_BOUNCES && hits.near(ray, patch);
+      if (!goesOn) {
+        hits.indirect(patch, fromSurfaces);
+      }
+      for (int c = 0; c < 3; c++) {
+        double arriving = light[c] + (goesOn ? 0 : fromSurfaces[c]);
+        radiance[c] += share[c] * (hits.glow(patch, c) + reflected[c] * arriving / Math.PI);
+        share[c] *= reflected[c];
+      }
+      if (!goesOn || !bounce(version, PointSet.hash(i + 0x632be5ab * (bounce + 1)))) {
+        return;
       }
     }
   }
 
-  private void finish(int valid, double inverse, LightRecord out) {
+  /** Sends the ray on from where it has ended; false if it meets nothing that has light. */
+  private boolean bounce(int version, int turn) {
+    scene.triangles().normal(ray.triangle, hitNormal);
+    for (int axis = 0; axis < 3; axis++) {
+      hitNormal[axis] *= ray.behind ? -1 : 1;
+    }
+    bounced[0] = ray.ox + ray.length * ray.dx + scene.offset() * hitNormal[0];
+    bounced[1] = ray.oy + ray.length * ray.dy + scene.offset() * hitNormal[1];
+    bounced[2] = ray.oz + ray.length * ray.dz + scene.offset() * hitNormal[2];
+    int i = (turn >>> 1) % sets.directions().size();
+    sets.directions().about(hitNormal, i, direction);
+    ray.from(bounced, direction);
+    ray.length = Double.POSITIVE_INFINITY;
+    ray.pass = sets.passes().y(i);
+    scene.visibility().nearest(ray, version);
+    return ray.triangle != Ray.NOTHING && (!ray.behind || twoSided());
+  }
+
+  private static double dot(double[] a, double[] b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  private void add(double[] n, LightRecord out) {
+    double cosine = dot(toward, n);
+    double scale = 1 / Math.max(LEAST_COSINE, cosine);
+    for (int c = 0; c < 3; c++) {
+      out.light[c] += radiance[c];
+      for (int axis = 0; axis < 3; axis++) {
+        out.turn[3 * c + axis] += radiance[c] * scale * (toward[axis] - cosine * n[axis]);
+      }
+    }
+  }
+
+  private void finish(int valid, LightRecord out) {
     double scale = valid == 0 ? 0 : Math.PI / valid;
     for (int c = 0; c < 3; c++) {
       out.light[c] *= scale;
@@ -153,7 +239,6 @@ final class Hemisphere {
     for (int i = 0; i < 9; i++) {
       out.turn[i] *= scale;
     }
-    out.distance = inverse > 0 ? valid / inverse : Double.POSITIVE_INFINITY;
     double mean = Arrays.stream(parts).sum() / PARTS;
     double squares = 0;
     for (double part : parts) {

@@ -13,6 +13,9 @@ import org.selectiverenderer.radiosity.trace.Ray;
  * several threads.
  */
 final class HitLight {
+  /** Of a patch's area: rays shorter than the root of that are near. */
+  private static final double NEAR = 4;
+
   private final LightScene scene;
   private final Solution solution;
   private final Texels texels;
@@ -28,23 +31,47 @@ final class HitLight {
     this.direct = direct;
   }
 
-  /** Writes the radiance r, g, b of the place that a ray has met, cd/m2. */
-  void of(Ray ray, double[] out) {
-    int patch = solution.patches().at(ray.triangle, ray.u, ray.v, ray.behind);
-    int body = scene.bodyOf()[ray.triangle];
-    int texel = ray.behind ? -1 : texel(ray, body);
-    if (texel < 0 || !texels.wanted(texel)) {
-      for (int c = 0; c < 3; c++) {
-        out[c] = solution.reflected()[3 * patch + c] + solution.glow()[3 * patch + c];
-      }
-      return;
-    }
-    Body of = scene.bodies().get(body);
-    int rho = of.reflectanceAt(ray.triangle - of.firstTriangle());
+  /** The patch that a ray has met. */
+  int patch(Ray ray) {
+    return solution.patches().at(ray.triangle, ray.u, ray.v, ray.behind);
+  }
+
+  /**
+   * Whether a ray ended so near that the patch there is too coarse for what it sees: the light of a
+   * patch is a mean over its area.
+   */
+  boolean near(Ray ray, int patch) {
+    return ray.length * ray.length < NEAR * solution.patches().area(patch);
+  }
+
+  /** Writes the reflectance r, g, b of the place that a ray has met. */
+  void reflectance(Ray ray, double[] out) {
+    Body body = scene.body(ray.triangle);
+    int at = body.reflectanceAt(ray.triangle - body.firstTriangle());
     for (int c = 0; c < 3; c++) {
-      double irradiance = direct[3 * texel + c] + solution.indirect()[3 * patch + c];
-      out[c] = of.reflectance()[rho + c] * irradiance / Math.PI + solution.glow()[3 * patch + c];
+      out[c] = body.reflectance()[at + c];
     }
+  }
+
+  /** Writes the irradiance r, g, b from the lamps at the place that a ray has met, lx. */
+  void direct(Ray ray, int patch, double[] out) {
+    int texel = ray.behind ? -1 : texel(ray, scene.bodyOf()[ray.triangle]);
+    boolean known = texel >= 0 && texels.wanted(texel);
+    for (int c = 0; c < 3; c++) {
+      out[c] = known ? direct[3 * texel + c] : solution.direct()[3 * patch + c];
+    }
+  }
+
+  /** Writes the irradiance r, g, b from surfaces on a patch, lx. */
+  void indirect(int patch, double[] out) {
+    for (int c = 0; c < 3; c++) {
+      out[c] = solution.indirect()[3 * patch + c];
+    }
+  }
+
+  /** The radiance of a colour with which a patch glows, cd/m2. */
+  double glow(int patch, int colour) {
+    return solution.glow()[3 * patch + colour];
   }
 
   private int texel(Ray ray, int body) {

@@ -12,6 +12,7 @@ final class IndirectBetween {
   private final Solution solution;
   private final Texels texels;
   private final IndirectPass pass;
+  private final NoiseCount noise = new NoiseCount();
 
   IndirectBetween(LightScene scene, Solution solution, Texels texels, IndirectPass pass) {
     this.scene = scene;
@@ -20,8 +21,8 @@ final class IndirectBetween {
     this.pass = pass;
   }
 
-  /** Adds to r, g, b of all texels that are gathered. */
-  void addTo(float[] light) {
+  /** Adds to r, g, b of all texels that are gathered; returns the noise that is left in them. */
+  TexelNoise addTo(float[] light) {
     IntStream.range(0, (texels.tiles() + CHUNK - 1) / CHUNK)
         .parallel()
         .forEach(
@@ -33,6 +34,7 @@ final class IndirectBetween {
                 runs.end();
               }
             });
+    return noise.of(pass.records().size());
   }
 
   /** Texels side by side in one chart share the search for records. One per thread. */
@@ -59,6 +61,10 @@ final class IndirectBetween {
       run[size++] = texel;
     }
 
+    private double sum(int texel) {
+      return (double) light[3 * texel] + light[3 * texel + 1] + light[3 * texel + 2];
+    }
+
     void end() {
       reader.begin();
       for (int i = 0; i < size; i++) {
@@ -70,10 +76,14 @@ final class IndirectBetween {
       }
       for (int i = 0; i < size; i++) {
         place.at(run[i]);
-        boolean known = reader.at(place.point, place.normal, pass.group(place));
+        boolean known = pass.at(reader, run[i], place);
         for (int c = 0; c < 3; c++) {
           light[3 * run[i] + c] +=
               known ? (float) reader.light[c] : solution.indirect()[3 * place.patch + c];
+        }
+        double there = sum(run[i]);
+        if (known && there > 0) {
+          noise.add(reader.error / there);
         }
       }
       size = 0;

@@ -18,7 +18,7 @@ final class IndirectPass {
   private static final int[] STRIDES = {16, 8, 4, 2, 1};
 
   /** A record counts within this share of how far what it sees is. */
-  private static final double REACH = 0.25;
+  private static final double REACH = 0.15;
 
   /**
    * The radius of a record, in texels: at least on all grids, on that of single texels; at most.
@@ -40,6 +40,7 @@ final class IndirectPass {
   private final LightScene scene;
   private final Solution solution;
   private final Texels texels;
+  private final NearbyPass nearby;
   private final float[] direct;
   private final Hemisphere.Sets sets;
   private final double noise;
@@ -55,12 +56,14 @@ final class IndirectPass {
       LightScene scene,
       Solution solution,
       Texels texels,
+      NearbyPass nearby,
       float[] direct,
       Hemisphere.Sets sets,
       double noise) {
     this.scene = scene;
     this.solution = solution;
     this.texels = texels;
+    this.nearby = nearby;
     this.direct = direct;
     this.sets = sets;
     this.noise = noise;
@@ -148,19 +151,21 @@ final class IndirectPass {
       reader.begin();
       reader.include(place.point);
       reader.find();
-      if (!reader.at(place.point, place.normal, group(place)) || reader.weight < KNOWN) {
+      if (!at(reader, texel, place) || reader.weight < KNOWN) {
         return true;
-      }
-      if (stride > 1) {
-        return false;
       }
       double there = reader.light[0] + reader.light[1] + reader.light[2] + sum(direct, texel);
       return reader.misfit > Math.max(BENT * there, 2 * reader.error);
     }
   }
 
+  /** Looks at a place of the reader; whether anything is known there. */
+  boolean at(RecordReader reader, int texel, TexelPlace place) {
+    return reader.at(place.point, place.normal, group(place), nearby.reach(texel, place));
+  }
+
   /** All references and what has no versions see one scene; any other version sees its own. */
-  int group(TexelPlace place) {
+  private int group(TexelPlace place) {
     return scene.versions().isReference(place.version) ? 0 : place.version;
   }
 

@@ -11,7 +11,7 @@ import org.selectiverenderer.radiosity.trace.Ray;
  * thread.
  */
 final class LampShadow {
-  /** Nothing of the lamp's light falls on the texel, even if nothing is in the way. */
+  /** No share: nothing of the lamp's light falls on the texel, even if nothing is in the way. */
   static final double NOTHING = -1;
 
   /** Shares closer to none or all than this have no edge in them. */
@@ -54,20 +54,32 @@ final class LampShadow {
     return ray.cast();
   }
 
-  /**
-   * The share by as many rays as it takes: few if all agree; {@link #NOTHING} if no light falls.
-   */
+  /** The share where nothing is known yet, by few rays if they agree. */
   double share(TexelPlace place, int lamp, int turn) {
+    return share(place, lamp, hard[lamp] ? 4 : 16, points.most(), turn);
+  }
+
+  /** The share where an edge may be: of a hard shadow's all rays are needed to place it. */
+  double edge(TexelPlace place, int lamp, int turn) {
+    return share(place, lamp, hard[lamp] ? points.most() : 16, points.most(), turn);
+  }
+
+  /** The share on a piece of few texels, on which little of a half-shadow can be seen. */
+  double small(TexelPlace place, int lamp, int turn) {
+    return share(place, lamp, 4, points.most() / 4, turn);
+  }
+
+  private double share(TexelPlace place, int lamp, int first, int most, int turn) {
     open = 0;
     passed = 0;
-    int few = Math.min(points.most(), hard[lamp] ? 4 : 16);
+    int few = Math.min(most, first);
     cast(place, lamp, 0, few, turn);
     if (!(open > 0)) {
       return NOTHING;
     }
     double share = passed / open;
     if (share > CLEAR && share < 1 - CLEAR) {
-      cast(place, lamp, few, points.most(), turn);
+      cast(place, lamp, few, most, turn);
       share = passed / open;
     }
     return share;

@@ -15,7 +15,7 @@ final class RecordReader {
   private static final double ABOVE = 0.15;
 
   /** Keeps planes through few records flat. */
-  private static final double RIDGE = 0.03;
+  private static final double RIDGE = 0.003;
 
   /** Light is not taken to be more than this above all records around, or below. */
   private static final double BEYOND = 0.15;
@@ -75,8 +75,12 @@ final class RecordReader {
     near[count++] = record;
   }
 
-  /** Whether anything is known at a place that was included. */
-  boolean at(double[] point, double[] normal, int group) {
+  /**
+   * Whether anything is known at a place that was included.
+   *
+   * @param most records farther away than this do not count, metres
+   */
+  boolean at(double[] point, double[] normal, int group, double most) {
     tangent(normal);
     used = 0;
     weight = 0;
@@ -84,7 +88,7 @@ final class RecordReader {
     double radii = 0;
     for (int i = 0; i < count; i++) {
       if (records.groups()[near[i]] == group) {
-        radii += weigh(near[i], point, normal);
+        radii += weigh(near[i], point, normal, most);
       }
     }
     if (used == 0) {
@@ -110,13 +114,13 @@ final class RecordReader {
   }
 
   /** Notes a record's weight, place and light, if it counts; returns weight times radius. */
-  private double weigh(int record, double[] point, double[] normal) {
+  private double weigh(int record, double[] point, double[] normal, double most) {
     float[] r = records.numbers();
     int at = LightRecords.NUMBERS * record;
     double dx = r[at] - point[0];
     double dy = r[at + 1] - point[1];
     double dz = r[at + 2] - point[2];
-    double radius = r[at + LightRecords.RADIUS];
+    double radius = Math.min(most, r[at + LightRecords.RADIUS]);
     double square = (dx * dx + dy * dy + dz * dz) / (radius * radius);
     if (square >= 1) {
       return 0;

@@ -18,6 +18,7 @@ final class TexelFootprint {
   private double vx;
   private double vy;
   private double size;
+  private double side;
 
   /** Weights of the second and third corner at the last place asked for. */
   double u;
@@ -38,6 +39,11 @@ final class TexelFootprint {
     return size;
   }
 
+  /** The side of a square as large as the triangle, metres; above 0. */
+  double side() {
+    return side;
+  }
+
   void of(int wanted) {
     if (wanted == triangle) {
       return;
@@ -56,6 +62,7 @@ final class TexelFootprint {
     double cy = (double) st[at + 5] * map.height() - 0.5 - ay;
     double twice = bx * cy - by * cx;
     double area = scene.triangles().normal(wanted, normal);
+    side = Math.max(1e-9, Math.sqrt(area));
     if (Math.abs(twice) < 1e-9) {
       // A line or a point: every place of it is the triangle's middle.
       u0 = 1 / 3.0;

@@ -68,7 +68,8 @@ public final class TexelGatherer {
       return pages(texels, choice, patches.all(), false, rays, TexelNoise.NONE);
     }
     Hemisphere.Sets sets = Hemisphere.Sets.of(effort.rays(), effort.seed());
-    rays += UnseenPass.leaveOut(scene, solution, texels, direct, sets, progress);
+    NearbyPass nearby = NearbyPass.look(scene, solution, texels, direct, sets, progress);
+    rays += nearby.rays();
     if (each != null) {
       float[] rough = direct.clone();
       patches.addIndirect(rough);
@@ -78,7 +79,8 @@ public final class TexelGatherer {
       patches.addIndirect(direct);
       return pages(texels, choice, direct, true, rays, TexelNoise.NONE);
     }
-    IndirectPass surfaces = new IndirectPass(scene, solution, texels, direct, sets, effort.noise());
+    IndirectPass surfaces =
+        new IndirectPass(scene, solution, texels, nearby, direct, sets, effort.noise());
     boolean whole =
         surfaces.gather(
             progress,
@@ -88,8 +90,7 @@ public final class TexelGatherer {
       patches.addIndirect(direct);
       return pages(texels, choice, direct, false, rays, TexelNoise.NONE);
     }
-    TexelNoise noise = RecordNoise.of(surfaces.records());
-    new IndirectBetween(scene, solution, texels, surfaces).addTo(direct);
+    TexelNoise noise = new IndirectBetween(scene, solution, texels, surfaces).addTo(direct);
     progress.at(WorkProgress.Stage.TEXELS, 1);
     return pages(texels, choice, direct, true, rays, noise);
   }

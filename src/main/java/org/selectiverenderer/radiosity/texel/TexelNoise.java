@@ -1,9 +1,10 @@
 package org.selectiverenderer.radiosity.texel;
 
 /**
- * What noise the rays left in the light, as standard errors in shares of the light.
+ * What noise the rays left in the light, as standard errors in shares of a texel's light: those of
+ * the rays at places around it, made smaller as it takes the mean over them.
  *
- * @param mean over all places that gathered
+ * @param mean over all texels
  * @param most what 95 percent of them do not exceed
  * @param places at which light from surfaces was gathered
  */

@@ -12,6 +12,9 @@ final class TexelPlace {
   /** Starts stay off a triangle's edges by this share, so that none lies in a wall's plane. */
   private static final double EDGE = 1e-3;
 
+  /** On triangles of many texels by no more than this share of a texel. */
+  private static final double EDGE_TEXELS = 0.02;
+
   /** Normals farther than this from the triangle's own do not say how it is curved. */
   private static final double ALIKE = 0.3;
 
@@ -174,8 +177,9 @@ final class TexelPlace {
   }
 
   private void start(int on, double u, double v, double[] out) {
-    double inU = u + EDGE * (1 / 3.0 - u);
-    double inV = v + EDGE * (1 / 3.0 - v);
+    double share = Math.min(EDGE, EDGE_TEXELS * own.size() / own.side());
+    double inU = u + share * (1 / 3.0 - u);
+    double inV = v + share * (1 / 3.0 - v);
     triangles.point(on, inU, inV, out);
     if (!flat && on == triangle) {
       bulge(inU, inV, out);

@@ -112,6 +112,7 @@ vec4 detailed() {
 #ifdef STAGES
   vec4 plain = baseHere;
   STAGES
+  cover *= plain.a > 0.0 ? baseHere.a / plain.a : 0.0;
 #endif
 #ifdef EMISSIVE_TEXEL
   vec3 glow_ = EMISSIVE_TEXEL.rgb;

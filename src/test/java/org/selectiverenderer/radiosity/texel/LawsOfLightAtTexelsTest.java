@@ -118,7 +118,7 @@ class LawsOfLightAtTexelsTest {
             assertThat(lux).isCloseTo(open, within(0.01 * open));
           } else {
             // The part of the texel that is in the light.
-            assertThat(lux / open).isCloseTo(0.5 - inside, within(0.05));
+            assertThat(lux / open).as("%s %s", p[0], p[2]).isCloseTo(0.5 - inside, within(0.05));
             edges[0]++;
           }
         });

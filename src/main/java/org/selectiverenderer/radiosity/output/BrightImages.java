@@ -1,0 +1,68 @@
+package org.selectiverenderer.radiosity.output;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.selectiverenderer.base.picture.PngFile;
+import org.selectiverenderer.radiosity.bake.BrightImage;
+import org.selectiverenderer.radiosity.bake.OwnTexture;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/** Brighter copies of images beside the files that show them, one of each in a folder. */
+final class BrightImages {
+  private static final String BRIGHT = "-bright";
+
+  /** An image, by identity, in a folder. */
+  private record Copy(int image, Path folder) {}
+
+  private final Map<Copy, Path> known = new LinkedHashMap<>();
+  private final Map<Path, Texture.Image> images = new LinkedHashMap<>();
+
+  /** Appends the texture of a body with a brighter copy of its image. */
+  void append(LitFile into, OwnTexture own) {
+    Texture.Image image = own.texture().image();
+    Node node = own.node().orElseThrow();
+    Path file =
+        known.computeIfAbsent(
+            new Copy(System.identityHashCode(image), into.folder()),
+            key -> next(into.folder(), stem(node)));
+    images.put(file, image);
+    X3dWriter out = into.out();
+    out.open("ImageTexture", "url", "\"" + file.getFileName() + "\"");
+    if (!own.texture().repeatS()) {
+      out.attribute("repeatS", "false");
+    }
+    if (!own.texture().repeatT()) {
+      out.attribute("repeatT", "false");
+    }
+    into.nodes().nodes(node, "metadata", into);
+    out.close();
+  }
+
+  private static String stem(Node node) {
+    String[] url = node.type().field("url").isEmpty() ? new String[0] : node.strings("url");
+    String name = url.length == 0 ? "" : url[0].replaceFirst("[?#].*$", "");
+    String last = name.substring(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1);
+    String stem = last.replaceFirst("\\.[^.]*$", "").replaceAll("[^\\w.-]", "_");
+    return (stem.isEmpty() ? "image" : stem) + BRIGHT;
+  }
+
+  private Path next(Path folder, String stem) {
+    Path path = folder.resolve(stem + ".png");
+    for (int number = 2; images.containsKey(path); number++) {
+      path = folder.resolve(stem + "-" + number + ".png");
+    }
+    return path;
+  }
+
+  Map<Path, byte[]> pictures() {
+    Map<Path, byte[]> made = new LinkedHashMap<>();
+    images.forEach(
+        (file, image) ->
+            made.put(
+                file, PngFile.small(image.width(), image.height(), BrightImage.pixels(image))));
+    return made;
+  }
+}

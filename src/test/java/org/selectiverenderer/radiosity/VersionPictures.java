@@ -1,0 +1,87 @@
+package org.selectiverenderer.radiosity;
+
+import org.joml.Vector3d;
+import org.selectiverenderer.radiosity.atlas.PageLookup;
+import org.selectiverenderer.radiosity.bake.LightPicture;
+import org.selectiverenderer.radiosity.bake.LightPictures;
+import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.scene.Photometry;
+import org.selectiverenderer.radiosity.trace.Ray;
+
+/** Pictures of a lit object's versions, as a browser shows them, drawn by rays. */
+final class VersionPictures {
+  private final TexelScene lit;
+  private final LightPictures pictures;
+  private final PageLookup lookup;
+  private final Ray ray = new Ray();
+  private final int[] texels = new int[4];
+  private final float[] weights = new float[4];
+
+  VersionPictures(TexelScene lit) {
+    this.lit = lit;
+    pictures = LightPictures.of(lit);
+    lookup = new PageLookup(lit.scene(), lit.atlas());
+  }
+
+  /**
+   * How two versions differ.
+   *
+   * @param mean difference of luminance, in shares of white, where both are seen
+   * @param far the share of pixels where it is above 12/255, as beside an edge that is elsewhere
+   * @param pixels that both cover
+   */
+  record Difference(double mean, double far, int pixels) {}
+
+  /** Compares two versions seen from an eye, in a picture of so many pixels each way. */
+  Difference compare(int one, int other, Vector3d eye, Vector3d target, int size) {
+    Vector3d forward = target.sub(eye, new Vector3d()).normalize();
+    Vector3d right = forward.cross(0, 1, 0, new Vector3d()).normalize();
+    Vector3d up = right.cross(forward, new Vector3d());
+    double sum = 0;
+    int far = 0;
+    int pixels = 0;
+    for (int y = 0; y < size; y++) {
+      for (int x = 0; x < size; x++) {
+        Vector3d direction =
+            new Vector3d(forward)
+                .fma(0.7 * ((x + 0.5) / size - 0.5), right)
+                .fma(0.7 * ((y + 0.5) / size - 0.5), up)
+                .normalize();
+        double a = seen(one, eye, direction);
+        double b = seen(other, eye, direction);
+        if (a >= 0 && b >= 0) {
+          sum += Math.abs(a - b);
+          far += Math.abs(a - b) > 12.0 / 255 ? 1 : 0;
+          pixels++;
+        }
+      }
+    }
+    return new Difference(sum / Math.max(1, pixels), (double) far / Math.max(1, pixels), pixels);
+  }
+
+  /** The luminance that is shown of a version in a direction; -1 if something else is seen. */
+  private double seen(int version, Vector3d eye, Vector3d direction) {
+    ray.from(
+        new double[] {eye.x, eye.y, eye.z}, new double[] {direction.x, direction.y, direction.z});
+    ray.length = Double.POSITIVE_INFINITY;
+    ray.pass = 0.5;
+    lit.scene().visibility().nearest(ray, version);
+    if (ray.triangle == Ray.NOTHING
+        || lit.scene().triangles().version()[ray.triangle] != version
+        || lookup.page(ray.triangle) < 0
+        || pictures.use().apart(lit.scene().bodyOf()[ray.triangle])) {
+      return -1;
+    }
+    LightPicture picture = pictures.pictures().get(lookup.page(ray.triangle));
+    int count = lookup.find(ray.triangle, ray.u, ray.v, texels, weights);
+    double[] rgb = new double[3];
+    for (int k = 0; k < count; k++) {
+      int row = picture.height() - 1 - texels[k] / picture.width();
+      int at = 3 * (row * picture.width() + texels[k] % picture.width());
+      for (int c = 0; c < 3; c++) {
+        rgb[c] += weights[k] * (picture.rgb()[at + c] & 0xff) / 255;
+      }
+    }
+    return Photometry.luminance((float) rgb[0], (float) rgb[1], (float) rgb[2]);
+  }
+}
