@@ -17,18 +17,19 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** Scenes written in tests. */
-final class SmallScene {
+public final class SmallScene {
   private SmallScene() {}
 
-  static String x3d(String body) {
+  public static String x3d(String body) {
     return "<X3D profile='Immersive' version='3.3'><Scene>" + body + "</Scene></X3D>";
   }
 
-  static LightScene read(String body) throws IOException, UnlitSceneException {
+  public static LightScene read(String body) throws IOException, UnlitSceneException {
     return read(body, new Problems());
   }
 
-  static LightScene read(String body, Problems problems) throws IOException, UnlitSceneException {
+  public static LightScene read(String body, Problems problems)
+      throws IOException, UnlitSceneException {
     try (SceneLoader loader =
         new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
       byte[] bytes = x3d(body).getBytes(StandardCharsets.UTF_8);
@@ -40,7 +41,7 @@ final class SmallScene {
   }
 
   /** A flat shape of four points, counter-clockwise seen from its front. */
-  static String quad(String points, String material) {
+  public static String quad(String points, String material) {
     return """
     <Shape><Appearance><Material %s/></Appearance>
     <IndexedFaceSet coordIndex='0 1 2 3 -1'><Coordinate point='%s'/></IndexedFaceSet></Shape>
@@ -49,7 +50,7 @@ final class SmallScene {
   }
 
   /** A room from the inside: six walls that face inwards. */
-  static String room(double x, double y, double z, double side, String material) {
+  public static String room(double x, double y, double z, double side, String material) {
     String p =
         "%s %s %s".formatted(x, y, z)
             + ", %s %s %s".formatted(x + side, y, z)

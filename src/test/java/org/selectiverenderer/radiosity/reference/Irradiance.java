@@ -1,0 +1,14 @@
+package org.selectiverenderer.radiosity.reference;
+
+/** The light that a lit result has on the scene's surfaces. For several threads. */
+@FunctionalInterface
+interface Irradiance {
+  /**
+   * Irradiance at a place, lx.
+   *
+   * @param u weight of the triangle's second corner
+   * @param v weight of its third corner
+   * @param out gets r, g, b
+   */
+  void at(int triangle, double u, double v, double[] out);
+}
