@@ -2,6 +2,7 @@ package org.selectiverenderer.radiosity;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.radiosity.mesh.Subdivision;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
@@ -9,7 +10,7 @@ import org.selectiverenderer.radiosity.trace.Versions;
 
 /**
  * What is to be subdivided and how far: the regions with a polygon budget, or, in a scene without
- * any, everything that has no versions.
+ * any, everything that has no versions, unless its light is in pictures.
  *
  * @param minMesh metres
  * @param maxMesh metres
@@ -39,10 +40,25 @@ record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
       for (int i = 0; i < scene.budgets().length; i++) {
         budget(scene, i, settings, regions);
       }
-    } else if (settings.globalSubdivision()) {
+    } else if (settings.globalSubdivision() && !settings.store().inTextures()) {
       free(scene, settings, max, regions);
     }
     return new MeshPlan(min, max, regions);
+  }
+
+  /**
+   * Brings a region to its number of polygons, if it has to come to one.
+   *
+   * @throws UnlitSceneException if there is no such division
+   */
+  void require(Region region, Subdivision subdivision) throws UnlitSceneException {
+    if (region.exact() && !subdivision.toNumber()) {
+      throw new UnlitSceneException(
+          ("the surfaces for which the scene asks %d polygons get %d: all of them are "
+                      + "closed, so")
+                  .formatted(region.polygons(), subdivision.count())
+              + " their number must be even");
+    }
   }
 
   private static void budget(

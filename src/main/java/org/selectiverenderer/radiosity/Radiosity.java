@@ -15,23 +15,12 @@ import org.selectiverenderer.radiosity.mesh.Subdivision;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
-import org.selectiverenderer.radiosity.solve.LightPatches;
 import org.selectiverenderer.radiosity.solve.Solution;
-import org.selectiverenderer.radiosity.solve.Solver;
-import org.selectiverenderer.radiosity.solve.Transport;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /** Lights a scene: the whole way from triangles to light at vertices. */
 final class Radiosity {
-  /** Sides of patches, as a share of the maximum mesh size. */
-  private static final double PATCH = 0.4;
-
-  /**
-   * Rays per patch, lamp places per patch, and rays per vertex while it is decided where to divide.
-   */
-  private static final int PATCH_RAYS = 64;
-
-  private static final int PATCH_LAMP_PLACES = 8;
+  /** Rays per vertex while it is decided where to divide. */
   private static final int ROUGH_RAYS = 32;
   private static final int ROUGH_LAMP_EVERY = 2;
 
@@ -66,19 +55,11 @@ final class Radiosity {
    */
   public LitScene light(LightScene scene, Consumer<Solution> each) throws UnlitSceneException {
     MeshPlan plan = MeshPlan.of(scene, settings);
-    MemoryNeed.check(scene, plan, PATCH * plan.maxMesh(), PATCH_RAYS);
-    LightPatches patches = new LightPatches(scene, PATCH * plan.maxMesh());
-    Transport transport =
-        Transport.find(scene, patches, PATCH_RAYS, PATCH_LAMP_PLACES, settings.seed(), progress);
-    Solution solution =
-        new Solver(scene, transport)
-            .solve(settings.iterations(), settings.quality(), progress, each);
-    if (solution.balances().isEmpty()) {
-      throw new UnlitSceneException(
-          "cancelled before the first iteration was complete; nothing is written");
-    }
+    Iterations.checkMemory(scene, plan);
+    Iterations iterations = Iterations.of(scene, plan, settings, progress, each);
+    Solution solution = iterations.solution();
     ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
-    long rays = transport.cast();
+    long rays = iterations.rays();
     Map<Integer, List<Facet>> divided = new HashMap<>();
     for (MeshPlan.Region region : plan.regions()) {
       rays += divide(scene, solution, curve, plan, region, divided);
@@ -118,13 +99,7 @@ final class Radiosity {
     fine.toFinest();
     Gathered light = gather(scene, solution, curve, region, fine);
     subdivision.toLight(fine, light.values(), region.exact() ? 0 : EVEN_ENOUGH);
-    if (region.exact() && !subdivision.toNumber()) {
-      throw new UnlitSceneException(
-          ("the surfaces for which the scene asks %d polygons get %d: all of them are "
-                      + "closed, so")
-                  .formatted(region.polygons(), subdivision.count())
-              + " their number must be even");
-    }
+    plan.require(region, subdivision);
     divided.putAll(subdivision.facets());
     return rough.rays() + light.rays();
   }

@@ -5,21 +5,32 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.radiosity.bake.LightPictures;
+import org.selectiverenderer.radiosity.bake.Lit;
 import org.selectiverenderer.radiosity.bake.LitScene;
+import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.output.LampFit;
+import org.selectiverenderer.radiosity.output.LitForm;
 import org.selectiverenderer.radiosity.output.LitSceneWriter;
+import org.selectiverenderer.radiosity.output.TexelForm;
+import org.selectiverenderer.radiosity.output.VertexForm;
 import org.selectiverenderer.radiosity.preview.PreviewCamera;
 import org.selectiverenderer.radiosity.preview.PreviewPicture;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.LightSceneReader;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 import org.selectiverenderer.radiosity.solve.EnergyBalance;
+import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.loading.LoadedScene;
@@ -57,8 +68,10 @@ public record RadiosityJob(
    *
    * @param triangles that were lit, versions included
    * @param facets that carry light
-   * @param vertices at which light is stored
+   * @param vertices at which light is stored; 0 if it is in pictures
+   * @param files of text
    * @param complete whether nothing was cancelled
+   * @param pictures that the light is in; null if it is at vertices
    */
   public record Report(
       int triangles,
@@ -70,7 +83,11 @@ public record RadiosityJob(
       EnergyBalance balance,
       long rays,
       int files,
-      boolean complete) {}
+      boolean complete,
+      @Nullable PictureReport pictures) {}
+
+  /** What is read, and what is written from it. */
+  private record Work(LoadedScene loaded, InstanceTree tree, LightScene light, Problems problems) {}
 
   /** A scene that may name no more than its own files. */
   public RadiosityJob(
@@ -126,37 +143,63 @@ public record RadiosityJob(
           new LightSceneReader(settings.photometric(), problems)
               .read(tree, loaded.scene().unitLength());
       progress.at(WorkProgress.Stage.READING, 1);
-      PreviewPicture picture =
-          new PreviewPicture(lightScene, PreviewCamera.of(tree, loaded.scene().unitLength()));
-      LitScene lit =
-          new Radiosity(settings, progress)
-              .light(
-                  lightScene,
-                  solution -> {
-                    iterations.accept(solution.last(), settings.quality());
-                    show(picture.of(solution, settings.exposure()));
-                  });
-      show(picture.of(lit));
-      EnergyBalance balance = lit.solution().last();
-      if (balance.escaped() * 100 > OPEN * balance.emitted()) {
-        problems.info(
-            org.selectiverenderer.base.problem.Location.of(scene.toString()),
-            "the scene is open: %.0f percent of its light leaves it"
-                .formatted(100 * balance.escaped() / balance.emitted()));
-      }
-      int files = write(loaded, tree, lit, problems, progress);
-      return new Report(
-          lightScene.triangles().count(),
-          lit.facets().count(),
-          lit.facets().vertices(),
-          lit.solution().patches().count(),
-          lightScene.lamps().size(),
-          lightScene.lumens(),
-          balance,
-          lit.rays(),
-          files,
-          lit.light().complete());
+      return light(new Work(loaded, tree, lightScene, problems), progress, iterations);
     }
+  }
+
+  private Report light(
+      Work work, WorkProgress progress, BiConsumer<EnergyBalance, Double> iterations)
+      throws IOException, UnlitSceneException {
+    double unit = work.loaded().scene().unitLength();
+    PreviewPicture picture = new PreviewPicture(work.light(), PreviewCamera.of(work.tree(), unit));
+    Consumer<Solution> each =
+        solution -> {
+          iterations.accept(solution.last(), settings.quality());
+          show(picture.of(solution, settings.exposure()));
+        };
+    if (!settings.store().inTextures()) {
+      TextureNotes.atVertices(work.light(), work.problems());
+      LitScene lit = new Radiosity(settings, progress).light(work.light(), each);
+      show(picture.of(lit));
+      int files = write(work, new VertexForm(lit), progress, "colours").texts();
+      return report(work, lit, lit.facets().vertices(), files, null);
+    }
+    TextureNotes.inPictures(work.light(), work.problems());
+    TexelScene lit =
+        new TexelRadiosity(settings, progress, work.problems())
+            .light(work.light(), TexelForm.files(work.light()), each);
+    show(picture.of(lit.pages(), lit.curve()));
+    LightPictures painted = LightPictures.of(lit);
+    LampFit lamps = new LampFit(lit.curve(), settings.photometric(), unit);
+    TexelForm form = new TexelForm(lit, painted, lamps, settings.store().highlights());
+    Written written = write(work, form, progress, "pictures");
+    PictureReport pictures =
+        PictureReport.of(lit, written.pictures(), painted.use().apart(), form.shining());
+    return report(work, lit, 0, written.texts(), pictures);
+  }
+
+  private Report report(
+      Work work, Lit lit, int vertices, int files, @Nullable PictureReport pictures) {
+    EnergyBalance balance = lit.solution().last();
+    if (balance.escaped() * 100 > OPEN * balance.emitted()) {
+      work.problems()
+          .info(
+              Location.of(scene.toString()),
+              "the scene is open: %.0f percent of its light leaves it"
+                  .formatted(100 * balance.escaped() / balance.emitted()));
+    }
+    return new Report(
+        work.light().triangles().count(),
+        lit.polygons(),
+        vertices,
+        lit.solution().patches().count(),
+        work.light().lamps().size(),
+        work.light().lumens(),
+        balance,
+        lit.rays(),
+        files,
+        lit.complete(),
+        pictures);
   }
 
   private static boolean hasError(Problems problems) {
@@ -164,22 +207,33 @@ public record RadiosityJob(
         .anyMatch(problem -> problem.severity() == Problem.Severity.ERROR);
   }
 
-  private int write(
-      LoadedScene loaded, InstanceTree tree, LitScene lit, Problems problems, WorkProgress progress)
+  /**
+   * @param pictures bytes of each
+   */
+  private record Written(int texts, List<Integer> pictures) {}
+
+  /**
+   * @param where the light is
+   */
+  private Written write(Work work, LitForm form, WorkProgress progress, String where)
       throws IOException {
     progress.at(WorkProgress.Stage.WRITING, 0);
     Map<Path, String> texts =
-        new LitSceneWriter(lit, output, inlines, problems)
+        new LitSceneWriter(work.light(), form, output, inlines, work.problems())
             .write(
-                loaded.scene(),
-                tree,
-                "Lit by radiosity, from " + scene.getFileName() + "; light is in the colours");
-    progress.at(WorkProgress.Stage.WRITING, 0.5);
+                work.loaded().scene(),
+                work.tree(),
+                "Lit by radiosity, from " + scene.getFileName() + "; light is in the " + where);
+    progress.at(WorkProgress.Stage.WRITING, 0.3);
+    Map<Path, byte[]> pictures = form.pictures();
+    progress.at(WorkProgress.Stage.WRITING, 0.8);
     FileTransaction writing = new FileTransaction();
     texts.forEach((file, text) -> writing.add(file, text.getBytes(StandardCharsets.UTF_8)));
+    pictures.forEach(writing::add);
     writing.commit();
     progress.at(WorkProgress.Stage.WRITING, 1);
-    return texts.size();
+    return new Written(
+        texts.size(), pictures.values().stream().map(bytes -> bytes.length).toList());
   }
 
   /**

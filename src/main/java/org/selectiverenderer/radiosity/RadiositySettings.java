@@ -19,6 +19,7 @@ import java.util.OptionalDouble;
  * @param seed of all point sets
  * @param exposure stops brighter (above 0) or darker than the automatic exposure
  * @param maxPolygons that surfaces without a polygon budget may have after subdivision
+ * @param store where the light is stored
  */
 public record RadiositySettings(
     int iterations,
@@ -31,7 +32,8 @@ public record RadiositySettings(
     int rays,
     int seed,
     double exposure,
-    int maxPolygons) {
+    int maxPolygons,
+    LightStore store) {
 
   /** What one command without options does. */
   public static final RadiositySettings DEFAULT =
@@ -46,7 +48,36 @@ public record RadiositySettings(
           64,
           1,
           0,
-          300_000);
+          300_000,
+          LightStore.DEFAULT);
+
+  /** Light at vertices. */
+  public RadiositySettings(
+      int iterations,
+      double quality,
+      OptionalDouble minMesh,
+      OptionalDouble maxMesh,
+      boolean globalSubdivision,
+      boolean regather,
+      boolean photometric,
+      int rays,
+      int seed,
+      double exposure,
+      int maxPolygons) {
+    this(
+        iterations,
+        quality,
+        minMesh,
+        maxMesh,
+        globalSubdivision,
+        regather,
+        photometric,
+        rays,
+        seed,
+        exposure,
+        maxPolygons,
+        LightStore.VERTICES);
+  }
 
   public RadiositySettings {
     require(iterations >= 1, "the number of iterations must be at least 1");
@@ -61,6 +92,23 @@ public record RadiositySettings(
     require(rays >= 4 && rays <= 65_536, "the number of rays must be from 4 to 65536");
     require(Math.abs(exposure) <= 20, "the exposure must be from -20 to 20 stops");
     require(maxPolygons >= 1, "the largest number of polygons must be at least 1");
+  }
+
+  /** The same with light stored elsewhere. */
+  public RadiositySettings with(LightStore other) {
+    return new RadiositySettings(
+        iterations,
+        quality,
+        minMesh,
+        maxMesh,
+        globalSubdivision,
+        regather,
+        photometric,
+        rays,
+        seed,
+        exposure,
+        maxPolygons,
+        other);
   }
 
   private static void require(boolean condition, String otherwise) {

@@ -1,16 +1,18 @@
 /**
  * Radiosity (thesis 2.1.4 and 5.2.1): diffuse inter-reflection in a scene, computed once and stored
- * as colours at the vertices.
+ * in pictures or as colours at the vertices.
  *
  * <pre>
  * instance tree -> scene: triangles, reflectance, lamps -> trace: box trees over triangles
- *   -> solve: patches, form factors by rays, iterations -> mesh: adaptive subdivision
- *   -> bake: light at the vertices, tone curve -> output: X3D files without lit materials
+ *   -> solve: patches, form factors by rays, iterations
+ *   -> atlas: charts on pages -> texel: light at texels -> bake: pictures, tone curve
+ *      or mesh: adaptive subdivision -> bake: light at the vertices, tone curve
+ *   -> output: X3D files, and pictures beside them
  * </pre>
  *
  * <p>The instance tree of a scene that does not run is read, so that every path is a place with a
- * light of its own, and that tree is written back as files: lit shapes have colours and no
- * material, every place of an Inline has a file of its own. Visibility knows versions: one of each
+ * light of its own, and that tree is written back as files: lit shapes have pictures or
+ * colours and no diffuse material, every place of an Inline has a file of its own. Visibility knows versions: one of each
  * object stands for it, any other is lit in its place. Form factors are found once per patch and
  * kept as the patches that rays met; iterations are sums over them. Vertices gather over the facets
  * around them, all with the same directions.

@@ -16,6 +16,8 @@ import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.radiosity.LightStore;
+import org.selectiverenderer.radiosity.PictureReport;
 import org.selectiverenderer.radiosity.RadiosityJob;
 import org.selectiverenderer.radiosity.RadiositySettings;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
@@ -27,7 +29,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "radiosity",
     description = {
-      "Lights a scene by radiosity: soft shadows and colour bleeding, stored at the vertices.",
+      "Lights a scene by radiosity: soft shadows and colour bleeding, stored in pictures.",
       "Does not change the scene. Ctrl-C ends the computation and writes the last "
           + "complete iteration."
     },
@@ -39,6 +41,11 @@ public final class RadiosityCommand extends CliCommand {
   private enum Format {
     text,
     json
+  }
+
+  private enum Store {
+    textures,
+    vertices
   }
 
   @Mixin private SceneArgument scene = new SceneArgument();
@@ -60,6 +67,34 @@ public final class RadiosityCommand extends CliCommand {
   private @Nullable Path inlines;
 
   @Option(
+      names = "--store",
+      description =
+          "where the light is stored: in pictures beside the lit files, or in the colours of the "
+              + "vertices; ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
+  private Store store = Store.textures;
+
+  @Option(
+      names = "--texels-per-metre",
+      paramLabel = "D",
+      description =
+          "texels per metre of large surfaces; small ones get more (default: as many as the "
+              + "budget allows)")
+  private @Nullable Double texels;
+
+  @Option(
+      names = "--texture-budget",
+      paramLabel = "MB",
+      description =
+          "largest size of all pictures together in memory; their files are smaller (default: "
+              + "${DEFAULT-VALUE})")
+  private double megabytes = LightStore.DEFAULT.megabytes();
+
+  @Option(
+      names = "--no-highlights",
+      description = "switches all lights off: shapes that shine lose their highlights")
+  private boolean noHighlights;
+
+  @Option(
       names = "--iterations",
       paramLabel = "N",
       description = "largest number of iterations (default: ${DEFAULT-VALUE})")
@@ -76,18 +111,20 @@ public final class RadiosityCommand extends CliCommand {
   @Option(
       names = "--min-mesh",
       paramLabel = "M",
-      description = "minimum mesh size, metres (default: a tenth of the maximum)")
+      description =
+          "minimum mesh size, metres; for light at vertices (default: a tenth of the maximum)")
   private @Nullable Double minMesh;
 
   @Option(
       names = "--max-mesh",
       paramLabel = "M",
-      description = "maximum mesh size, metres (default: a 40th of the scene's extent)")
+      description =
+          "maximum mesh size, metres; patches are 0.4 of it (default: a 40th of the scene's extent)")
   private @Nullable Double maxMesh;
 
   @Option(
       names = "--no-global-subdivision",
-      description = "keeps the polygons of all surfaces and stores light only at existing vertices")
+      description = "keeps the polygons of all surfaces, also where the scene asks for a number of them")
   private boolean noSubdivision;
 
   @Option(
@@ -103,7 +140,8 @@ public final class RadiosityCommand extends CliCommand {
   @Option(
       names = "--rays",
       paramLabel = "N",
-      description = "number of rays gathered at each vertex (default: ${DEFAULT-VALUE})")
+      description = "number of rays gathered at each vertex, or at each place between which the light at texels is "
+              + "interpolated (default: ${DEFAULT-VALUE})")
   private int rays = RadiositySettings.DEFAULT.rays();
 
   @Option(
@@ -202,14 +240,19 @@ public final class RadiosityCommand extends CliCommand {
           rays,
           seed,
           exposure,
-          maxPolygons);
+          maxPolygons,
+          new LightStore(
+              store == Store.textures ? LightStore.Kind.TEXTURES : LightStore.Kind.VERTICES,
+              size(texels),
+              megabytes,
+              !noHighlights));
     } catch (IllegalArgumentException e) {
       throw CommandFailure.usage(e.getMessage());
     }
   }
 
-  private static OptionalDouble size(@Nullable Double metres) {
-    return metres == null ? OptionalDouble.empty() : OptionalDouble.of(metres);
+  private static OptionalDouble size(@Nullable Double given) {
+    return given == null ? OptionalDouble.empty() : OptionalDouble.of(given);
   }
 
   private static String iteration(EnergyBalance balance) {
@@ -226,6 +269,7 @@ public final class RadiosityCommand extends CliCommand {
   }
 
   private void print(Path target, RadiosityJob.Report report, double seconds) {
+    PictureReport pictures = report.pictures();
     if (format == Format.json) {
       ObjectNode node = JsonTree.object();
       node.put("output", target.toString()).put("files", report.files());
@@ -236,6 +280,9 @@ public final class RadiosityCommand extends CliCommand {
       node.put("distributed_percent", Rounded.to(2, report.balance().distributed()));
       node.put("discrepancy", Rounded.to(4, report.balance().discrepancy()));
       node.put("rays", report.rays()).put("complete", report.complete());
+      if (pictures != null) {
+        print(node.putObject("pictures"), pictures);
+      }
       node.put("ms", Math.round(seconds * 1000));
       console().out().println(node);
       return;
@@ -244,14 +291,46 @@ public final class RadiosityCommand extends CliCommand {
         .out()
         .printf(
             Locale.ROOT,
-            "%s: %d polygons lit at %d vertices by %d lamps of %.0f lm, %.1f M rays, %.1f s%s%n",
+            "%s: %d polygons lit %s by %d lamps of %.0f lm, %.1f M rays, %.1f s%s%n",
             target,
             report.facets(),
-            report.vertices(),
+            pictures == null
+                ? "at %d vertices".formatted(report.vertices())
+                : "in %d pictures".formatted(pictures.files()),
             report.lamps(),
             report.lumens(),
             report.rays() / 1e6,
             seconds,
             report.complete() ? "" : "; cancelled: the light is that of the last iteration");
+    if (pictures != null) {
+      print(pictures);
+    }
+  }
+
+  private static void print(ObjectNode node, PictureReport pictures) {
+    node.put("files", pictures.files()).put("bytes", pictures.bytes());
+    node.put("texels", pictures.texels());
+    node.put("least_texels_per_metre", Rounded.to(1, pictures.leastPerMetre()));
+    node.put("most_texels_per_metre", Rounded.to(1, pictures.mostPerMetre()));
+    node.put("noise_mean_percent", Rounded.to(2, 100 * pictures.noise().mean()));
+    node.put("noise_most_percent", Rounded.to(2, 100 * pictures.noise().most()));
+    node.put("multiplied", pictures.multiplied()).put("shining", pictures.shining());
+  }
+
+  private void print(PictureReport pictures) {
+    console()
+        .out()
+        .printf(
+            Locale.ROOT,
+            "  pictures: %.1f M texels, %.0f to %.0f per metre, %.1f MB, noise %.1f %% (95 in 100"
+                + " below %.1f %%); %d shapes keep their textures, %d their highlights%n",
+            pictures.texels() / 1e6,
+            pictures.leastPerMetre(),
+            pictures.mostPerMetre(),
+            pictures.bytes() / 1e6,
+            100 * pictures.noise().mean(),
+            100 * pictures.noise().most(),
+            pictures.multiplied(),
+            pictures.shining());
   }
 }

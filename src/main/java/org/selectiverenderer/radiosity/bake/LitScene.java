@@ -6,7 +6,7 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
 
 /**
- * A scene with its light.
+ * A scene with its light at the vertices.
  *
  * @param curve makes colours of it
  * @param rays cast in all
@@ -17,7 +17,18 @@ public record LitScene(
     VertexLight light,
     Solution solution,
     ToneCurve curve,
-    long rays) {
+    long rays)
+    implements Lit {
+
+  @Override
+  public boolean complete() {
+    return light.complete();
+  }
+
+  @Override
+  public int polygons() {
+    return facets.count();
+  }
 
   /**
    * The display colours of the corners of a body's facets: r, g, b, 0 .. 1, nine numbers per facet.

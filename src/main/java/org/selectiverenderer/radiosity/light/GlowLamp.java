@@ -5,6 +5,11 @@ import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
 /** A glowing surface: triangles of one luminance. */
 public final class GlowLamp implements Lamp {
+  /** Triangles up to which each is summed in closed form; above, so many places are taken. */
+  private static final int MOST_EXACT = 12;
+
+  private static final int PLACES = 48;
+
   private final SceneTriangles triangles;
   private final int first;
   private final double[] sums;
@@ -64,5 +69,55 @@ public final class GlowLamp implements Lamp {
       return;
     }
     sample.shine(luminance, cosine * area / Math.max(square, 0.01 * area));
+  }
+
+  @Override
+  public void unshadowed(double[] point, double[] normal, double[] out) {
+    double factor = sums.length <= MOST_EXACT ? exact(point, normal) : sampled(point, normal);
+    for (int i = 0; i < 3; i++) {
+      out[i] = luminance[i] * factor;
+    }
+  }
+
+  private double exact(double[] point, double[] normal) {
+    PolygonLight polygon = new PolygonLight();
+    double[] corners = new double[9];
+    double[] facing = new double[3];
+    double sum = 0;
+    for (int i = first; i < first + sums.length; i++) {
+      double before = 0;
+      triangles.normal(i, facing);
+      for (int k = 0; k < 9; k++) {
+        corners[k] = triangles.corners()[9 * i + k];
+        before += k < 3 ? (point[k] - corners[k]) * facing[k] : 0;
+      }
+      if (before > 0 || before < 0 && triangles.twoSided()[first]) {
+        sum += polygon.perLuminance(corners, 3, point, normal);
+      }
+    }
+    return sum;
+  }
+
+  /** The mean over fixed places: the same error at neighbouring points. */
+  private double sampled(double[] point, double[] normal) {
+    LampSample sample = new LampSample();
+    double[] one = new double[3];
+    int brightest = 0;
+    for (int i = 1; i < 3; i++) {
+      brightest = luminance[i] > luminance[brightest] ? i : brightest;
+    }
+    double sum = 0;
+    for (int i = 0; i < PLACES; i++) {
+      double golden = i * 0.618034;
+      sample(point, (i + 0.5) / PLACES, golden - Math.floor(golden), sample);
+      sample.onto(normal, one);
+      sum += one[brightest];
+    }
+    return sum / PLACES / luminance[brightest];
+  }
+
+  @Override
+  public boolean hard() {
+    return false;
   }
 }

@@ -13,6 +13,19 @@ public sealed interface Lamp permits PointLamp, SunLamp, RectangleLamp, GlowLamp
    */
   void sample(double[] point, double s, double t, LampSample sample);
 
+  /**
+   * The irradiance from the whole lamp on a surface if nothing is in its way, lx: a closed form
+   * where there is one.
+   *
+   * @param point x, y, z, metres
+   * @param normal unit normal of the surface
+   * @param out gets r, g, b
+   */
+  void unshadowed(double[] point, double[] normal, double[] out);
+
+  /** Whether it is a point or infinitely far, so that its shadows have hard edges. */
+  boolean hard();
+
   /** What it emits, lm; for what is infinitely far away the lux that arrive. */
   double lumens();
 }

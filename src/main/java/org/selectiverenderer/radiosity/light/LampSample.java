@@ -31,6 +31,15 @@ public final class LampSample {
     return square;
   }
 
+  /** The irradiance on a surface with a unit normal, r, g, b; none from behind. */
+  public void onto(double[] normal, double[] out) {
+    double cosine =
+        Math.max(0, towards[0] * normal[0] + towards[1] * normal[1] + towards[2] * normal[2]);
+    for (int i = 0; i < 3; i++) {
+      out[i] = light[i] * cosine;
+    }
+  }
+
   void shine(float[] colour, double scale) {
     for (int i = 0; i < 3; i++) {
       light[i] = colour[i] * scale;

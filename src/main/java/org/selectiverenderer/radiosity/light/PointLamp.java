@@ -31,4 +31,16 @@ public record PointLamp(
     }
     sample.shine(candela, beam * falloff.at(sample.distance));
   }
+
+  @Override
+  public void unshadowed(double[] point, double[] normal, double[] out) {
+    LampSample sample = new LampSample();
+    sample(point, 0.5, 0.5, sample);
+    sample.onto(normal, out);
+  }
+
+  @Override
+  public boolean hard() {
+    return true;
+  }
 }

@@ -39,4 +39,30 @@ public record RectangleLamp(
     // Nearer than a tenth of its side the sum over single places would have peaks.
     sample.shine(luminance, cosine * area / Math.max(square, 0.01 * area));
   }
+
+  @Override
+  public void unshadowed(double[] point, double[] normal, double[] out) {
+    double before = 0;
+    for (int i = 0; i < 3; i++) {
+      before += (point[i] - centre[i]) * axis[i];
+    }
+    double factor = 0;
+    if (before > 0) {
+      double[] corners = new double[12];
+      for (int i = 0; i < 12; i++) {
+        int corner = i / 3;
+        double across = corner == 0 || corner == 3 ? -half[i % 3] : half[i % 3];
+        corners[i] = centre[i % 3] + across + (corner < 2 ? -up[i % 3] : up[i % 3]);
+      }
+      factor = new PolygonLight().perLuminance(corners, 4, point, normal);
+    }
+    for (int i = 0; i < 3; i++) {
+      out[i] = luminance[i] * factor;
+    }
+  }
+
+  @Override
+  public boolean hard() {
+    return false;
+  }
 }

@@ -14,4 +14,16 @@ public record SunLamp(double[] towards, float[] lux, double lumens) implements L
     sample.distance = Double.POSITIVE_INFINITY;
     sample.shine(lux, 1);
   }
+
+  @Override
+  public void unshadowed(double[] point, double[] normal, double[] out) {
+    LampSample sample = new LampSample();
+    sample(point, 0.5, 0.5, sample);
+    sample.onto(normal, out);
+  }
+
+  @Override
+  public boolean hard() {
+    return true;
+  }
 }

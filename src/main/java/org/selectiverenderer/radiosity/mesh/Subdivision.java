@@ -118,6 +118,11 @@ public final class Subdivision {
     return map;
   }
 
+  /** Divides the longest edges first, as far as the number of polygons allows. */
+  public void toLength() {
+    divide(polygons, mesh::length);
+  }
+
   /**
    * Comes to the exact number, longest edges first.
    *

@@ -3,11 +3,10 @@ package org.selectiverenderer.radiosity.output;
 import java.nio.file.Path;
 import java.util.IdentityHashMap;
 import java.util.Map;
-import java.util.Objects;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.polygon.model.Urls;
-import org.selectiverenderer.radiosity.bake.LitScene;
+import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
@@ -17,7 +16,6 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.write.NodeText;
 import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
@@ -25,38 +23,40 @@ import org.selectiverenderer.x3d.write.X3dWriter;
 /**
  * Writes a lit scene. Groups, sensors, metadata, names and routes stay; a shape or Inline that is
  * USEd in several places has a copy in each, and only the first keeps the names, since light
- * differs from place to into. The same scene gives the same bytes.
+ * differs from place to place. The same scene gives the same bytes.
  */
 public final class LitSceneWriter {
-  private final LitScene lit;
+  private final LitForm form;
   private final LitFiles files;
   private final Problems problems;
   private final Map<ShapeInstance, Integer> bodies = new IdentityHashMap<>();
 
   /**
+   * @param form of its lit shapes and its lights
    * @param file of the scene
    * @param folder for what it inlines
    * @param problems hears what could not be kept
    */
-  public LitSceneWriter(LitScene lit, Path file, Path folder, Problems problems) {
-    this.lit = lit;
+  public LitSceneWriter(
+      LightScene scene, LitForm form, Path file, Path folder, Problems problems) {
+    this.form = form;
     this.files = new LitFiles(file, folder);
     this.problems = problems;
-    for (int i = 0; i < lit.scene().bodies().size(); i++) {
-      bodies.put(lit.scene().bodies().get(i).shape(), i);
+    for (int i = 0; i < scene.bodies().size(); i++) {
+      bodies.put(scene.bodies().get(i).shape(), i);
     }
   }
 
   /** The texts by file, the scene's own among them. */
   public Map<Path, String> write(Scene scene, InstanceTree tree, String description) {
-    file(files.scene(), scene, tree.root(), description);
+    file(files.scene(), scene, tree.root(), form.places().at(null), description);
     return files.texts();
   }
 
-  private void file(Path file, Scene scene, GroupInstance root, String description) {
+  private void file(Path file, Scene scene, GroupInstance root, int place, String description) {
     X3dWriter out = new X3dWriter();
-    head(out, file, scene, description);
-    LitFile into = new LitFile(out, Objects.requireNonNull(file.toAbsolutePath().getParent()));
+    head(out, file, scene, place, description);
+    LitFile into = new LitFile(out, file, place, prefix(scene));
     for (Instance child : root.children()) {
       write(child, into, "");
     }
@@ -74,6 +74,19 @@ public final class LitSceneWriter {
     files.put(file, out.finish());
   }
 
+  /** The beginning of names that no node of a scene has. */
+  private static String prefix(Scene scene) {
+    String prefix = "Lit";
+    while (startsSome(scene, prefix)) {
+      prefix += "_";
+    }
+    return prefix;
+  }
+
+  private static boolean startsSome(Scene scene, String prefix) {
+    return scene.named().keySet().stream().anyMatch(name -> name.startsWith(prefix));
+  }
+
   private static boolean route(Route route, LitFile into) {
     String from = into.nodes().name(route.from());
     String to = into.nodes().name(route.to());
@@ -86,10 +99,10 @@ public final class LitSceneWriter {
     return true;
   }
 
-  private static void head(X3dWriter out, Path file, Scene scene, String description) {
+  private void head(X3dWriter out, Path file, Scene scene, int place, String description) {
     out.file(
         scene.profile().isEmpty() ? "Immersive" : scene.profile(),
-        scene.version().isEmpty() ? "3.3" : scene.version());
+        form.version(place, scene.version().isEmpty() ? "3.3" : scene.version()));
     out.open("head");
     scene.components().forEach(out::component);
     if (scene.unitLength() != 1) {
@@ -108,13 +121,11 @@ public final class LitSceneWriter {
     Node node = instance.node();
     NodeText nodes = into.nodes();
     if (instance instanceof ShapeInstance shape && bodies.containsKey(shape)) {
-      new LitShapeWriter(lit).append(into.out(), bodies.get(shape), nodes.define(node));
+      form.shape(into, bodies.get(shape), shape);
     } else if (instance instanceof GroupInstance group && !used(group, nodes)) {
       group(group, into, container);
-    } else if (instance instanceof LightInstance && nodes.name(node).isEmpty()) {
-      nodes.open(node, container);
-      nodes.values(node, "on", into);
-      into.out().attribute("on", "false").close();
+    } else if (instance instanceof LightInstance light && nodes.name(node).isEmpty()) {
+      form.light(into, light, container);
     } else {
       nodes.append(node, container, into);
     }
@@ -156,23 +167,7 @@ public final class LitSceneWriter {
         file,
         content,
         (GroupInstance) group.children().get(0),
+        form.places().at(group),
         "Lit in its place by radiosity, from " + Path.of(content.url()).getFileName());
-  }
-
-  /**
-   * A file that is being written.
-   *
-   * @param folder that it will lie in
-   */
-  private record LitFile(X3dWriter out, NodeText nodes, Path folder) implements NodeText.UrlRule {
-    LitFile(X3dWriter out, Path folder) {
-      this(out, new NodeText(out, NodeText.Written.CHANGED), folder);
-    }
-
-    @Override
-    public String written(NodeView node, String url) {
-      Path from = Path.of(node.location().file()).toAbsolutePath().getParent();
-      return from == null ? url : Urls.turned(url, from, folder);
-    }
   }
 }

@@ -3,7 +3,6 @@ package org.selectiverenderer.radiosity.output;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.radiosity.mesh.Facet;
 import org.selectiverenderer.radiosity.mesh.Facets;
@@ -18,7 +17,6 @@ import org.selectiverenderer.x3d.write.X3dWriter;
  */
 final class LitShapeWriter {
   private static final int COLOUR_DECIMALS = 3;
-  private static final int PER_LINE = 24;
 
   /** Steps that a shape's extent is measured in at least: a 50th of a millimetre in a room. */
   private static final double LEAST = 200_000;
@@ -36,11 +34,11 @@ final class LitShapeWriter {
     int first = facets.firstOfBody()[number];
     int count = facets.firstOfBody()[number + 1] - first;
     float[] colours = lit.colours(number);
-    int decimals = decimals(body);
+    int decimals = ShapeNumbers.decimals(body.mesh(), LEAST);
     boolean translucent = body.transmittance() > 0;
     Map<String, Integer> known = new HashMap<>();
-    TupleLines points = TupleLines.perLine(PER_LINE);
-    TupleLines shades = TupleLines.perLine(PER_LINE);
+    TupleLines points = ShapeNumbers.lines();
+    TupleLines shades = ShapeNumbers.lines();
     int[] index = new int[3 * count];
     StringBuilder key = new StringBuilder();
     double[] place = new double[3];
@@ -50,14 +48,14 @@ final class LitShapeWriter {
         int corner = body.mirrored() && i > 0 ? 3 - i : i;
         place(body, number, facet, corner, place);
         key.setLength(0);
-        tuple(key, place, decimals);
+        ShapeNumbers.tuple(key, place, decimals);
         int end = key.length();
         key.append(';');
         int at = 9 * facet + 3 * corner;
-        tuple(key, new double[] {colours[at], colours[at + 1], colours[at + 2]}, COLOUR_DECIMALS);
+        ShapeNumbers.tuple(key, new double[] {colours[at], colours[at + 1], colours[at + 2]}, COLOUR_DECIMALS);
         if (translucent) {
           key.append(' ');
-          number(key, 1 - body.transmittance(), COLOUR_DECIMALS);
+          ShapeNumbers.number(key, 1 - body.transmittance(), COLOUR_DECIMALS);
         }
         Integer id = known.get(key.toString());
         if (id == null) {
@@ -73,21 +71,10 @@ final class LitShapeWriter {
     if (!body.mesh().solid()) {
       out.attribute("solid", "false");
     }
-    out.numbers("index", strips(index));
+    out.numbers("index", ShapeNumbers.strips(index));
     out.open("Coordinate").numbers("point", points.text()).close();
     out.open(translucent ? "ColorRGBA" : "Color").numbers("color", shades.text()).close();
     out.close().close();
-  }
-
-  private static StringBuilder strips(int[] index) {
-    TupleLines strips = TupleLines.perLine(PER_LINE);
-    for (int[] strip : Strips.of(index)) {
-      for (int vertex : strip) {
-        strips.next().append(vertex);
-      }
-      strips.text().append(" -1");
-    }
-    return strips.text();
   }
 
   /** The local coordinates of a corner of a body's facet. */
@@ -97,33 +84,6 @@ final class LitShapeWriter {
     int at = divided == null ? 3 * body.vertex(facet, corner) : 3 * corner;
     for (int axis = 0; axis < 3; axis++) {
       out[axis] = local[at + axis];
-    }
-  }
-
-  private static int decimals(Body body) {
-    float[] b = body.mesh().bounds();
-    double extent = Math.max(b[3] - b[0], Math.max(b[4] - b[1], b[5] - b[2]));
-    int digits = 0;
-    for (double size = extent; size < LEAST && size > 0 && digits < 9; size *= 10) {
-      digits++;
-    }
-    return Math.max(1, digits);
-  }
-
-  private static void tuple(StringBuilder text, double[] values, int decimals) {
-    for (int i = 0; i < values.length; i++) {
-      text.append(i == 0 ? "" : " ");
-      number(text, values[i], decimals);
-    }
-  }
-
-  /** A number without the zero before its point, which the encoding does not ask for. */
-  private static void number(StringBuilder text, double value, int decimals) {
-    int at = text.length();
-    DecimalText.appendRounded(text, value, decimals);
-    int digit = text.charAt(at) == '-' ? at + 1 : at;
-    if (text.length() > digit + 1 && text.charAt(digit) == '0' && text.charAt(digit + 1) == '.') {
-      text.deleteCharAt(digit);
     }
   }
 }

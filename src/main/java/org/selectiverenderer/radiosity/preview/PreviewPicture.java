@@ -4,11 +4,13 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.selectiverenderer.base.picture.PngFile;
+import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.radiosity.bake.ToneCurve;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.texel.LightPages;
 import org.selectiverenderer.radiosity.trace.Ray;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 import org.selectiverenderer.radiosity.trace.Versions;
@@ -97,6 +99,32 @@ public final class PreviewPicture {
                         + weights[0] * own[at + 3]
                         + weights[1] * own[at + 6]);
           }
+        });
+  }
+
+  /** The light at the texels, with the mean colour of each triangle. */
+  public byte[] of(LightPages light, ToneCurve curve) {
+    return draw(
+        (pixel, rgb) -> {
+          int source = triangle[pixel];
+          Body body = scene.body(source);
+          Atlas.Layout layout = light.atlas().layouts().get(scene.bodyOf()[source]);
+          double[] arriving = new double[3];
+          if (layout.page() >= 0) {
+            float[] st = layout.st();
+            int at = 6 * (source - body.firstTriangle());
+            double w = 1 - u[pixel] - v[pixel];
+            light.at(
+                layout.page(),
+                w * st[at] + u[pixel] * st[at + 2] + v[pixel] * st[at + 4],
+                w * st[at + 1] + u[pixel] * st[at + 3] + v[pixel] * st[at + 5],
+                arriving);
+          }
+          int rho = body.reflectanceAt(source - body.firstTriangle());
+          for (int c = 0; c < 3; c++) {
+            arriving[c] = body.emission()[c] + body.reflectance()[rho + c] * arriving[c] / Math.PI;
+          }
+          curve.colour(arriving[0], arriving[1], arriving[2], rgb, 0);
         });
   }
 

@@ -1,9 +1,10 @@
 /**
  * Small pictures of light while it is computed: rays through pixels.
  *
- * <p>In: a scene and its light so far. Out: the bytes of a PNG file. Uses {@code radiosity.bake},
- * {@code radiosity.mesh}, {@code radiosity.scene}, {@code radiosity.solve}, {@code
- * radiosity.trace}, {@code runtime}, {@code x3d.catalogue} and {@code base.picture}.
+ * <p>In: a scene and its light so far. Out: the bytes of a PNG file. Uses {@code radiosity.atlas},
+ * {@code radiosity.bake}, {@code radiosity.mesh}, {@code radiosity.scene}, {@code radiosity.solve},
+ * {@code radiosity.texel}, {@code radiosity.trace}, {@code runtime}, {@code x3d.catalogue} and
+ * {@code base.picture}.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.preview;

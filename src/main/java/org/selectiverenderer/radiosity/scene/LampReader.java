@@ -25,7 +25,7 @@ import org.selectiverenderer.runtime.instance.LightInstance;
  * light has {@code intensity} times {@link Photometry#WHITE} times pi candela (lux), so that a
  * white surface a metre away is as bright as X3D draws it.
  */
-final class LampReader {
+public final class LampReader {
   private static final double[] DOWN = {0, -1, 0};
 
   private final boolean photometric;
@@ -37,7 +37,7 @@ final class LampReader {
    * @param unit metres per unit of length
    * @param problems hears of photometric metadata that says nothing
    */
-  LampReader(boolean photometric, double unit, Problems problems) {
+  public LampReader(boolean photometric, double unit, Problems problems) {
     this.photometric = photometric;
     this.unit = unit;
     this.problems = problems;
@@ -53,7 +53,7 @@ final class LampReader {
   }
 
   /** The lamp of a light; empty if it is off or has no place. */
-  Optional<Lamp> read(LightInstance instance) {
+  public Optional<Lamp> read(LightInstance instance) {
     Light light = instance.light();
     if (!light.on() || !(light.intensity() > 0)) {
       return Optional.empty();

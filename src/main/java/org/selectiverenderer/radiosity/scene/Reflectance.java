@@ -1,5 +1,6 @@
 package org.selectiverenderer.radiosity.scene;
 
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.instance.Texture;
@@ -12,19 +13,16 @@ final class Reflectance {
   /** Nothing throws back all light; without this a closed white box would grow bright for ever. */
   private static final float MOST = 0.95f;
 
-  /** Places in a triangle at which a texture is looked at, as weights of two corners. */
-  private static final double[][] PLACES = {
-    {1 / 3.0, 1 / 3.0},
-    {0.1, 0.1},
-    {0.8, 0.1},
-    {0.1, 0.8},
-    {0.45, 0.1},
-    {0.1, 0.45},
-    {0.45, 0.45},
-    {0.6, 0.2},
-    {0.2, 0.6},
-    {0.2, 0.2}
-  };
+  /** Places in a triangle at which a texture is looked at: of so many pixels one, within bounds. */
+  private static final double PIXELS = 4;
+
+  private static final int LEAST_PLACES = 10;
+  private static final int MOST_PLACES = 400;
+
+  /** Of each further place from the last: they fill squares evenly (Roberts 2018, "R2"). */
+  private static final double STEP_U = 0.7548776662466927;
+
+  private static final double STEP_V = 0.5698402909980532;
 
   private Reflectance() {}
 
@@ -67,33 +65,52 @@ final class Reflectance {
 
   /** An image tints or replaces the colour (X3D 4.0, 18.2.1). */
   private static void paint(
-      float[] rgb, Texture texture, boolean tints, float[] transform, Mesh mesh, int firstIndex) {
+      float[] rgb,
+      Texture texture,
+      boolean tints,
+      float @Nullable [] transform,
+      Mesh mesh,
+      int firstIndex) {
     double[] sum = new double[3];
-    for (double[] place : PLACES) {
-      double s = 0;
-      double t = 0;
-      double[] weights = {1 - place[0] - place[1], place[0], place[1]};
-      for (int corner = 0; corner < 3; corner++) {
-        int at = 2 * mesh.indices()[firstIndex + corner];
-        s += weights[corner] * mesh.texCoords()[at];
-        t += weights[corner] * mesh.texCoords()[at + 1];
-      }
-      if (transform != null) {
-        double turned = transform[0] * s + transform[3] * t + transform[6];
-        t = transform[1] * s + transform[4] * t + transform[7];
-        s = turned;
-      }
-      Texture.Image image = texture.image();
-      int x = pixel(s, image.width(), texture.repeatS());
-      int y = pixel(t, image.height(), texture.repeatT());
-      int at = 4 * (y * image.width() + x);
-      for (int c = 0; c < 3; c++) {
-        sum[c] += Photometry.linear((image.rgba()[at + c] & 0xff) / 255.0);
-      }
+    double[] st = new double[6];
+    for (int corner = 0; corner < 3; corner++) {
+      int at = 2 * mesh.indices()[firstIndex + corner];
+      place(mesh.texCoords()[at], mesh.texCoords()[at + 1], transform, st, 2 * corner);
+    }
+    int places = places(st, texture.image());
+    for (int i = 0; i < places; i++) {
+      double u = (0.5 + i * STEP_U) % 1;
+      double v = (0.5 + i * STEP_V) % 1;
+      boolean outside = u + v > 1;
+      add(texture, st, outside ? 1 - u : u, outside ? 1 - v : v, sum);
     }
     for (int c = 0; c < 3; c++) {
-      double mean = sum[c] / PLACES.length;
+      double mean = sum[c] / places;
       rgb[c] = (float) (tints ? rgb[c] * mean : mean);
+    }
+  }
+
+  private static void place(
+      double s, double t, float @Nullable [] transform, double[] out, int at) {
+    out[at] = transform == null ? s : transform[0] * s + transform[3] * t + transform[6];
+    out[at + 1] = transform == null ? t : transform[1] * s + transform[4] * t + transform[7];
+  }
+
+  private static int places(double[] st, Texture.Image image) {
+    double cross =
+        (st[2] - st[0]) * (st[5] - st[1]) - (st[3] - st[1]) * (st[4] - st[0]);
+    double pixels = Math.abs(cross) / 2 * image.width() * image.height();
+    return (int) Math.max(LEAST_PLACES, Math.min(MOST_PLACES, pixels / PIXELS));
+  }
+
+  private static void add(Texture texture, double[] st, double u, double v, double[] sum) {
+    double w = 1 - u - v;
+    Texture.Image image = texture.image();
+    int x = pixel(w * st[0] + u * st[2] + v * st[4], image.width(), texture.repeatS());
+    int y = pixel(w * st[1] + u * st[3] + v * st[5], image.height(), texture.repeatT());
+    int at = 4 * (y * image.width() + x);
+    for (int c = 0; c < 3; c++) {
+      sum[c] += Photometry.linear((image.rgba()[at + c] & 0xff) / 255.0);
     }
   }
 

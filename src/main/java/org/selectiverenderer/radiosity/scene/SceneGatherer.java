@@ -9,7 +9,6 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
-import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.radiosity.trace.Versions;
@@ -35,8 +34,6 @@ final class SceneGatherer {
   private final Map<Mesh, float[]> reflectances = new IdentityHashMap<>();
   private int objects;
   private int triangles;
-  private int textured;
-  private Location firstTextured = Location.of("");
 
   SceneGatherer(double unit, Problems problems) {
     this.unit = unit;
@@ -45,13 +42,6 @@ final class SceneGatherer {
 
   void gather(GroupInstance root) {
     walk(root, Versions.FIXED, -1);
-    if (textured > 0) {
-      problems.info(
-          firstTextured,
-          "textures are averaged over each triangle, and the lit scene has none ("
-              + textured
-              + (textured == 1 ? " shape)" : " shapes)"));
-    }
   }
 
   List<Body> bodies() {
@@ -149,10 +139,6 @@ final class SceneGatherer {
             shape.node().location(), "the shape's position is not finite; it is left out");
         return;
       }
-    }
-    if (surface.texture() != null) {
-      firstTextured = textured == 0 ? shape.node().location() : firstTextured;
-      textured++;
     }
     float[] reflectance = surface.lit() ? reflectance(surface, mesh) : new float[] {0, 0, 0};
     float opaque = 1 - surface.transparency();

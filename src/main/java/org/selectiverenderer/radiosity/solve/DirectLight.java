@@ -46,17 +46,13 @@ public final class DirectLight {
         continue;
       }
       double own = s + i * 0.618034;
-      lamps.get(i).sample(point, own - Math.floor(own), t, sample);
-      double[] to = sample.towards;
-      double cosine = to[0] * normal[0] + to[1] * normal[1] + to[2] * normal[2];
-      double[] light = sample.light;
-      if (cosine <= 0 || light[0] + light[1] + light[2] <= 0) {
+      double cosine = aim(i, point, normal, own - Math.floor(own), t);
+      if (cosine <= 0) {
         continue;
       }
-      ray.from(point, to);
-      ray.length = sample.distance * SHORT;
-      double passed = scene.visibility().transmittance(ray, version) * cosine;
+      double passed = passed(point, version) * cosine;
       if (passed > 0) {
+        double[] light = sample.light;
         sum[0] += light[0] * passed;
         sum[1] += light[1] * passed;
         sum[2] += light[2] * passed;
@@ -64,5 +60,31 @@ public final class DirectLight {
       }
     }
     return lit;
+  }
+
+  /**
+   * Turns to a place of a lamp; returns the cosine of the angle at which its light falls on a
+   * surface, 0 if none does.
+   *
+   * @param point off the surface
+   * @param normal unit normal
+   */
+  public double aim(int lamp, double[] point, double[] normal, double s, double t) {
+    lamps.get(lamp).sample(point, s, t, sample);
+    double[] to = sample.towards;
+    double cosine = to[0] * normal[0] + to[1] * normal[1] + to[2] * normal[2];
+    return cosine > 0 && aimed() > 0 ? cosine : 0;
+  }
+
+  /** The light of the last place aimed at: red, green and blue together, at right angles. */
+  public double aimed() {
+    return sample.light[0] + sample.light[1] + sample.light[2];
+  }
+
+  /** The share of light that arrives from the last place aimed at: one ray. */
+  public double passed(double[] point, int version) {
+    ray.from(point, sample.towards);
+    ray.length = sample.distance * SHORT;
+    return scene.visibility().transmittance(ray, version);
   }
 }

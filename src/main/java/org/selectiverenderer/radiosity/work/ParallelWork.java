@@ -1,6 +1,7 @@
 package org.selectiverenderer.radiosity.work;
 
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 
 /**
@@ -23,17 +24,27 @@ public final class ParallelWork {
    */
   public static boolean run(
       int count, int chunk, WorkProgress progress, WorkProgress.Stage stage, Tasks tasks) {
+    return run(count, chunk, progress, share -> progress.at(stage, share), tasks);
+  }
+
+  /**
+   * Likewise, where the tasks are a part of a stage.
+   *
+   * @param done hears the share of the tasks that is done
+   */
+  public static boolean run(
+      int count, int chunk, WorkProgress progress, DoubleConsumer done, Tasks tasks) {
     int chunks = (count + chunk - 1) / chunk;
-    AtomicInteger done = new AtomicInteger();
+    AtomicInteger finished = new AtomicInteger();
     IntStream.range(0, chunks)
         .parallel()
         .forEach(
             i -> {
               if (!progress.cancelled()) {
                 tasks.run(i * chunk, Math.min(count, (i + 1) * chunk));
-                progress.at(stage, (double) done.incrementAndGet() / chunks);
+                done.accept((double) finished.incrementAndGet() / chunks);
               }
             });
-    return done.get() == chunks;
+    return finished.get() == chunks;
   }
 }

@@ -1,0 +1,75 @@
+package org.selectiverenderer.radiosity;
+
+import java.util.List;
+import org.selectiverenderer.radiosity.atlas.Atlas;
+import org.selectiverenderer.radiosity.atlas.TexelMap;
+import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.texel.TexelNoise;
+
+/**
+ * What has become of light in pictures.
+ *
+ * @param files pictures
+ * @param bytes of all of them
+ * @param texels of all of them, gutters among them
+ * @param leastPerMetre texels per metre of the surface that has fewest, over its area; 0 if none
+ *     has any
+ * @param mostPerMetre of the one that has most
+ * @param multiplied shapes whose own texture stays, multiplied by the light
+ * @param shining shapes that keep their highlights
+ * @param noise that the rays left in the light
+ */
+public record PictureReport(
+    int files,
+    long bytes,
+    long texels,
+    double leastPerMetre,
+    double mostPerMetre,
+    int multiplied,
+    int shining,
+    TexelNoise noise) {
+
+  static PictureReport of(TexelScene lit, List<Integer> bytes, int multiplied, int shining) {
+    double least = Double.POSITIVE_INFINITY;
+    double most = 0;
+    for (int i = 0; i < lit.scene().bodies().size(); i++) {
+      double density = perMetre(lit, i);
+      if (density > 0) {
+        least = Math.min(least, density);
+        most = Math.max(most, density);
+      }
+    }
+    return new PictureReport(
+        bytes.size(),
+        bytes.stream().mapToLong(Integer::longValue).sum(),
+        lit.atlas().texels(),
+        most > 0 ? least : 0,
+        most,
+        multiplied,
+        shining,
+        lit.pages().noise());
+  }
+
+  private static double perMetre(TexelScene lit, int number) {
+    Atlas.Layout layout = lit.atlas().layouts().get(number);
+    if (layout.page() == TexelMap.NONE) {
+      return 0;
+    }
+    Body body = lit.scene().bodies().get(number);
+    double[] normal = new double[3];
+    double surface = 0;
+    double picture = 0;
+    for (int i = 0; i < body.triangles(); i++) {
+      surface += lit.scene().triangles().normal(body.firstTriangle() + i, normal);
+      float[] st = layout.st();
+      int at = 6 * i;
+      double cross =
+          ((double) st[at + 2] - st[at]) * (st[at + 5] - st[at + 1])
+              - ((double) st[at + 3] - st[at + 1]) * (st[at + 4] - st[at]);
+      picture += Math.abs(cross) / 2;
+    }
+    TexelMap page = lit.atlas().pages().get(layout.page());
+    return surface > 0 ? Math.sqrt(picture * page.texels() / surface) : 0;
+  }
+}

@@ -1,0 +1,85 @@
+package org.selectiverenderer.radiosity;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.radiosity.atlas.Atlas;
+import org.selectiverenderer.radiosity.atlas.AtlasMaker;
+import org.selectiverenderer.radiosity.atlas.AtlasSettings;
+import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.bake.ToneCurve;
+import org.selectiverenderer.radiosity.mesh.Facet;
+import org.selectiverenderer.radiosity.mesh.Subdivision;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.texel.LightPages;
+import org.selectiverenderer.radiosity.texel.TexelChoice;
+import org.selectiverenderer.radiosity.texel.TexelGatherer;
+import org.selectiverenderer.radiosity.work.WorkProgress;
+
+/** Lights a scene: the whole way from triangles to light in pictures. */
+final class TexelRadiosity {
+  private final RadiositySettings settings;
+  private final WorkProgress progress;
+  private final Problems problems;
+
+  /**
+   * @param problems hears of surfaces whose light is coarser than wished
+   */
+  TexelRadiosity(RadiositySettings settings, WorkProgress progress, Problems problems) {
+    this.settings = settings;
+    this.progress = progress;
+    this.problems = problems;
+  }
+
+  /**
+   * Lights a scene. If it is cancelled, the last complete iteration is what it is lit by.
+   *
+   * @param fileOf the number of the file of each body, or {@link AtlasMaker#NO_GROUP}
+   * @param each hears the solution after every iteration
+   * @throws UnlitSceneException if the scene cannot be lit as asked for, before the long work, or
+   *     if it is cancelled before the first iteration is complete
+   */
+  TexelScene light(LightScene scene, int[] fileOf, Consumer<Solution> each)
+      throws UnlitSceneException {
+    MeshPlan plan = MeshPlan.of(scene, settings);
+    Iterations.checkMemory(scene, plan);
+    Map<Integer, List<Facet>> divided = divided(scene, plan);
+    Atlas atlas = new AtlasMaker(atlasSettings(), problems).make(scene, fileOf);
+    Iterations iterations = Iterations.of(scene, plan, settings, progress, each);
+    Solution solution = iterations.solution();
+    TexelGatherer.Effort effort =
+        TexelGatherer.Effort.of(settings.rays(), settings.regather(), settings.seed());
+    LightPages pages =
+        new TexelGatherer(scene, solution, atlas, effort).gather(TexelChoice.ALL, progress);
+    ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
+    return new TexelScene(scene, pages, divided, solution, curve, iterations.rays() + pages.rays());
+  }
+
+  private AtlasSettings atlasSettings() {
+    LightStore store = settings.store();
+    return new AtlasSettings(
+        store.texelsPerMetre(),
+        Math.round(store.megabytes() * (1 << 20)),
+        AtlasSettings.DEFAULT.largestPage());
+  }
+
+  /** The surfaces that a scene asks a number of polygons for: longest edges are halved first. */
+  private static Map<Integer, List<Facet>> divided(LightScene scene, MeshPlan plan)
+      throws UnlitSceneException {
+    Map<Integer, List<Facet>> divided = new HashMap<>();
+    for (MeshPlan.Region region : plan.regions()) {
+      Subdivision subdivision =
+          new Subdivision(
+              scene, region.bodies(), region.polygons(), plan.minMesh(), plan.maxMesh());
+      subdivision.join();
+      subdivision.toLength();
+      plan.require(region, subdivision);
+      divided.putAll(subdivision.facets());
+    }
+    return divided;
+  }
+}

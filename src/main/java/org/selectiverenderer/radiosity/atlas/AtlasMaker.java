@@ -1,0 +1,215 @@
+package org.selectiverenderer.radiosity.atlas;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+
+/** Makes the {@link Atlas} of a scene: charts, their sizes, their pages, the places of texels. */
+public final class AtlasMaker {
+  /** A body that gets no page. */
+  public static final int NO_GROUP = -1;
+
+  /** Of the wished density: less is not worth storing. */
+  private static final double LEAST = 1.0 / 16;
+
+  /** Density is lowered by this until pages keep the budget. */
+  private static final double LOWER = 0.95;
+
+  /** Of a page's texels those that charts and gutters fill, about. */
+  private static final double FILLED = 0.9;
+
+  /** Bytes that a texel takes while light is gathered: its place, its light, its picture. */
+  private static final long WORK = 48;
+
+  /** Of Java's memory: the scene itself is in the rest. */
+  private static final double SHARE = 0.6;
+
+  private final AtlasSettings settings;
+  private final Problems problems;
+
+  /**
+   * @param problems hears of surfaces that are stored coarser than wished
+   */
+  public AtlasMaker(AtlasSettings settings, Problems problems) {
+    this.settings = settings;
+    this.problems = problems;
+  }
+
+  /**
+   * Makes it, the same from the same scene on any number of processors.
+   *
+   * @param groupOf by body: the number of the file that it is written to, 0 or above; {@link
+   *     #NO_GROUP} for bodies without light of their own, whose layouts have page -1 and no
+   *     coordinates
+   * @throws UnlitSceneException if the budget or Java's memory cannot hold it, with one sentence
+   */
+  public Atlas make(LightScene scene, int[] groupOf) throws UnlitSceneException {
+    int count = scene.bodies().size();
+    @Nullable BodyCharts[] charts = new BodyCharts[count];
+    IntStream.range(0, count)
+        .parallel()
+        .filter(i -> groupOf[i] >= 0)
+        .forEach(i -> charts[i] = BodyCharts.of(new WeldedBody(scene, scene.bodies().get(i))));
+    TexelBoxes boxes = new TexelBoxes(charts);
+    PagePlanner planner = new PagePlanner(boxes, settings.largestPage());
+    double[] densities = Density.of(scene, settings);
+    boolean[] bounded = new boolean[count];
+    Map<Integer, List<Integer>> groups = new TreeMap<>();
+    for (int i = 0; i < count; i++) {
+      if (groupOf[i] >= 0) {
+        groups.computeIfAbsent(groupOf[i], key -> new ArrayList<>()).add(i);
+        bounded[i] = bound(i, boxes, planner, densities);
+      }
+    }
+    List<PagePlanner.Page> pages = withinBudget(groups, boxes, planner, densities);
+    checkMemory(pages);
+    for (int i = 0; i < count; i++) {
+      if (bounded[i]) {
+        problems.info(
+            scene.bodies().get(i).shape().node().location(),
+            "the shape is too large for its light to be stored finer than %s texels per metre"
+                .formatted(digits(densities[i])));
+      }
+    }
+    return draw(scene, charts, boxes, pages);
+  }
+
+  /** Lowers a body's density until it fits on one page. */
+  private static boolean bound(
+      int body, TexelBoxes boxes, PagePlanner planner, double[] densities) {
+    boolean bounded = false;
+    while (!planner.fits(body, boxes.size(body, densities[body]))) {
+      densities[body] *= LOWER;
+      bounded = true;
+    }
+    return bounded;
+  }
+
+  private List<PagePlanner.Page> withinBudget(
+      Map<Integer, List<Integer>> groups, TexelBoxes boxes, PagePlanner planner, double[] densities)
+      throws UnlitSceneException {
+    double[] wished = densities.clone();
+    long most = settings.budgetBytes() / AtlasSettings.BYTES_PER_TEXEL;
+    double least = settings.texelsPerMetre().isPresent() ? 1 : LEAST;
+    double scale = 1;
+    while (true) {
+      long[] texels = new long[densities.length];
+      long sum = 0;
+      for (List<Integer> bodies : groups.values()) {
+        for (int body : bodies) {
+          densities[body] = scale * wished[body];
+          texels[body] = boxes.size(body, densities[body]);
+          sum += texels[body];
+        }
+      }
+      boolean last = scale <= least;
+      if (sum / FILLED <= most || last && sum <= most) {
+        List<PagePlanner.Page> pages = new ArrayList<>();
+        groups.values().forEach(bodies -> pages.addAll(planner.plan(bodies, texels)));
+        sum = pages.stream().mapToLong(PagePlanner.Page::texels).sum();
+        if (sum <= most) {
+          return pages;
+        }
+      }
+      if (last) {
+        throw new UnlitSceneException(tooSmall(sum));
+      }
+      scale = Math.max(least, scale * LOWER);
+    }
+  }
+
+  private String tooSmall(long texels) {
+    String needed =
+        "light in textures takes %s MB"
+            .formatted(megabytes(texels * AtlasSettings.BYTES_PER_TEXEL));
+    String budget = ", more than the budget of " + megabytes(settings.budgetBytes()) + " MB; ";
+    return settings.texelsPerMetre().isPresent()
+        ? needed
+            + " at %s texels per metre".formatted(digits(settings.texelsPerMetre().getAsDouble()))
+            + budget
+            + "lower --texels-per-metre or raise --texture-budget"
+        : needed + " even at the least density" + budget + "raise --texture-budget";
+  }
+
+  private static void checkMemory(List<PagePlanner.Page> pages) throws UnlitSceneException {
+    long needed = WORK * pages.stream().mapToLong(PagePlanner.Page::texels).sum();
+    long there = Runtime.getRuntime().maxMemory();
+    if (needed > SHARE * there) {
+      throw new UnlitSceneException(
+          "light in textures takes about %s MB of memory, too much of Java's %s MB; lower"
+                  .formatted(megabytes(needed), megabytes(there))
+              + " --texture-budget, or give Java more with SELECTIVE_RENDERER_JAVA_OPTS=-Xmx4g");
+    }
+  }
+
+  private static Atlas draw(
+      LightScene scene,
+      @Nullable BodyCharts[] charts,
+      TexelBoxes boxes,
+      List<PagePlanner.Page> pages) {
+    TexelMap[] maps = new TexelMap[pages.size()];
+    Atlas.Layout[] layouts = new Atlas.Layout[charts.length];
+    Arrays.fill(layouts, new Atlas.Layout(TexelMap.NONE, new float[0]));
+    IntStream.range(0, maps.length)
+        .parallel()
+        .forEach(
+            i -> {
+              PagePlanner.Page page = pages.get(i);
+              Rasterizer rasterizer = new Rasterizer(page.width(), page.height());
+              for (int body : page.bodies()) {
+                float[] st =
+                    draw(
+                        scene.bodies().get(body),
+                        charts[body],
+                        boxes,
+                        boxes.first(body),
+                        rasterizer,
+                        page);
+                layouts[body] = new Atlas.Layout(i, st);
+              }
+              maps[i] = rasterizer.map();
+            });
+    return new Atlas(List.of(maps), List.of(layouts));
+  }
+
+  private static float[] draw(
+      Body body,
+      BodyCharts charts,
+      TexelBoxes boxes,
+      int firstBox,
+      Rasterizer rasterizer,
+      PagePlanner.Page page) {
+    float[] st = new float[6 * body.triangles()];
+    double[] p = new double[6];
+    for (int i = 0; i < body.triangles(); i++) {
+      int chart = charts.chartOf()[i];
+      int box = firstBox + chart;
+      for (int at = 0; at < 6; at += 2) {
+        p[at] = boxes.column(box, charts, chart, 6 * i + at);
+        p[at + 1] = boxes.row(box, charts, chart, 6 * i + at);
+        st[6 * i + at] = (float) (p[at] / page.width());
+        st[6 * i + at + 1] = (float) (p[at + 1] / page.height());
+      }
+      rasterizer.draw(body.firstTriangle() + i, box, boxes, p);
+    }
+    return st;
+  }
+
+  private static String megabytes(long bytes) {
+    double megabytes = bytes / (double) (1 << 20);
+    return String.format(Locale.ROOT, megabytes < 1 ? "%.3f" : "%.1f", megabytes);
+  }
+
+  private static String digits(double value) {
+    return String.format(Locale.ROOT, "%.3g", value);
+  }
+}

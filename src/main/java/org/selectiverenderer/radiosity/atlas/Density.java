@@ -1,0 +1,63 @@
+package org.selectiverenderer.radiosity.atlas;
+
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
+
+/**
+ * How fine bodies are stored: a room's surfaces coarsely, what lies on tables finely, since the
+ * shadow that a thing casts on itself and beside it is as small as the thing. Scenes much larger or
+ * smaller than a dwelling are stored as if they were one.
+ */
+final class Density {
+  /** Of surfaces as large as a room's, texels per metre. */
+  private static final double ROOM = 50;
+
+  /** As large as a room is, metres. */
+  private static final double ROOM_SIZE = 4;
+
+  private static final double GROWTH = 0.55;
+  private static final double LEAST = 0.8;
+  private static final double MOST = 6;
+
+  /** Scenes of this extent have rooms of that size, metres. */
+  private static final double LARGE_SCENE = 60;
+
+  private static final double SMALL_SCENE = 1;
+
+  private Density() {}
+
+  /** Texels per metre for each body before any budget. */
+  static double[] of(LightScene scene, AtlasSettings settings) {
+    double room = ROOM_SIZE;
+    if (scene.extent() > LARGE_SCENE) {
+      room *= scene.extent() / LARGE_SCENE;
+    } else if (scene.extent() > 0 && scene.extent() < SMALL_SCENE) {
+      room *= scene.extent() / SMALL_SCENE;
+    }
+    double base = settings.texelsPerMetre().orElse(ROOM * ROOM_SIZE / room);
+    double[] densities = new double[scene.bodies().size()];
+    for (int i = 0; i < densities.length; i++) {
+      double size = size(scene, scene.bodies().get(i));
+      double finer = size > 0 ? StrictMath.pow(room / size, GROWTH) : MOST;
+      densities[i] = base * Math.max(LEAST, Math.min(MOST, finer));
+    }
+    return densities;
+  }
+
+  /** The longest side of the box around a body, metres. */
+  private static double size(LightScene scene, Body body) {
+    float[] corners = scene.triangles().corners();
+    double size = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      float low = Float.POSITIVE_INFINITY;
+      float high = Float.NEGATIVE_INFINITY;
+      int end = 9 * (body.firstTriangle() + body.triangles());
+      for (int i = 9 * body.firstTriangle() + axis; i < end; i += 3) {
+        low = Math.min(low, corners[i]);
+        high = Math.max(high, corners[i]);
+      }
+      size = Math.max(size, (double) high - low);
+    }
+    return size;
+  }
+}

@@ -1,0 +1,142 @@
+package org.selectiverenderer.radiosity.atlas;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Puts the bodies of each file on pages, a body on one page, and makes pages no larger than needed.
+ */
+final class PagePlanner {
+  /** Sides of pages are multiples of this. */
+  private static final int MULTIPLE = 4;
+
+  /** Widths tried for a page, as shares of the side of a square. */
+  private static final double[] WIDTHS = {1.0, 1.04, 1.08, 1.13, 1.2, 1.3, 1.5};
+
+  /** Charts on a page beyond which only few widths are tried. */
+  private static final int MANY = 20_000;
+
+  /** Of a page's area: more is not hoped for at first. */
+  private static final double HOPE = 0.92;
+
+  private final TexelBoxes boxes;
+  private final int largest;
+
+  /** A page and the bodies on it. */
+  record Page(int width, int height, List<Integer> bodies) {
+    long texels() {
+      return (long) width * height;
+    }
+  }
+
+  PagePlanner(TexelBoxes boxes, int largest) {
+    this.boxes = boxes;
+    this.largest = largest;
+  }
+
+  /** Whether a body alone can lie on a page. */
+  boolean fits(int body, long texels) {
+    return boxes.longest(body) + TexelBoxes.GUTTER < largest
+        && (texels < 0.7 * largest * largest
+            || texels < (double) largest * largest && page(List.of(body), texels) != null);
+  }
+
+  /**
+   * The pages of bodies that each fit alone.
+   *
+   * @param texels by body
+   */
+  List<Page> plan(List<Integer> bodies, long[] texels) {
+    List<Page> pages = new ArrayList<>();
+    int from = 0;
+    while (from < bodies.size()) {
+      long sum = 0;
+      int to = from;
+      while (to < bodies.size()
+          && (to == from || sum + texels[bodies.get(to)] <= HOPE * largest * largest)) {
+        sum += texels[bodies.get(to++)];
+      }
+      Page page = page(bodies.subList(from, to), sum);
+      while (page == null) {
+        to = Math.max(from + 1, to - 1 - (to - from) / 10);
+        sum = 0;
+        for (int i = from; i < to; i++) {
+          sum += texels[bodies.get(i)];
+        }
+        page = page(bodies.subList(from, to), sum);
+      }
+      pages.add(page);
+      from = to;
+    }
+    return pages;
+  }
+
+  /** The smallest page that holds these bodies; null if the largest does not. */
+  private @org.jspecify.annotations.Nullable Page page(List<Integer> bodies, long texels) {
+    int count = 0;
+    int widest = 0;
+    for (int body : bodies) {
+      count += boxes.end(body) - boxes.first(body);
+      widest = Math.max(widest, boxes.longest(body));
+    }
+    long[] order = new long[count];
+    int n = 0;
+    for (int body : bodies) {
+      for (int i = boxes.first(body); i < boxes.end(body); i++) {
+        // High before low, wide before narrow.
+        order[n++] =
+            (long) (0x7fff - boxes.height[i]) << 48 | (long) (0xffff - boxes.width[i]) << 32 | i;
+      }
+    }
+    Arrays.sort(order);
+    int bestWidth = 0;
+    int bestHeight = 0;
+    long best = Long.MAX_VALUE;
+    int last = 0;
+    for (int k = 0; k < WIDTHS.length; k += count > MANY ? 3 : 1) {
+      double side = WIDTHS[k] * Math.sqrt(texels);
+      int width = Math.min(largest, multiple(Math.max(side, widest + TexelBoxes.GUTTER + 1.0)));
+      if (width == last) {
+        continue;
+      }
+      last = width;
+      int height = multiple(pack(order, width));
+      if (height <= largest && (long) width * height < best) {
+        best = (long) width * height;
+        bestWidth = width;
+        bestHeight = height;
+      }
+    }
+    if (bestWidth == 0 && last < largest) {
+      bestWidth = largest;
+      bestHeight = multiple(pack(order, largest));
+    }
+    if (bestWidth == 0 || bestHeight > largest) {
+      return null;
+    }
+    if (bestWidth != last) {
+      pack(order, bestWidth);
+    }
+    return new Page(bestWidth, bestHeight, List.copyOf(bodies));
+  }
+
+  /** Places all boxes; returns how high the page is. */
+  private int pack(long[] order, int width) {
+    // A gutter of one at the left and the bottom, and of two beyond every box: pages repeat.
+    Skyline skyline = new Skyline(width - 1);
+    for (long entry : order) {
+      int box = (int) entry;
+      skyline.place(
+          Math.min(width - 1, boxes.width[box] + TexelBoxes.GUTTER),
+          boxes.height[box] + TexelBoxes.GUTTER);
+      boxes.x[box] = skyline.x() + 1;
+      boxes.y[box] = skyline.y() + 1;
+    }
+    return skyline.height() + 1;
+  }
+
+  private static int multiple(double side) {
+    return (int) Math.ceil(side / MULTIPLE) * MULTIPLE;
+  }
+}

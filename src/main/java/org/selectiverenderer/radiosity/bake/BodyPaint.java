@@ -1,0 +1,83 @@
+package org.selectiverenderer.radiosity.bake;
+
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.Photometry;
+import org.selectiverenderer.runtime.instance.Surface;
+
+/**
+ * What a body throws back at each of its places, as its picture has it. The image on it is either
+ * part of that picture or stays a texture of its own, which the picture is multiplied with: then
+ * its mean stands for it here.
+ */
+final class BodyPaint {
+  /** As of all surfaces: see {@code scene.Reflectance}. */
+  private static final double MOST = 0.95;
+
+  private final Body body;
+  private final @Nullable OwnTexture own;
+  private final double @Nullable [] mean;
+  private final float[] diffuse;
+  private final double[] image = new double[4];
+  private final double[] st = new double[2];
+
+  /**
+   * @param own the image on it, or null
+   * @param mean of that image, shares of light, if it stays apart; else null
+   */
+  BodyPaint(Body body, @Nullable OwnTexture own, double @Nullable [] mean) {
+    this.body = body;
+    this.own = own;
+    this.mean = mean;
+    diffuse = Photometry.linear(body.shape().surface().diffuse());
+  }
+
+  /**
+   * The share of light thrown back.
+   *
+   * @param triangle of the body
+   * @param u weight of its second corner
+   * @param out gets r, g, b
+   */
+  void reflectance(int triangle, double u, double v, double[] out) {
+    Surface surface = body.shape().surface();
+    float[] colours = body.mesh().colors();
+    if (!surface.lit() || own == null && colours == null) {
+      int at = body.reflectanceAt(triangle);
+      for (int c = 0; c < 3; c++) {
+        out[c] = body.reflectance()[at + c];
+      }
+      return;
+    }
+    for (int c = 0; c < 3; c++) {
+      out[c] = colours == null ? diffuse[c] : colour(colours, triangle, u, v, c);
+    }
+    if (own != null) {
+      paint(own, triangle, u, v, out);
+    }
+    double opaque = 1.0 - surface.transparency();
+    for (int c = 0; c < 3; c++) {
+      out[c] = Math.min(MOST, out[c]) * opaque;
+    }
+  }
+
+  private void paint(OwnTexture texture, int triangle, double u, double v, double[] out) {
+    double[] light = mean;
+    if (light == null) {
+      texture.place(triangle, u, v, st);
+      texture.sample(st, image);
+      light = image;
+    }
+    for (int c = 0; c < 3; c++) {
+      out[c] = texture.tints() ? out[c] * light[c] : light[c];
+    }
+  }
+
+  /** Between the corners colours are interpolated as a display is given them. */
+  private double colour(float[] colours, int triangle, double u, double v, int c) {
+    return Photometry.linear(
+        (1 - u - v) * colours[4 * body.vertex(triangle, 0) + c]
+            + u * colours[4 * body.vertex(triangle, 1) + c]
+            + v * colours[4 * body.vertex(triangle, 2) + c]);
+  }
+}

@@ -1,0 +1,45 @@
+package org.selectiverenderer.radiosity.bake;
+
+import java.util.List;
+import java.util.Map;
+import org.selectiverenderer.radiosity.atlas.Atlas;
+import org.selectiverenderer.radiosity.mesh.Facet;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.texel.LightPages;
+
+/**
+ * A scene with its light in pictures.
+ *
+ * @param divided facets of bodies that are written with more polygons than they have, by body
+ * @param curve makes colours of the light
+ * @param rays cast in all
+ */
+public record TexelScene(
+    LightScene scene,
+    LightPages pages,
+    Map<Integer, List<Facet>> divided,
+    Solution solution,
+    ToneCurve curve,
+    long rays)
+    implements Lit {
+
+  public Atlas atlas() {
+    return pages.atlas();
+  }
+
+  @Override
+  public boolean complete() {
+    return pages.complete();
+  }
+
+  @Override
+  public int polygons() {
+    int sum = 0;
+    for (int i = 0; i < scene.bodies().size(); i++) {
+      List<Facet> parts = divided.get(i);
+      sum += parts == null ? scene.bodies().get(i).triangles() : parts.size();
+    }
+    return sum;
+  }
+}

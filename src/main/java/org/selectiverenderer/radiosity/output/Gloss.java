@@ -1,0 +1,89 @@
+package org.selectiverenderer.radiosity.output;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.radiosity.bake.TextureUse;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.runtime.instance.Surface;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/**
+ * The bodies that shine: whose specular colour is bright and whose highlights are small enough to
+ * be seen as such. A wide, weak one is hardly told from the diffuse light beneath it.
+ */
+final class Gloss {
+  /** Of the brightest part of the specular colour. */
+  private static final float BRIGHT = 0.3f;
+
+  /** Of shininess: an exponent of 26, a highlight of some 20 degrees. */
+  private static final float SMALL = 0.2f;
+
+  private static final int DECIMALS = 3;
+
+  private final BitSet bodies;
+
+  private Gloss(BitSet bodies) {
+    this.bodies = bodies;
+  }
+
+  /** Nothing shines. */
+  static Gloss none() {
+    return new Gloss(new BitSet());
+  }
+
+  /** Of images that stay apart a Material with highlights can have none. */
+  static Gloss of(LightScene scene, TextureUse use) {
+    BitSet bodies = new BitSet();
+    for (int i = 0; i < scene.bodies().size(); i++) {
+      bodies.set(i, !use.apart(i) && shines(scene.bodies().get(i).shape().surface()));
+    }
+    return new Gloss(bodies);
+  }
+
+  private static boolean shines(Surface surface) {
+    float[] specular = surface.specular();
+    float most = Math.max(specular[0], Math.max(specular[1], specular[2]));
+    return surface.lit() && most >= BRIGHT && surface.shininess() >= SMALL;
+  }
+
+  boolean on(int body) {
+    return bodies.get(body);
+  }
+
+  int count() {
+    return bodies.cardinality();
+  }
+
+  /** Begins the Material of a body that shines. */
+  static void open(X3dWriter out, Body body) {
+    Surface surface = body.shape().surface();
+    float[] s = surface.specular();
+    out.open(
+        "Material",
+        "diffuseColor",
+        "0 0 0",
+        "ambientIntensity",
+        "0",
+        "emissiveColor",
+        "1 1 1",
+        "specularColor",
+        text(s[0]) + " " + text(s[1]) + " " + text(s[2]),
+        "shininess",
+        text(surface.shininess()));
+    if (surface.transparency() > 0) {
+      out.attribute("transparency", text(surface.transparency()));
+    }
+  }
+
+  /** What tells two such Materials apart. */
+  static String fields(Body body) {
+    Surface surface = body.shape().surface();
+    return Arrays.toString(surface.specular()) + surface.shininess();
+  }
+
+  static String text(float value) {
+    return DecimalText.rounded(value, DECIMALS);
+  }
+}

@@ -1,0 +1,107 @@
+package org.selectiverenderer.radiosity.output;
+
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.radiosity.bake.ToneCurve;
+import org.selectiverenderer.radiosity.light.Lamp;
+import org.selectiverenderer.radiosity.light.PointLamp;
+import org.selectiverenderer.radiosity.light.RectangleLamp;
+import org.selectiverenderer.radiosity.light.SunLamp;
+import org.selectiverenderer.radiosity.scene.LampReader;
+import org.selectiverenderer.radiosity.scene.Photometry;
+import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.write.ValueText;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/**
+ * Lights that stay on for highlights, as bright as the tone curve shows what they light. X3D adds
+ * highlights to display colours, so a light gets as its intensity the display colour of a white
+ * surface that it lights at a distance of {@value #NEAR} m. In display colours the light of a lamp
+ * falls off about with its distance (the square by the display's exponent), and so it does here.
+ * No light has ambient light. A rectangle becomes a spot that shines to its front.
+ */
+public final class LampFit {
+  /** Metres. */
+  private static final double NEAR = 2;
+
+  private static final int DECIMALS = 3;
+
+  /** Fields that are written anew. */
+  private static final Set<String> FITTED =
+      Set.of("on", "intensity", "ambientIntensity", "attenuation", "beamWidth");
+
+  private final ToneCurve curve;
+  private final boolean photometric;
+  private final double unit;
+
+  /**
+   * @param photometric whether lights fall off with the square of the distance; if not, they are
+   *     left as they are
+   * @param unit metres per unit of length
+   */
+  public LampFit(ToneCurve curve, boolean photometric, double unit) {
+    this.curve = curve;
+    this.photometric = photometric;
+    this.unit = unit;
+  }
+
+  void append(LitFile into, LightInstance light, String container) {
+    into.nodes().open(light.node(), container);
+    X3dWriter out = into.out();
+    Optional<Lamp> lamp =
+        photometric && light.light().on()
+            ? new LampReader(true, unit, new Problems()).read(light)
+            : Optional.empty();
+    if (lamp.isEmpty()) {
+      into.nodes().values(light.node(), "ambientIntensity", into);
+    } else {
+      others(into, light.node());
+      out.attribute("intensity", DecimalText.rounded(intensity(lamp.get()), DECIMALS));
+      if (!(lamp.get() instanceof SunLamp)) {
+        out.attribute("attenuation", "0 " + DecimalText.rounded(unit / NEAR, DECIMALS) + " 0");
+      }
+      if (light.node().type().field("beamWidth").isPresent()) {
+        double beam = lamp.get() instanceof RectangleLamp ? 0.01 : light.light().beamWidth();
+        out.attribute("beamWidth", DecimalText.rounded(beam, 4));
+      }
+    }
+    out.close();
+  }
+
+  private static void others(LitFile into, NodeView node) {
+    for (FieldDefinition field : node.type().fields().subList(0, node.type().ownFrom())) {
+      boolean said =
+          !field.type().isNode()
+              && field.access().initialisable()
+              && !FITTED.contains(field.name())
+              && !Objects.deepEquals(node.value(field.index()), field.defaultValue());
+      if (said) {
+        into.out().attribute(field.name(), ValueText.of(node.value(field.index())));
+      }
+    }
+  }
+
+  private double intensity(Lamp lamp) {
+    return Math.min(1, Photometry.display(curve.share(lux(lamp) / Math.PI)));
+  }
+
+  /** What arrives in the middle of the beam at that distance. */
+  private static double lux(Lamp lamp) {
+    double square = NEAR * NEAR;
+    if (lamp instanceof SunLamp sun) {
+      return sun.lumens();
+    }
+    if (lamp instanceof PointLamp point) {
+      return Photometry.luminance(point.candela()) / square;
+    }
+    if (lamp instanceof RectangleLamp rectangle) {
+      return Photometry.luminance(rectangle.luminance()) * rectangle.area() / square;
+    }
+    return lamp.lumens() / Math.PI / square;
+  }
+}

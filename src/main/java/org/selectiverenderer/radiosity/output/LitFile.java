@@ -1,0 +1,32 @@
+package org.selectiverenderer.radiosity.output;
+
+import java.nio.file.Path;
+import java.util.Objects;
+import org.selectiverenderer.polygon.model.Urls;
+import org.selectiverenderer.x3d.catalogue.NodeView;
+import org.selectiverenderer.x3d.write.NodeText;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/**
+ * A file that is being written.
+ *
+ * @param file where it will lie
+ * @param place its number in {@link FilePlaces}
+ * @param prefix of names that nothing else in it has
+ */
+record LitFile(X3dWriter out, NodeText nodes, Path file, int place, String prefix)
+    implements NodeText.UrlRule {
+  LitFile(X3dWriter out, Path file, int place, String prefix) {
+    this(out, new NodeText(out, NodeText.Written.CHANGED), file, place, prefix);
+  }
+
+  Path folder() {
+    return Objects.requireNonNull(file.toAbsolutePath().getParent());
+  }
+
+  @Override
+  public String written(NodeView node, String url) {
+    Path from = Path.of(node.location().file()).toAbsolutePath().getParent();
+    return from == null ? url : Urls.turned(url, from, folder());
+  }
+}

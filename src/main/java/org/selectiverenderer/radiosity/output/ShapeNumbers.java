@@ -1,0 +1,62 @@
+package org.selectiverenderer.radiosity.output;
+
+import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.x3d.write.TupleLines;
+
+/** The numbers of a lit shape as text, no longer than they need to be. */
+final class ShapeNumbers {
+  private static final int PER_LINE = 24;
+  private static final int MOST_DECIMALS = 9;
+
+  private ShapeNumbers() {}
+
+  static TupleLines lines() {
+    return TupleLines.perLine(PER_LINE);
+  }
+
+  /** The {@code index} of an IndexedTriangleStripSet. */
+  static StringBuilder strips(int[] index) {
+    TupleLines strips = lines();
+    for (int[] strip : Strips.of(index)) {
+      for (int vertex : strip) {
+        strips.next().append(vertex);
+      }
+      strips.text().append(" -1");
+    }
+    return strips.text();
+  }
+
+  /**
+   * Decimals of coordinates.
+   *
+   * @param least steps that the shape's extent is measured in
+   */
+  static int decimals(Mesh mesh, double least) {
+    float[] b = mesh.bounds();
+    double extent = Math.max(b[3] - b[0], Math.max(b[4] - b[1], b[5] - b[2]));
+    int digits = 0;
+    for (double size = extent; size < least && size > 0 && digits < MOST_DECIMALS; size *= 10) {
+      digits++;
+    }
+    return Math.max(1, digits);
+  }
+
+  /** Numbers with blanks between them. */
+  static void tuple(StringBuilder text, double[] values, int decimals) {
+    for (int i = 0; i < values.length; i++) {
+      text.append(i == 0 ? "" : " ");
+      number(text, values[i], decimals);
+    }
+  }
+
+  /** A number without the zero before its point, which the encoding does not ask for. */
+  static void number(StringBuilder text, double value, int decimals) {
+    int at = text.length();
+    DecimalText.appendRounded(text, value, decimals);
+    int digit = text.charAt(at) == '-' ? at + 1 : at;
+    if (text.length() > digit + 1 && text.charAt(digit) == '0' && text.charAt(digit + 1) == '.') {
+      text.deleteCharAt(digit);
+    }
+  }
+}

@@ -1,0 +1,213 @@
+package org.selectiverenderer.radiosity.output;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.selectiverenderer.base.picture.PngFile;
+import org.selectiverenderer.radiosity.atlas.AtlasMaker;
+import org.selectiverenderer.radiosity.bake.LightPicture;
+import org.selectiverenderer.radiosity.bake.LightPictures;
+import org.selectiverenderer.radiosity.bake.OwnTexture;
+import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/**
+ * Light in pictures beside the files. A matte shape has an Appearance with a picture and no
+ * material: it is shown as it is (X3D 3.3, 17.2.2.4; X3D 4.0, 17.2.2.5). One that shines has a
+ * Material that throws back nothing but highlights and sends out its picture (X3D 4.0, 17.2.2.4);
+ * then lights stay on. One whose own image stays has both in a MultiTexture (18.4.3).
+ */
+public final class TexelForm implements LitForm {
+  /** The version that has {@code emissiveTexture} and UnlitMaterial. */
+  private static final String NEW = "4.0";
+
+  private final TexelScene lit;
+  private final LightPictures painted;
+  private final Gloss gloss;
+  private final LampFit lamps;
+  private final FilePlaces places;
+  private final Map<Integer, Path> files = new LinkedHashMap<>();
+  private final Map<Path, Map<String, String>> appearances = new HashMap<>();
+
+  /**
+   * @param lamps what lights become, if highlights are kept
+   * @param highlights whether they are
+   */
+  public TexelForm(TexelScene lit, LightPictures painted, LampFit lamps, boolean highlights) {
+    this.lit = lit;
+    this.painted = painted;
+    this.lamps = lamps;
+    gloss = highlights ? Gloss.of(lit.scene(), painted.use()) : Gloss.none();
+    places = FilePlaces.of(lit.scene());
+  }
+
+  /**
+   * The number of the file of each body; {@link AtlasMaker#NO_GROUP} for those that need no light:
+   * they show a picture by their own.
+   */
+  public static int[] files(LightScene scene) {
+    int[] files = FilePlaces.of(scene).ofBodies();
+    for (int i = 0; i < files.length; i++) {
+      files[i] = showsByItself(scene.bodies().get(i)) ? AtlasMaker.NO_GROUP : files[i];
+    }
+    return files;
+  }
+
+  private static boolean showsByItself(Body body) {
+    return !body.shape().surface().lit() && body.shape().surface().texture() != null;
+  }
+
+  /** Shapes that keep their highlights. */
+  public int shining() {
+    return gloss.count();
+  }
+
+  @Override
+  public FilePlaces places() {
+    return places;
+  }
+
+  @Override
+  public String version(int place, String version) {
+    boolean old = version.startsWith("3.");
+    for (int body = 0; old && body < lit.scene().bodies().size(); body++) {
+      if (places.of(body) == place && needsNew(body)) {
+        return NEW;
+      }
+    }
+    return version;
+  }
+
+  private boolean needsNew(int body) {
+    return gloss.on(body) || lit.scene().bodies().get(body).transmittance() > 0;
+  }
+
+  @Override
+  public void shape(LitFile into, int number, ShapeInstance shape) {
+    Body body = lit.scene().bodies().get(number);
+    if (showsByItself(body)) {
+      into.nodes().append(shape.node(), "", into);
+      return;
+    }
+    X3dWriter out = into.out();
+    out.open("Shape").def(into.nodes().define(shape.node()));
+    appearance(into, number, body);
+    new TexelShapeWriter(lit, painted.use().apart(number), gloss.on(number)).geometry(out, number);
+    out.close();
+  }
+
+  private void appearance(LitFile into, int number, Body body) {
+    int page = lit.atlas().layouts().get(number).page();
+    String kind = kind(number, body);
+    Map<String, String> known = appearances.computeIfAbsent(into.file(), key -> new HashMap<>());
+    String use = known.get(kind);
+    X3dWriter out = into.out();
+    if (use != null) {
+      out.empty("Appearance", "USE", use);
+      return;
+    }
+    String name = into.prefix() + "Look" + (1 + known.size());
+    known.put(kind, name);
+    out.open("Appearance").def(name);
+    if (gloss.on(number)) {
+      Gloss.open(out, body);
+      picture(into, page, "emissiveTexture");
+      out.close();
+    } else {
+      if (body.transmittance() > 0) {
+        out.empty("UnlitMaterial", "transparency", Gloss.text(body.transmittance()));
+      }
+      texture(into, number, body, page);
+    }
+    out.close();
+  }
+
+  /** What two shapes of a file share if they look alike. */
+  private String kind(int number, Body body) {
+    String image = "";
+    if (painted.use().apart(number)) {
+      image = System.identityHashCode(OwnTexture.of(body).node().orElseThrow()) + " " + number;
+    }
+    return "%d %s %s %s"
+        .formatted(
+            lit.atlas().layouts().get(number).page(),
+            body.transmittance(),
+            gloss.on(number) ? Gloss.fields(body) : "",
+            image);
+  }
+
+  private void texture(LitFile into, int number, Body body, int page) {
+    if (!painted.use().apart(number)) {
+      picture(into, page, "");
+      return;
+    }
+    String by = painted.doubled(number) ? "MODULATE2X" : "MODULATE";
+    into.out().open("MultiTexture", "mode", "\"MODULATE\" \"%s\"".formatted(by));
+    into.nodes().append(OwnTexture.of(body).node().orElseThrow(), "texture", into);
+    picture(into, page, "");
+    into.out().close();
+  }
+
+  private void picture(LitFile into, int page, String container) {
+    X3dWriter out = into.out();
+    String name = into.prefix() + "Page" + page;
+    boolean first = !files.containsKey(page);
+    Path file = files.computeIfAbsent(page, key -> next(into.file()));
+    out.open("ImageTexture", first ? "DEF" : "USE", name);
+    if (!container.isEmpty()) {
+      out.attribute("containerField", container);
+    }
+    if (first) {
+      out.attribute("url", "\"" + file.getFileName() + "\"");
+      out.attribute("repeatS", "false").attribute("repeatT", "false");
+    }
+    out.close();
+  }
+
+  /** A picture beside a file: named like it, numbered from the second. */
+  private Path next(Path file) {
+    String stem = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "") + "-light";
+    Path path = file.resolveSibling(stem + ".png");
+    for (int number = 2; files.containsValue(path); number++) {
+      path = file.resolveSibling(stem + "-" + number + ".png");
+    }
+    return path;
+  }
+
+  @Override
+  public void light(LitFile into, LightInstance light, String container) {
+    if (gloss.count() > 0) {
+      lamps.append(into, light, container);
+    } else {
+      into.nodes().open(light.node(), container);
+      into.nodes().values(light.node(), "on", into);
+      into.out().attribute("on", "false").close();
+    }
+  }
+
+  @Override
+  public Map<Path, byte[]> pictures() {
+    List<Map.Entry<Integer, Path>> all = new ArrayList<>(files.entrySet());
+    byte[][] bytes = new byte[all.size()][];
+    IntStream.range(0, bytes.length)
+        .parallel()
+        .forEach(i -> bytes[i] = png(painted.pictures().get(all.get(i).getKey())));
+    Map<Path, byte[]> made = new LinkedHashMap<>();
+    for (int i = 0; i < bytes.length; i++) {
+      made.put(all.get(i).getValue(), bytes[i]);
+    }
+    return made;
+  }
+
+  private static byte[] png(LightPicture picture) {
+    return PngFile.small(picture.width(), picture.height(), picture.rgb());
+  }
+}

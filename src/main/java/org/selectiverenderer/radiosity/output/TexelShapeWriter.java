@@ -1,0 +1,205 @@
+package org.selectiverenderer.radiosity.output;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.TriangleMath;
+import org.selectiverenderer.radiosity.atlas.Atlas;
+import org.selectiverenderer.radiosity.atlas.TexelMap;
+import org.selectiverenderer.radiosity.bake.OwnTexture;
+import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.mesh.Facet;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.trace.SceneTriangles;
+import org.selectiverenderer.radiosity.trace.Versions;
+import org.selectiverenderer.x3d.write.TupleLines;
+import org.selectiverenderer.x3d.write.X3dWriter;
+
+/**
+ * The geometry of a shape whose light is in a picture: an IndexedTriangleStripSet with texture
+ * coordinates, those of its own image before them if that stays, and normals if it shines. Vertices
+ * are shared where all of that agrees.
+ */
+final class TexelShapeWriter {
+  /**
+   * Steps that the extent of a room's surface is measured in at least, and that of an object's:
+   * rooms must be tight, and objects have nearly all of the text.
+   */
+  private static final double ROOM = 30_000;
+
+  private static final double OBJECT = 3_000;
+
+  /** Steps in a texel, or in a pixel of an image: so it is met to a 16th. */
+  private static final double FINE = 8;
+
+  private static final int NORMAL_DECIMALS = 2;
+
+  private final TexelScene lit;
+  private final boolean apart;
+  private final boolean normals;
+
+  /**
+   * @param apart whether the body's own image stays
+   * @param normals whether it has normals
+   */
+  TexelShapeWriter(TexelScene lit, boolean apart, boolean normals) {
+    this.lit = lit;
+    this.apart = apart;
+    this.normals = normals;
+  }
+
+  /** The lists of numbers of a shape. */
+  private record Lists(
+      TupleLines points, TupleLines turned, TupleLines own, TupleLines light, int[] index) {}
+
+  void geometry(X3dWriter out, int number) {
+    Body body = lit.scene().bodies().get(number);
+    Lists lists = lists(body, number);
+    out.open("IndexedTriangleStripSet");
+    if (!body.mesh().solid()) {
+      out.attribute("solid", "false");
+    }
+    out.numbers("index", ShapeNumbers.strips(lists.index()));
+    out.open("Coordinate").numbers("point", lists.points().text()).close();
+    if (normals) {
+      out.open("Normal").numbers("vector", lists.turned().text()).close();
+    }
+    if (apart) {
+      out.open("MultiTextureCoordinate");
+      out.open("TextureCoordinate").numbers("point", lists.own().text()).close();
+    }
+    out.open("TextureCoordinate").numbers("point", lists.light().text()).close();
+    if (apart) {
+      out.close();
+    }
+    out.close();
+  }
+
+  private Lists lists(Body body, int number) {
+    List<Facet> divided = lit.divided().get(number);
+    int count = divided == null ? body.triangles() : divided.size();
+    Atlas.Layout layout = lit.atlas().layouts().get(number);
+    TexelMap page = lit.atlas().pages().get(layout.page());
+    int fine = decimals(Math.max(page.width(), page.height()));
+    OwnTexture own = apart ? OwnTexture.of(body) : null;
+    int decimals = ShapeNumbers.decimals(body.mesh(), body.version() == Versions.FIXED ? ROOM : OBJECT);
+    int[] index = new int[3 * count];
+    Lists lists =
+        new Lists(
+            ShapeNumbers.lines(),
+            ShapeNumbers.lines(),
+            ShapeNumbers.lines(),
+            ShapeNumbers.lines(),
+            index);
+    Map<String, Integer> known = new HashMap<>();
+    StringBuilder key = new StringBuilder();
+    int[] ends = new int[4];
+    for (int facet = 0; facet < count; facet++) {
+      for (int i = 0; i < 3; i++) {
+        // What its place turns inside out is written as it was.
+        int corner = body.mirrored() && i > 0 ? 3 - i : i;
+        Corner at = corner(body, divided == null ? null : divided.get(facet), facet, corner);
+        key.setLength(0);
+        ShapeNumbers.tuple(key, at.local(), decimals);
+        ends[0] = key.length();
+        if (normals) {
+          ShapeNumbers.tuple(key.append(';'), at.normal(body), NORMAL_DECIMALS);
+        }
+        ends[1] = key.length();
+        if (own != null) {
+          ShapeNumbers.tuple(
+              key.append(';'), at.own(own), decimals(Math.max(own.width(), own.height())));
+        }
+        ends[2] = key.length();
+        ShapeNumbers.tuple(key.append(';'), at.light(layout), fine);
+        Integer id = known.get(key.toString());
+        if (id == null) {
+          id = known.size();
+          known.put(key.toString(), id);
+          lists.points().next().append(key, 0, ends[0]);
+          add(lists.turned(), key, ends[0], ends[1]);
+          add(lists.own(), key, ends[1], ends[2]);
+          add(lists.light(), key, ends[2], key.length());
+        }
+        index[3 * facet + i] = id;
+      }
+    }
+    return lists;
+  }
+
+  /** Appends what follows a semicolon, if there is any. */
+  private static void add(TupleLines lines, StringBuilder key, int from, int to) {
+    if (to > from) {
+      lines.next().append(key, from + 1, to);
+    }
+  }
+
+  private static int decimals(int pixels) {
+    int digits = 1;
+    for (double steps = 10; steps < FINE * pixels; steps *= 10) {
+      digits++;
+    }
+    return digits;
+  }
+
+  /**
+   * The corner of a facet as a place of a triangle of its body.
+   *
+   * @param triangle of the body
+   * @param local x, y, z in the shape's own coordinates
+   */
+  private record Corner(int triangle, double u, double v, double[] local) {
+    double[] light(Atlas.Layout layout) {
+      float[] st = layout.st();
+      int at = 6 * triangle;
+      return new double[] {
+        (1 - u - v) * st[at] + u * st[at + 2] + v * st[at + 4],
+        (1 - u - v) * st[at + 1] + u * st[at + 3] + v * st[at + 5]
+      };
+    }
+
+    double[] own(OwnTexture texture) {
+      double[] st = new double[2];
+      texture.place(triangle, u, v, st);
+      return st;
+    }
+
+    /** In the shape's own coordinates. */
+    double[] normal(Body body) {
+      float[] all = body.mesh().normals();
+      double[] sum = new double[3];
+      if (all == null) {
+        throw new IllegalStateException("a lit body without normals");
+      }
+      double[] weights = {1 - u - v, u, v};
+      for (int corner = 0; corner < 3; corner++) {
+        int at = 3 * body.vertex(triangle, corner);
+        for (int axis = 0; axis < 3; axis++) {
+          sum[axis] += weights[corner] * all[at + axis];
+        }
+      }
+      TriangleMath.normalize(sum);
+      return sum;
+    }
+  }
+
+  private Corner corner(Body body, @Nullable Facet facet, int triangle, int corner) {
+    double[] local = new double[3];
+    if (facet == null) {
+      int at = 3 * body.vertex(triangle, corner);
+      for (int axis = 0; axis < 3; axis++) {
+        local[axis] = body.mesh().positions()[at + axis];
+      }
+      return new Corner(triangle, corner == 1 ? 1 : 0, corner == 2 ? 1 : 0, local);
+    }
+    double[] point = new double[3];
+    for (int axis = 0; axis < 3; axis++) {
+      local[axis] = facet.local()[3 * corner + axis];
+      point[axis] = facet.corners()[3 * corner + axis];
+    }
+    double[] weights = new double[2];
+    SceneTriangles.weights(lit.scene().triangles().corners(), facet.source(), point, weights);
+    return new Corner(facet.source() - body.firstTriangle(), weights[0], weights[1], local);
+  }
+}

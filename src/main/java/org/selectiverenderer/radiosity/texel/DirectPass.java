@@ -1,0 +1,242 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.DoubleConsumer;
+import org.selectiverenderer.radiosity.atlas.TexelMap;
+import org.selectiverenderer.radiosity.light.Lamp;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.work.ParallelWork;
+import org.selectiverenderer.radiosity.work.WorkProgress;
+
+/**
+ * Light from the lamps at every texel: what would arrive if nothing were in the way, in closed
+ * form, times the share that reaches it. The share is found with many rays on every fourth texel of
+ * every fourth row and with one ray in between; where all say the same, or the share changes slowly
+ * and the single rays agree with that, it is interpolated; elsewhere each texel has rays of its
+ * own.
+ */
+final class DirectPass {
+  private static final int GRID = 4;
+
+  /** Units of a share, and marks for none. */
+  private static final int WHOLE = 60_000;
+
+  private static final char UNKNOWN = 65_535;
+  private static final char DARK = 65_534;
+
+  /** Shares that differ by less count as one. */
+  private static final double SAME = 0.02;
+
+  /** A share that changes by more over a cell is not interpolated. */
+  private static final double STEEP = 0.12;
+
+  /** How far the mean of single rays may be from what is interpolated, in standard errors. */
+  private static final double AGREES = 2.5;
+
+  private final LightScene scene;
+  private final Solution solution;
+  private final Texels texels;
+  private final LampShadow.Points points;
+  private final char[] shares;
+  private final float[] light;
+  private final LongAdder rays = new LongAdder();
+
+  DirectPass(LightScene scene, Solution solution, Texels texels, int most, int seed) {
+    this.scene = scene;
+    this.solution = solution;
+    this.texels = texels;
+    points = LampShadow.Points.of(most, seed);
+    shares = new char[texels.count()];
+    light = new float[3 * texels.count()];
+  }
+
+  long rays() {
+    return rays.sum();
+  }
+
+  /** Irradiance by all texels, lx; null if it was cancelled. */
+  float @org.jspecify.annotations.Nullable [] gather(WorkProgress progress, DoubleConsumer done) {
+    LampTiles tiles = LampTiles.find(scene, solution, texels, points, progress, rays);
+    int lamps = scene.lamps().size();
+    for (int i = 0; i < lamps; i++) {
+      int lamp = i;
+      java.util.Arrays.fill(shares, UNKNOWN);
+      boolean whole =
+          each(tiles, lamp, progress, share -> {}, worker -> worker::probe)
+              && each(
+                  tiles,
+                  lamp,
+                  progress,
+                  share -> done.accept((lamp + share) / lamps),
+                  worker -> worker::add);
+      if (!whole) {
+        return null;
+      }
+    }
+    return progress.cancelled() ? null : light;
+  }
+
+  private boolean each(
+      LampTiles tiles,
+      int lamp,
+      WorkProgress progress,
+      DoubleConsumer done,
+      java.util.function.Function<Worker, java.util.function.IntConsumer> task) {
+    return ParallelWork.run(
+        texels.tiles(),
+        64,
+        progress,
+        done,
+        (from, to) -> {
+          Worker worker = new Worker(lamp);
+          java.util.function.IntConsumer work = task.apply(worker);
+          for (int tile = from; tile < to; tile++) {
+            if (tiles.has(tile, lamp)) {
+              texels.each(tile, work);
+            }
+          }
+          rays.add(worker.shadow.rays());
+        });
+  }
+
+  /** One thread's work on one lamp. */
+  private final class Worker {
+    private final int number;
+    private final Lamp lamp;
+    private final LampShadow shadow = new LampShadow(scene, points);
+    private final TexelPlace place = new TexelPlace(scene, solution, texels);
+    private final double[] open = new double[3];
+    private int page = -1;
+    private int first;
+    private TexelMap map = new TexelMap(0, 0, new int[0], new float[0], new float[0], new int[0]);
+
+    // Of the texel looked at: its share by interpolation.
+    private double interpolated;
+
+    Worker(int number) {
+      this.number = number;
+      lamp = scene.lamps().get(number);
+    }
+
+    private void go(int texel) {
+      if (page < 0 || texel < first || texel >= first + map.texels()) {
+        page = texels.pageOf(texel);
+        first = texels.first(page);
+        map = texels.map(page);
+      }
+    }
+
+    void probe(int texel) {
+      go(texel);
+      place.at(texel);
+      int x = (texel - first) % map.width();
+      int y = (texel - first) / map.width();
+      double share;
+      if (x % GRID == 0 && y % GRID == 0) {
+        share = shadow.share(place, number, texel + 7919 * number);
+      } else {
+        int cell = first + y / GRID * GRID * map.width() + x / GRID * GRID;
+        share =
+            shadow.one(place, number, y % GRID * GRID + x % GRID, cell + 7919 * number + 0x1234567);
+      }
+      shares[texel] =
+          share == LampShadow.NOTHING ? DARK : (char) Math.round(WHOLE * Math.min(1, share));
+    }
+
+    void add(int texel) {
+      go(texel);
+      int x = (texel - first) % map.width();
+      int y = (texel - first) / map.width();
+      place.at(texel);
+      lamp.unshadowed(place.point, place.normal, open);
+      if (!(open[0] + open[1] + open[2] > 0)) {
+        return;
+      }
+      double share;
+      if (x % GRID == 0 && y % GRID == 0) {
+        share = shares[texel] == DARK ? 0 : (double) shares[texel] / WHOLE;
+      } else if (interpolate(x, y)) {
+        share = interpolated;
+      } else {
+        share = Math.max(0, shadow.share(place, number, texel + 7919 * number));
+      }
+      for (int c = 0; c < 3; c++) {
+        light[3 * texel + c] += (float) (share * open[c]);
+      }
+    }
+
+    /** Whether the texels around say what reaches this one. */
+    private boolean interpolate(int x, int y) {
+      int x0 = x / GRID * GRID;
+      int y0 = y / GRID * GRID;
+      int chart = map.chart()[y * map.width() + x];
+      double low = 2;
+      double high = -1;
+      double sum = 0;
+      double weights = 0;
+      for (int k = 0; k < 4; k++) {
+        int cx = x0 + (k & 1) * GRID;
+        int cy = y0 + (k >> 1) * GRID;
+        char share = at(cx, cy, chart);
+        if (share >= DARK) {
+          continue;
+        }
+        double value = (double) share / WHOLE;
+        double wx = 1 - Math.abs(x - cx) / (double) GRID;
+        double wy = 1 - Math.abs(y - cy) / (double) GRID;
+        low = Math.min(low, value);
+        high = Math.max(high, value);
+        sum += wx * wy * value;
+        weights += wx * wy;
+      }
+      if (!(weights > 0) || high - low > STEEP) {
+        return false;
+      }
+      interpolated = sum / weights;
+      boolean even = high < SAME || low > 1 - SAME;
+      return even ? allSay(x, y, chart, high < SAME) : agree(x0, y0, chart, weights);
+    }
+
+    /** Whether single rays around a texel all find the lamp hidden, or all see it. */
+    private boolean allSay(int x, int y, int chart, boolean hidden) {
+      for (int ny = y - 2; ny <= y + 2; ny++) {
+        for (int nx = x - 2; nx <= x + 2; nx++) {
+          char share = at(nx, ny, chart);
+          if (share < DARK && (hidden ? share > SAME * WHOLE : share < (1 - SAME) * WHOLE)) {
+            return false;
+          }
+        }
+      }
+      return true;
+    }
+
+    /** Whether single rays of a cell are what a share in a half-shadow gives. */
+    private boolean agree(int x0, int y0, int chart, double weights) {
+      if (weights < 0.999) {
+        return false;
+      }
+      double sum = 0;
+      int count = 0;
+      for (int y = y0; y < y0 + GRID; y++) {
+        for (int x = x0; x < x0 + GRID; x++) {
+          char share = at(x, y, chart);
+          if (share < DARK && (x > x0 || y > y0)) {
+            sum += (double) share / WHOLE;
+            count++;
+          }
+        }
+      }
+      double error = Math.sqrt(interpolated * (1 - interpolated) / Math.max(1, count));
+      return count > 8 && Math.abs(sum / count - interpolated) < AGREES * error + SAME;
+    }
+
+    private char at(int x, int y, int chart) {
+      if (x < 0 || y < 0 || x >= map.width() || y >= map.height()) {
+        return UNKNOWN;
+      }
+      int there = y * map.width() + x;
+      return map.chart()[there] == chart ? shares[first + there] : UNKNOWN;
+    }
+  }
+}

@@ -1,0 +1,82 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.stream.IntStream;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Solution;
+
+/** Light from surfaces at every texel, by interpolation between records. */
+final class IndirectBetween {
+  private static final int CHUNK = 16;
+
+  private final LightScene scene;
+  private final Solution solution;
+  private final Texels texels;
+  private final IndirectPass pass;
+
+  IndirectBetween(LightScene scene, Solution solution, Texels texels, IndirectPass pass) {
+    this.scene = scene;
+    this.solution = solution;
+    this.texels = texels;
+    this.pass = pass;
+  }
+
+  /** Adds to r, g, b of all texels that are gathered. */
+  void addTo(float[] light) {
+    IntStream.range(0, (texels.tiles() + CHUNK - 1) / CHUNK)
+        .parallel()
+        .forEach(
+            chunk -> {
+              Runs runs = new Runs(light);
+              int end = Math.min(texels.tiles(), (chunk + 1) * CHUNK);
+              for (int tile = chunk * CHUNK; tile < end; tile++) {
+                texels.each(tile, runs::next);
+                runs.end();
+              }
+            });
+  }
+
+  /** Texels side by side in one chart share the search for records. One per thread. */
+  private final class Runs {
+    private final float[] light;
+    private final TexelPlace place = new TexelPlace(scene, solution, texels);
+    private final RecordReader reader = new RecordReader(pass.records());
+    private final int[] run = new int[Texels.TILE];
+    private int size;
+    private int chart;
+
+    Runs(float[] light) {
+      this.light = light;
+    }
+
+    void next(int texel) {
+      place.at(texel);
+      boolean goesOn =
+          size > 0 && size < run.length && run[size - 1] == texel - 1 && place.chart() == chart;
+      if (!goesOn) {
+        end();
+      }
+      chart = place.chart();
+      run[size++] = texel;
+    }
+
+    void end() {
+      reader.begin();
+      for (int i = 0; i < size; i++) {
+        place.at(run[i]);
+        reader.include(place.point);
+      }
+      if (size > 0) {
+        reader.find();
+      }
+      for (int i = 0; i < size; i++) {
+        place.at(run[i]);
+        boolean known = reader.at(place.point, place.normal, pass.group(place));
+        for (int c = 0; c < 3; c++) {
+          light[3 * run[i] + c] +=
+              known ? (float) reader.light[c] : solution.indirect()[3 * place.patch + c];
+        }
+      }
+      size = 0;
+    }
+  }
+}

@@ -1,0 +1,229 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.Arrays;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.DoubleConsumer;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.work.ParallelWork;
+import org.selectiverenderer.radiosity.work.WorkProgress;
+
+/**
+ * Light from surfaces: records on grids of texels, the coarsest first. A finer grid gets records
+ * where those of the coarser ones do not reach; single texels where light changes so much that no
+ * plane fits the records. The records of one grid do not depend on each other, so the result is the
+ * same with any number of threads.
+ */
+final class IndirectPass {
+  private static final int[] STRIDES = {16, 8, 4, 2, 1};
+
+  /** A record counts within this share of how far what it sees is. */
+  private static final double REACH = 0.25;
+
+  /**
+   * The radius of a record, in texels: at least on all grids, on that of single texels; at most.
+   */
+  private static final double LEAST = 2.4;
+
+  private static final double LEAST_SINGLE = 1.4;
+  private static final double MOST = 24;
+
+  /** With less weight of records around, a texel needs one of its own. */
+  private static final double KNOWN = 0.4;
+
+  /** Light that is farther off the plane between records, as a share, needs more of them. */
+  private static final double BENT = 0.03;
+
+  /** So many times the rays at most, where they are noisy. */
+  private static final int MOST_TIMES = 3;
+
+  private final LightScene scene;
+  private final Solution solution;
+  private final Texels texels;
+  private final float[] direct;
+  private final Hemisphere.Sets sets;
+  private final double noise;
+  private final ChartGrid[] grids;
+  private final LightRecords records = new LightRecords();
+  private final LongAdder rays = new LongAdder();
+
+  /**
+   * @param noise the standard error of a place, as a share of its light, above which it gets more
+   *     rays
+   */
+  IndirectPass(
+      LightScene scene,
+      Solution solution,
+      Texels texels,
+      float[] direct,
+      Hemisphere.Sets sets,
+      double noise) {
+    this.scene = scene;
+    this.solution = solution;
+    this.texels = texels;
+    this.direct = direct;
+    this.sets = sets;
+    this.noise = noise;
+    grids = texels.atlas().pages().stream().map(ChartGrid::new).toArray(ChartGrid[]::new);
+  }
+
+  long rays() {
+    return rays.sum();
+  }
+
+  LightRecords records() {
+    return records;
+  }
+
+  /** Gathers the records; false if it was cancelled. */
+  boolean gather(WorkProgress progress, DoubleConsumer done) {
+    for (int level = 0; level < STRIDES.length; level++) {
+      int stride = STRIDES[level];
+      double before = (double) level / STRIDES.length;
+      int[] places = new Thinning(scene, solution, texels).of(wanting(stride, progress), stride);
+      if (progress.cancelled()
+          || !gather(places, stride, progress, d -> done.accept(before + d / STRIDES.length))) {
+        return false;
+      }
+      records.index();
+    }
+    return true;
+  }
+
+  /** The texels of a grid that need a record of their own. */
+  private int[] wanting(int stride, WorkProgress progress) {
+    int[][] byChunk = new int[texels.tiles()][];
+    ParallelWork.run(
+        texels.tiles(),
+        64,
+        progress,
+        share -> {},
+        (from, to) -> {
+          Search search = new Search(stride);
+          for (int tile = from; tile < to; tile++) {
+            byChunk[tile] = search.of(tile);
+          }
+        });
+    return Arrays.stream(byChunk)
+        .filter(java.util.Objects::nonNull)
+        .flatMapToInt(Arrays::stream)
+        .toArray();
+  }
+
+  /** One thread's search for texels that need records. */
+  private final class Search {
+    private final int stride;
+    private final TexelPlace place = new TexelPlace(scene, solution, texels);
+    private final RecordReader reader = new RecordReader(records);
+    private final int[] list = new int[Texels.TILE * Texels.TILE];
+    private int size;
+    private int page = -1;
+    private int found;
+
+    Search(int stride) {
+      this.stride = stride;
+    }
+
+    int[] of(int tile) {
+      size = 0;
+      found = 0;
+      page = texels.pageOfTile(tile);
+      texels.each(
+          tile,
+          texel -> {
+            if (grids[page].on(texel - texels.first(page), stride)) {
+              list[size++] = texel;
+            }
+          });
+      for (int i = 0; i < size; i++) {
+        if (wants(list[i])) {
+          list[found++] = list[i];
+        }
+      }
+      return Arrays.copyOf(list, found);
+    }
+
+    private boolean wants(int texel) {
+      place.at(texel);
+      reader.begin();
+      reader.include(place.point);
+      reader.find();
+      if (!reader.at(place.point, place.normal, group(place)) || reader.weight < KNOWN) {
+        return true;
+      }
+      if (stride > 1) {
+        return false;
+      }
+      double there = reader.light[0] + reader.light[1] + reader.light[2] + sum(direct, texel);
+      return reader.misfit > Math.max(BENT * there, 2 * reader.error);
+    }
+  }
+
+  /** All references and what has no versions see one scene; any other version sees its own. */
+  int group(TexelPlace place) {
+    return scene.versions().isReference(place.version) ? 0 : place.version;
+  }
+
+  private static double sum(float[] rgb, int texel) {
+    return (double) rgb[3 * texel] + rgb[3 * texel + 1] + rgb[3 * texel + 2];
+  }
+
+  private boolean gather(int[] places, int stride, WorkProgress progress, DoubleConsumer done) {
+    float[] block = new float[LightRecords.NUMBERS * places.length];
+    int[] groups = new int[places.length];
+    HitLight hits = new HitLight(scene, solution, texels, direct);
+    boolean whole =
+        ParallelWork.run(
+            places.length,
+            64,
+            progress,
+            done,
+            (from, to) -> {
+              Hemisphere hemisphere = new Hemisphere(scene, hits, sets);
+              TexelPlace place = new TexelPlace(scene, solution, texels);
+              LightRecord record = new LightRecord();
+              LightRecord more = new LightRecord();
+              for (int i = from; i < to; i++) {
+                place.at(places[i]);
+                sample(hemisphere, place, places[i], stride, record, more);
+                groups[i] = record.seen ? group(place) : -1;
+                LightRecords.write(
+                    place, radius(record, place, stride), record, block, LightRecords.NUMBERS * i);
+              }
+              rays.add(hemisphere.rays());
+            });
+    for (int i = 0; i < places.length && whole; i++) {
+      if (groups[i] < 0) {
+        texels.leave(places[i]);
+      } else {
+        records.add(block, LightRecords.NUMBERS * i, groups[i]);
+      }
+    }
+    return whole;
+  }
+
+  private void sample(
+      Hemisphere hemisphere,
+      TexelPlace place,
+      int texel,
+      int stride,
+      LightRecord record,
+      LightRecord more) {
+    // Near to each other, records share their noise.
+    int fewer = stride > 2 ? 1 : stride == 2 ? 2 : 4;
+    hemisphere.gather(place, texel, fewer, record);
+    double bound = noise * (sum(direct, texel) + record.sum()) * Math.sqrt(fewer);
+    for (int times = 1; times < MOST_TIMES && record.seen && record.error > bound; times++) {
+      hemisphere.gather(place, texel + 0x3779b97f * times, fewer, more);
+      if (!more.seen) {
+        return;
+      }
+      record.join(more, times);
+    }
+  }
+
+  private static double radius(LightRecord record, TexelPlace place, int stride) {
+    double least = (stride == 1 ? LEAST_SINGLE : LEAST) * place.size();
+    return Math.max(least, Math.min(MOST * place.size(), REACH * record.distance));
+  }
+}

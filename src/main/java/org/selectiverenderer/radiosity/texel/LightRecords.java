@@ -1,0 +1,83 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.Arrays;
+import org.selectiverenderer.geometry.tree.BoxTree;
+import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
+
+/**
+ * Light from surfaces at irregular places (Ward et al. 1988), each with a radius within which it
+ * counts. Added to by one thread, then read by several.
+ */
+final class LightRecords {
+  // Where the numbers of a record begin: place, normal, radius, error, light, turn.
+  static final int NORMAL = 3;
+  static final int RADIUS = 6;
+  static final int ERROR = 7;
+  static final int LIGHT = 8;
+  static final int TURN = 11;
+  static final int NUMBERS = 20;
+
+  private float[] numbers = new float[0];
+  private int[] groups = new int[0];
+  private int size;
+  private BoxTree tree = BoxTreeBuilder.build(0, (item, box) -> {});
+
+  int size() {
+    return size;
+  }
+
+  /** {@link #NUMBERS} by record; the first {@link #size} count. */
+  float[] numbers() {
+    return numbers;
+  }
+
+  /** By record; places of one group see the same surroundings. */
+  int[] groups() {
+    return groups;
+  }
+
+  /** Boxes of the spheres within which the records count, as they were when it was last indexed. */
+  BoxTree tree() {
+    return tree;
+  }
+
+  /** Writes a record into a block of such. */
+  static void write(TexelPlace place, double radius, LightRecord record, float[] block, int at) {
+    for (int i = 0; i < 3; i++) {
+      block[at + i] = (float) place.point[i];
+      block[at + NORMAL + i] = (float) place.normal[i];
+      block[at + LIGHT + i] = (float) record.light[i];
+    }
+    block[at + RADIUS] = (float) radius;
+    block[at + ERROR] = (float) record.error;
+    for (int i = 0; i < 9; i++) {
+      block[at + TURN + i] = (float) record.turn[i];
+    }
+  }
+
+  void add(float[] block, int at, int group) {
+    if (size == groups.length) {
+      int more = Math.max(1024, size + size / 2);
+      numbers = Arrays.copyOf(numbers, NUMBERS * more);
+      groups = Arrays.copyOf(groups, more);
+    }
+    System.arraycopy(block, at, numbers, NUMBERS * size, NUMBERS);
+    groups[size++] = group;
+  }
+
+  /** Makes the records that were added findable. */
+  void index() {
+    float[] all = numbers;
+    tree =
+        BoxTreeBuilder.build(
+            size,
+            (item, box) -> {
+              int at = NUMBERS * item;
+              float radius = all[at + RADIUS];
+              for (int axis = 0; axis < 3; axis++) {
+                box[axis] = all[at + axis] - radius;
+                box[axis + 3] = all[at + axis] + radius;
+              }
+            });
+  }
+}

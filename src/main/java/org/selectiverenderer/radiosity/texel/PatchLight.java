@@ -1,0 +1,53 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.stream.IntStream;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Solution;
+
+/** The light of the patches at texels, without any ray. */
+final class PatchLight {
+  private static final int CHUNK = 64;
+
+  private final LightScene scene;
+  private final Solution solution;
+  private final Texels texels;
+
+  PatchLight(LightScene scene, Solution solution, Texels texels) {
+    this.scene = scene;
+    this.solution = solution;
+    this.texels = texels;
+  }
+
+  /** From lamps and surfaces, at all texels. */
+  float[] all() {
+    float[] light = new float[3 * texels.count()];
+    add(light, solution.direct());
+    add(light, solution.indirect());
+    return light;
+  }
+
+  /** Adds what comes from surfaces. */
+  void addIndirect(float[] light) {
+    add(light, solution.indirect());
+  }
+
+  private void add(float[] light, float[] ofPatches) {
+    IntStream.range(0, (texels.tiles() + CHUNK - 1) / CHUNK)
+        .parallel()
+        .forEach(
+            chunk -> {
+              TexelPlace place = new TexelPlace(scene, solution, texels);
+              int end = Math.min(texels.tiles(), (chunk + 1) * CHUNK);
+              for (int tile = chunk * CHUNK; tile < end; tile++) {
+                texels.each(
+                    tile,
+                    texel -> {
+                      place.at(texel);
+                      for (int c = 0; c < 3; c++) {
+                        light[3 * texel + c] += ofPatches[3 * place.patch + c];
+                      }
+                    });
+              }
+            });
+  }
+}

@@ -1,0 +1,210 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.Arrays;
+
+/**
+ * What lies between records: the plane that fits those nearby best, weighted by distance, after
+ * each was turned to the normal asked for (Ward and Heckbert 1992). Two surfaces that pass through
+ * one place with one normal have the same light there. One per thread.
+ */
+final class RecordReader {
+  /** Cosine of the angle between normals from which on a record says nothing. */
+  private static final double TURNED = 0.85;
+
+  /** How far before or behind of a record's plane, in its radius, a place may lie. */
+  private static final double ABOVE = 0.15;
+
+  /** Keeps planes through few records flat. */
+  private static final double RIDGE = 0.03;
+
+  /** Light is not taken to be more than this above all records around, or below. */
+  private static final double BEYOND = 0.15;
+
+  private final LightRecords records;
+  private final double[] box = new double[6];
+  private final double[] across = new double[3];
+  private final double[] along = new double[3];
+  private int[] near = new int[64];
+  private int count;
+  private double[] weights = new double[64];
+  private double[] values = new double[5 * 64];
+  private int used;
+
+  /** Irradiance r, g, b at the last place. */
+  final double[] light = new double[3];
+
+  /** How well the last place is known: 1 is a record right there. */
+  double weight;
+
+  /** How far the records around are off the plane, red, green and blue together. */
+  double misfit;
+
+  /** The standard error of the records around. */
+  double error;
+
+  RecordReader(LightRecords records) {
+    this.records = records;
+  }
+
+  /** Begins with no places to look at. */
+  void begin() {
+    Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
+    Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
+  }
+
+  /** A place that will be looked at. */
+  void include(double[] point) {
+    for (int axis = 0; axis < 3; axis++) {
+      box[axis] = Math.min(box[axis], point[axis]);
+      box[axis + 3] = Math.max(box[axis + 3], point[axis]);
+    }
+  }
+
+  /** Finds the records for all places included. */
+  void find() {
+    count = 0;
+    records.tree().overlap(box, this::keep);
+  }
+
+  private void keep(int record) {
+    if (count == near.length) {
+      near = Arrays.copyOf(near, 2 * count);
+      weights = Arrays.copyOf(weights, 2 * count);
+      values = Arrays.copyOf(values, 10 * count);
+    }
+    near[count++] = record;
+  }
+
+  /** Whether anything is known at a place that was included. */
+  boolean at(double[] point, double[] normal, int group) {
+    tangent(normal);
+    used = 0;
+    weight = 0;
+    error = 0;
+    double radii = 0;
+    for (int i = 0; i < count; i++) {
+      if (records.groups()[near[i]] == group) {
+        radii += weigh(near[i], point, normal);
+      }
+    }
+    if (used == 0) {
+      return false;
+    }
+    error = Math.sqrt(error) / weight;
+    fit(weight / radii);
+    return true;
+  }
+
+  private void tangent(double[] n) {
+    int least = Math.abs(n[0]) < Math.abs(n[1]) ? 0 : 1;
+    least = Math.abs(n[2]) < Math.abs(n[least]) ? 2 : least;
+    int b = (least + 1) % 3;
+    int c = (least + 2) % 3;
+    double length = Math.sqrt(n[b] * n[b] + n[c] * n[c]);
+    across[least] = 0;
+    across[b] = -n[c] / length;
+    across[c] = n[b] / length;
+    for (int i = 0; i < 3; i++) {
+      along[i] = n[(i + 1) % 3] * across[(i + 2) % 3] - n[(i + 2) % 3] * across[(i + 1) % 3];
+    }
+  }
+
+  /** Notes a record's weight, place and light, if it counts; returns weight times radius. */
+  private double weigh(int record, double[] point, double[] normal) {
+    float[] r = records.numbers();
+    int at = LightRecords.NUMBERS * record;
+    double dx = r[at] - point[0];
+    double dy = r[at + 1] - point[1];
+    double dz = r[at + 2] - point[2];
+    double radius = r[at + LightRecords.RADIUS];
+    double square = (dx * dx + dy * dy + dz * dz) / (radius * radius);
+    if (square >= 1) {
+      return 0;
+    }
+    double nx = r[at + 3];
+    double ny = r[at + 4];
+    double nz = r[at + 5];
+    double cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
+    if (cosine <= TURNED) {
+      return 0;
+    }
+    double above = dx * (nx + normal[0]) + dy * (ny + normal[1]) + dz * (nz + normal[2]);
+    if (Math.abs(above) > 2 * ABOVE * radius) {
+      return 0;
+    }
+    double w = (1 - square) * (1 - square) * (cosine - TURNED) / (1 - TURNED);
+    int to = 5 * used;
+    values[to] = dx * across[0] + dy * across[1] + dz * across[2];
+    values[to + 1] = dx * along[0] + dy * along[1] + dz * along[2];
+    double tx = normal[0] - nx;
+    double ty = normal[1] - ny;
+    double tz = normal[2] - nz;
+    for (int c = 0; c < 3; c++) {
+      int turn = at + LightRecords.TURN + 3 * c;
+      double turned = r[turn] * tx + r[turn + 1] * ty + r[turn + 2] * tz;
+      values[to + 2 + c] = Math.max(0, r[at + LightRecords.LIGHT + c] + turned);
+    }
+    weights[used++] = w;
+    weight += w;
+    double e = w * r[at + LightRecords.ERROR];
+    error += e * e;
+    return w * radius;
+  }
+
+  /**
+   * @param scale one over a length that distances are measured in
+   */
+  private void fit(double scale) {
+    double a = 0;
+    double b = 0;
+    double aa = 0;
+    double ab = 0;
+    double bb = 0;
+    for (int i = 0; i < used; i++) {
+      double x = values[5 * i] * scale;
+      double y = values[5 * i + 1] * scale;
+      a += weights[i] * x;
+      b += weights[i] * y;
+      aa += weights[i] * x * x;
+      ab += weights[i] * x * y;
+      bb += weights[i] * y * y;
+    }
+    a /= weight;
+    b /= weight;
+    aa += weight * (RIDGE - a * a);
+    bb += weight * (RIDGE - b * b);
+    ab -= weight * a * b;
+    double whole = aa * bb - ab * ab;
+    double squares = 0;
+    for (int c = 0; c < 3; c++) {
+      double mean = 0;
+      double av = 0;
+      double bv = 0;
+      double low = Double.POSITIVE_INFINITY;
+      double high = 0;
+      for (int i = 0; i < used; i++) {
+        double v = values[5 * i + 2 + c];
+        mean += weights[i] * v;
+        av += weights[i] * v * values[5 * i] * scale;
+        bv += weights[i] * v * values[5 * i + 1] * scale;
+        low = Math.min(low, v);
+        high = Math.max(high, v);
+      }
+      mean /= weight;
+      av -= weight * a * mean;
+      bv -= weight * b * mean;
+      double ga = (bb * av - ab * bv) / whole;
+      double gb = (aa * bv - ab * av) / whole;
+      double there = mean - ga * a - gb * b;
+      double least = low - BEYOND * low;
+      light[c] = Math.max(least, Math.min(high + BEYOND * high, there));
+      for (int i = 0; i < used; i++) {
+        double x = values[5 * i] * scale - a;
+        double y = values[5 * i + 1] * scale - b;
+        double off = values[5 * i + 2 + c] - mean - ga * x - gb * y;
+        squares += weights[i] * off * off;
+      }
+    }
+    misfit = Math.sqrt(3 * squares / weight);
+  }
+}

@@ -1,0 +1,114 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.selectiverenderer.radiosity.atlas.Atlas;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.work.WorkProgress;
+
+/**
+ * Gathers light at texels: from the lamps at every texel, from surfaces by records in between which
+ * it is interpolated.
+ */
+public final class TexelGatherer {
+  /** The part of the work after which light from the lamps is known, and that from surfaces. */
+  private static final double LAMPS = 0.4;
+
+  private static final double SURFACES = 0.95;
+
+  private final LightScene scene;
+  private final Solution solution;
+  private final Atlas atlas;
+  private final Effort effort;
+
+  /**
+   * How much is done.
+   *
+   * @param rays from a place where light from surfaces is gathered, at least 8
+   * @param lampRays to each lamp from a texel in a half-shadow
+   * @param noise the standard error of a place, as a share of its light, above which it gets more
+   *     rays
+   * @param regather whether light from surfaces comes by rays, or from the patches
+   */
+  public record Effort(int rays, int lampRays, double noise, boolean regather, int seed) {
+    public static Effort of(int rays, boolean regather, int seed) {
+      return new Effort(Math.max(8, rays), 64, 0.02, regather, seed);
+    }
+  }
+
+  public TexelGatherer(LightScene scene, Solution solution, Atlas atlas, Effort effort) {
+    this.scene = scene;
+    this.solution = solution;
+    this.atlas = atlas;
+    this.effort = effort;
+  }
+
+  /** Gathers; if cancelled meanwhile, takes the solution's patches for the rest. */
+  public LightPages gather(TexelChoice choice, WorkProgress progress) {
+    return gather(choice, progress, null);
+  }
+
+  /**
+   * Likewise.
+   *
+   * @param each hears what there is on the way, for pictures; it must not keep it
+   */
+  public LightPages gather(
+      TexelChoice choice,
+      WorkProgress progress,
+      @org.jspecify.annotations.Nullable Consumer<LightPages> each) {
+    Texels texels = new Texels(atlas, choice);
+    PatchLight patches = new PatchLight(scene, solution, texels);
+    DirectPass lamps = new DirectPass(scene, solution, texels, effort.lampRays(), effort.seed());
+    float[] direct =
+        lamps.gather(progress, done -> progress.at(WorkProgress.Stage.TEXELS, LAMPS * done));
+    long rays = lamps.rays();
+    if (direct == null) {
+      return pages(texels, choice, patches.all(), false, rays, TexelNoise.NONE);
+    }
+    Hemisphere.Sets sets = Hemisphere.Sets.of(effort.rays(), effort.seed());
+    rays += UnseenPass.leaveOut(scene, solution, texels, direct, sets, progress);
+    if (each != null) {
+      float[] rough = direct.clone();
+      patches.addIndirect(rough);
+      each.accept(pages(texels, choice, rough, false, rays, TexelNoise.NONE));
+    }
+    if (!effort.regather()) {
+      patches.addIndirect(direct);
+      return pages(texels, choice, direct, true, rays, TexelNoise.NONE);
+    }
+    IndirectPass surfaces = new IndirectPass(scene, solution, texels, direct, sets, effort.noise());
+    boolean whole =
+        surfaces.gather(
+            progress,
+            done -> progress.at(WorkProgress.Stage.TEXELS, LAMPS + (SURFACES - LAMPS) * done));
+    rays += surfaces.rays();
+    if (!whole) {
+      patches.addIndirect(direct);
+      return pages(texels, choice, direct, false, rays, TexelNoise.NONE);
+    }
+    TexelNoise noise = RecordNoise.of(surfaces.records());
+    new IndirectBetween(scene, solution, texels, surfaces).addTo(direct);
+    progress.at(WorkProgress.Stage.TEXELS, 1);
+    return pages(texels, choice, direct, true, rays, noise);
+  }
+
+  private LightPages pages(
+      Texels texels,
+      TexelChoice choice,
+      float[] light,
+      boolean complete,
+      long rays,
+      TexelNoise noise) {
+    List<float[]> pages = texels.pages(light);
+    java.util.stream.IntStream.range(0, pages.size())
+        .parallel()
+        .forEach(page -> ChartFilling.inCharts(texels.map(page), pages.get(page), texels, page));
+    choice.rest(pages);
+    java.util.stream.IntStream.range(0, pages.size())
+        .parallel()
+        .forEach(page -> ChartFilling.gutters(texels.map(page), pages.get(page)));
+    return new LightPages(atlas, pages, complete, rays, noise);
+  }
+}

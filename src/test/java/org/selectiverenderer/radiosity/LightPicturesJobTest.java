@@ -1,0 +1,408 @@
+package org.selectiverenderer.radiosity;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.offset;
+import static org.selectiverenderer.radiosity.SmallScene.quad;
+import static org.selectiverenderer.radiosity.SmallScene.room;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import java.util.concurrent.ForkJoinPool;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.picture.PngFile;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.radiosity.scene.Photometry;
+import org.selectiverenderer.radiosity.scene.UnlitSceneException;
+import org.selectiverenderer.radiosity.work.WorkProgress;
+import org.selectiverenderer.runtime.instance.InstanceTree;
+import org.selectiverenderer.runtime.instance.LightInstance;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.instance.Surface;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.loading.LoadedScene;
+import org.selectiverenderer.runtime.loading.SceneLoader;
+import org.selectiverenderer.runtime.nodes.NodeFactory;
+import org.selectiverenderer.runtime.nodes.group.GroupingNode;
+import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.source.ReadLimits;
+
+/** Scene files to lit scene files whose light is in pictures. */
+class LightPicturesJobTest {
+  private static final String GREY = "diffuseColor='0.7 0.7 0.7'";
+  private static final String LAMP = "<PointLight DEF='Lamp' location='2 3 2'/>";
+
+  private static final LightStore COARSE =
+      new LightStore(LightStore.Kind.TEXTURES, OptionalDouble.of(8), 4, true);
+
+  private static final RadiositySettings QUICK = quick(COARSE);
+
+  @TempDir private Path folder;
+  private final Problems problems = new Problems();
+  private Path scenes;
+
+  private static RadiositySettings quick(LightStore store) {
+    return new RadiositySettings(
+            50,
+            95,
+            OptionalDouble.empty(),
+            OptionalDouble.of(0.7),
+            true,
+            true,
+            true,
+            16,
+            1,
+            0,
+            300_000)
+        .with(store);
+  }
+
+  @BeforeEach
+  void makeFolders() throws IOException {
+    scenes = Files.createDirectories(folder.resolve("scenes"));
+    Files.createDirectories(folder.resolve("inlineNodes"));
+  }
+
+  private RadiosityJob job(String body, RadiositySettings settings) throws IOException {
+    Path scene = Files.writeString(scenes.resolve("room.x3d"), SmallScene.x3d(body));
+    Path output = RadiosityJob.outputOf(scene);
+    return new RadiosityJob(scene, output, RadiosityJob.inlinesOf(output), null, settings);
+  }
+
+  private RadiosityJob.Report light(String body, RadiositySettings settings)
+      throws IOException, UnlitSceneException {
+    return job(body, settings).run(problems, WorkProgress.NONE, (balance, quality) -> {});
+  }
+
+  private InstanceTree lit() throws IOException {
+    try (SceneLoader loader =
+        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
+      LoadedScene loaded = loader.load(scenes.resolve("room-lit.x3d"));
+      return new InstanceTree((GroupingNode) loaded.scene().root(), loaded.assets());
+    }
+  }
+
+  private String litText() throws IOException {
+    return Files.readString(scenes.resolve("room-lit.x3d"));
+  }
+
+  private Map<String, String> written() throws IOException {
+    Map<String, String> contents = new TreeMap<>();
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        contents.put(
+            folder.relativize(file).toString().replace('\\', '/'),
+            Base64.getEncoder().encodeToString(Files.readAllBytes(file)));
+      }
+    }
+    return contents;
+  }
+
+  /** The light's picture on a shape. */
+  private static Texture.Image picture(ShapeInstance shape) {
+    Texture texture = shape.surface().texture();
+    assertThat(texture).isNotNull();
+    assertThat(texture.repeatS()).isFalse();
+    assertThat(texture.repeatT()).isFalse();
+    return texture.image();
+  }
+
+  /** The display colour at a place of a shape, by its texture coordinates. */
+  private static int[] shown(ShapeInstance shape, double x, double y, double z) {
+    float[] points = shape.mesh().orElseThrow().positions();
+    float[] st = shape.mesh().orElseThrow().texCoords();
+    int best = 0;
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < points.length / 3; i++) {
+      double distance =
+          Math.hypot(Math.hypot(points[3 * i] - x, points[3 * i + 1] - y), points[3 * i + 2] - z);
+      if (distance < least) {
+        least = distance;
+        best = i;
+      }
+    }
+    Texture.Image image = picture(shape);
+    int column = (int) Math.min(image.width() - 1, st[2 * best] * image.width());
+    int row = (int) Math.min(image.height() - 1, st[2 * best + 1] * image.height());
+    int at = 4 * (row * image.width() + column);
+    return new int[] {
+      image.rgba()[at] & 0xff, image.rgba()[at + 1] & 0xff, image.rgba()[at + 2] & 0xff
+    };
+  }
+
+  @Test
+  void aLitSceneShowsPicturesWithoutLamps() throws Exception {
+    RadiosityJob.Report report = light(room(0, 0, 0, 4, GREY) + LAMP, QUICK);
+    assertThat(problems.list()).isEmpty();
+    assertThat(written().keySet())
+        .containsExactly("scenes/room-lit-light.png", "scenes/room-lit.x3d", "scenes/room.x3d");
+    ShapeInstance shape = lit().shapes().get(0);
+    assertThat(problems.list()).isEmpty();
+    assertThat(shape.surface().lit()).isFalse();
+    assertThat(shape.mesh().orElseThrow().polygons()).isEqualTo(12);
+    int[] ceiling = shown(shape, 0, 4, 0);
+    int[] floor = shown(shape, 0, 0, 0);
+    assertThat(ceiling[0]).isBetween(20, 250);
+    assertThat(floor[0]).isBetween(20, 250).isLessThan(ceiling[0] + 60);
+    assertThat(litText()).contains("on='false'", "version='3.3'").doesNotContain("Material");
+    assertThat(report.vertices()).isZero();
+    PictureReport pictures = report.pictures();
+    assertThat(pictures).isNotNull();
+    assertThat(pictures.files()).isEqualTo(1);
+    assertThat(pictures.bytes())
+        .isEqualTo(Files.size(scenes.resolve("room-lit-light.png")));
+    assertThat(pictures.leastPerMetre()).isBetween(7.0, 50.0);
+  }
+
+  @Test
+  void eachFileHasItsOwnPictures() throws Exception {
+    Files.writeString(
+        folder.resolve("inlineNodes/cup.x3d"),
+        SmallScene.x3d(
+            "<Shape><Appearance><Material/></Appearance><Box size='.3 .3 .3'/></Shape>"));
+    String cup = "<Transform translation='%s'><Inline url='\"../inlineNodes/cup.x3d\"'/></Transform>";
+    light(
+        room(0, 0, 0, 4, GREY) + LAMP + cup.formatted("1 1 1") + cup.formatted("3 1 3"), QUICK);
+    assertThat(written().keySet())
+        .contains(
+            "inlineNodes/room-lit/cup-light.png",
+            "inlineNodes/room-lit/cup-2-light.png",
+            "scenes/room-lit-light.png");
+    for (ShapeInstance shape : lit().shapes()) {
+      picture(shape);
+    }
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
+  void theNumberOfPolygonsAskedForIsKeptAndLightGoesOnOverThem() throws Exception {
+    String budget =
+        "<MetadataSet containerField='metadata' name='radiosity'>"
+            + "<MetadataInteger containerField='value' name='polygons' value='334'/></MetadataSet>";
+    light("<Group>" + budget + room(0, 0, 0, 4, GREY) + "</Group>" + LAMP, QUICK);
+    ShapeInstance shape = lit().shapes().get(0);
+    assertThat(shape.mesh().orElseThrow().polygons()).isEqualTo(334);
+    // What is divided shows the same texel at a corner as what is not.
+    int[] divided = shown(shape, 0, 4, 0);
+    light(room(0, 0, 0, 4, GREY) + LAMP, QUICK);
+    assertThat(shown(lit().shapes().get(0), 0, 4, 0)).isEqualTo(divided);
+  }
+
+  @Test
+  void theSameBytesOnOneProcessorAndOnFour() throws Exception {
+    String body =
+        room(0, 0, 0, 4, GREY)
+            + quad("1 1 1, 1 1 3, 3 1 3, 3 1 1", GREY + " specularColor='1 1 1'")
+            + LAMP;
+    List<Map<String, String>> results = new ArrayList<>();
+    for (int processors : new int[] {1, 4}) {
+      ForkJoinPool pool = new ForkJoinPool(processors);
+      try {
+        pool.submit(() -> light(body, QUICK)).get();
+      } finally {
+        pool.shutdown();
+      }
+      results.add(written());
+    }
+    assertThat(results.get(0)).isEqualTo(results.get(1));
+  }
+
+  @Test
+  void whatShinesKeepsItsHighlightsAndTheLampsStayOn() throws Exception {
+    String ball =
+        quad("1 1 1, 1 1 3, 3 1 3, 3 1 1", "diffuseColor='.5 .1 .1' specularColor='.8 .8 .8'");
+    light(room(0, 0, 0, 4, GREY) + ball + LAMP, QUICK);
+    InstanceTree tree = lit();
+    Surface shining = tree.shapes().get(1).surface();
+    assertThat(shining.lit()).isTrue();
+    assertThat(shining.diffuse()).containsExactly(0, 0, 0);
+    assertThat(shining.specular()).containsExactly(0.8f, 0.8f, 0.8f);
+    assertThat(shining.emissive()).containsExactly(1, 1, 1);
+    assertThat(tree.shapes().get(1).mesh().orElseThrow().normals()).isNotNull();
+    LightInstance lamp = tree.lights().get(0);
+    assertThat(lamp.light().on()).isTrue();
+    assertThat(lamp.light().intensity()).isBetween(0.3f, 1f);
+    assertThat(lamp.light().attenuation()).containsExactly(0, 0.5f, 0);
+    assertThat(litText()).contains("version='4.0'", "containerField='emissiveTexture'");
+    assertThat(tree.shapes().get(0).surface().lit()).isFalse();
+    assertThat(problems.list()).isEmpty();
+
+    light(
+        room(0, 0, 0, 4, GREY) + ball + LAMP,
+        quick(new LightStore(LightStore.Kind.TEXTURES, OptionalDouble.of(8), 4, false)));
+    assertThat(litText()).contains("version='3.3'", "on='false'").doesNotContain("Material");
+  }
+
+  @Test
+  void whatIsTransparentStaysSo() throws Exception {
+    light(
+        room(0, 0, 0, 4, GREY)
+            + quad("1 1 1, 1 1 3, 3 1 3, 3 1 1", GREY + " transparency='0.4'")
+            + LAMP,
+        QUICK);
+    Surface glass = lit().shapes().get(1).surface();
+    assertThat(glass.lit()).isFalse();
+    assertThat(glass.transparency()).isEqualTo(0.4f);
+    assertThat(litText()).contains("<UnlitMaterial transparency='0.4'");
+  }
+
+  /** A floor with an image that is repeated often, of two shades of one colour. */
+  private static String tiled(String image) {
+    return "<Shape><Appearance><Material/>"
+        + "<ImageTexture url='\""
+        + image
+        + "\"'/><TextureTransform scale='40 40'/></Appearance>"
+        + "<IndexedFaceSet coordIndex='0 1 2 3 -1' texCoordIndex='0 1 2 3 -1'>"
+        + "<Coordinate point='0 .1 0, 0 .1 4, 4 .1 4, 4 .1 0'/>"
+        + "<TextureCoordinate point='0 0, 0 1, 1 1, 1 0'/></IndexedFaceSet></Shape>";
+  }
+
+  @Test
+  void aTiledTextureIsMultipliedByItsLight() throws Exception {
+    byte[] stripes = new byte[3 * 16];
+    for (int i = 0; i < stripes.length; i++) {
+      stripes[i] = (byte) (i / 3 % 2 == 0 ? 100 : 180);
+    }
+    Files.write(scenes.resolve("stripes.png"), PngFile.of(16, 1, stripes));
+    RadiosityJob.Report report = light(room(0, 0, 0, 4, GREY) + LAMP + tiled("stripes.png"), QUICK);
+    assertThat(report.pictures().multiplied()).isEqualTo(1);
+    assertThat(litText())
+        .contains("<MultiTexture mode='\"MODULATE\"", "url='\"stripes.png\"'")
+        .contains("<MultiTextureCoordinate")
+        .doesNotContain("TextureTransform");
+    ShapeInstance floor = lit().shapes().get(1);
+    assertThat(floor.mesh().orElseThrow().texCoords()).contains(40f);
+    assertThat(problems.list()).isEmpty();
+
+    // At the mean of the texture the product is the colour that a plain floor of that mean has.
+    double mean = (Photometry.linear(100 / 255.0) + Photometry.linear(180 / 255.0)) / 2;
+    double display = Photometry.display(mean);
+    int factor = litText().contains("MODULATE2X") ? 2 : 1;
+    int[] product = light(floor, 1);
+    String plain = "diffuseColor='%1$s %1$s %1$s'".formatted(display);
+    light(room(0, 0, 0, 4, GREY) + LAMP + quad("0 .1 0, 0 .1 4, 4 .1 4, 4 .1 0", plain), QUICK);
+    int[] expected = shown(lit().shapes().get(1), 4, .1, 4);
+    assertThat(product[0] * factor * display).isCloseTo(expected[0], offset(4.0));
+  }
+
+  /** The picture of light of a shape with an image of its own, where x and z are largest. */
+  private static int[] light(ShapeInstance shape, int unit) {
+    var detail = shape.surface().detail();
+    assertThat(detail).isNotNull();
+    Texture.Image image = ((Texture) detail.units().get(unit).source()).image();
+    float[] points = shape.mesh().orElseThrow().positions();
+    float[] st = shape.mesh().orElseThrow().moreTexCoords().get(0).values();
+    int best = 0;
+    for (int i = 1; i < points.length / 3; i++) {
+      boolean farther =
+          points[3 * i] + points[3 * i + 2] > points[3 * best] + points[3 * best + 2];
+      best = farther ? i : best;
+    }
+    int column = (int) Math.min(image.width() - 1, st[2 * best] * image.width());
+    int row = (int) Math.min(image.height() - 1, st[2 * best + 1] * image.height());
+    int at = 4 * (row * image.width() + column);
+    return new int[] {image.rgba()[at] & 0xff, image.rgba()[at + 1] & 0xff};
+  }
+
+  @Test
+  void aTextureAsCoarseAsTheLightBecomesPartOfItsPicture() throws Exception {
+    byte[] halves = new byte[3 * 8 * 8];
+    for (int i = 0; i < halves.length; i++) {
+      halves[i] = (byte) (i % 3 == 0 || i / 3 % 8 > 3 ? 220 : 20);
+    }
+    Files.write(scenes.resolve("halves.png"), PngFile.of(8, 8, halves));
+    String floor =
+        tiled("halves.png").replace("40 40", "1 1").replace("'/><Tex", "' repeatS='false'/><Tex");
+    RadiosityJob.Report report = light(room(0, 0, 0, 4, GREY) + LAMP + floor, QUICK);
+    assertThat(report.pictures().multiplied()).isZero();
+    assertThat(litText()).doesNotContain("halves.png");
+    ShapeInstance shape = lit().shapes().get(1);
+    int[] red = shown(shape, 0, .1, 0);
+    int[] white = shown(shape, 4, .1, 4);
+    assertThat(red[0]).isGreaterThan(2 * red[1]);
+    assertThat(white[1]).isGreaterThan(white[0] * 3 / 4);
+  }
+
+  @Test
+  void aTextureThatCannotBeReadLeavesThePlainColour() throws Exception {
+    light(room(0, 0, 0, 4, GREY) + LAMP + tiled("absent.png"), QUICK);
+    assertThat(problems.list()).hasSize(1);
+    assertThat(problems.list().get(0).toString()).contains("absent.png");
+    assertThat(litText()).doesNotContain("absent.png").doesNotContain("MultiTexture");
+  }
+
+  @Test
+  void coordinatesWithoutExtentAreSaidOnce() throws Exception {
+    Files.write(scenes.resolve("dot.png"), PngFile.of(1, 1, new byte[] {50, 60, 70}));
+    String flat = tiled("dot.png").replace("0 0, 0 1, 1 1, 1 0", "0 0, 0 0, 0 0, 0 0");
+    light(room(0, 0, 0, 4, GREY) + LAMP + flat + flat, QUICK);
+    assertThat(problems.list()).hasSize(1);
+    assertThat(problems.list().get(0).message()).contains("in one line or point", "2 shapes");
+  }
+
+  @Test
+  void aBudgetThatCannotBeKeptIsSaidBeforeTheWork() throws Exception {
+    LightStore small =
+        new LightStore(LightStore.Kind.TEXTURES, OptionalDouble.of(500), 0.05, true);
+    int[] iterations = {0};
+    assertThatThrownBy(
+            () ->
+                job(room(0, 0, 0, 4, GREY) + LAMP, quick(small))
+                    .run(problems, WorkProgress.NONE, (b, q) -> iterations[0]++))
+        .isInstanceOf(UnlitSceneException.class)
+        .hasMessageContaining("--texture-budget");
+    assertThat(iterations[0]).isZero();
+    assertThat(written().keySet()).containsExactly("scenes/room.x3d");
+  }
+
+  @Test
+  void aCancelledRunWritesItsLastIterationWithPictures() throws Exception {
+    int[] iterations = {0};
+    WorkProgress cancelling =
+        new WorkProgress() {
+          @Override
+          public void at(Stage stage, double share) {
+            // Only its end matters.
+          }
+
+          @Override
+          public boolean cancelled() {
+            return iterations[0] >= 2;
+          }
+        };
+    RadiosityJob.Report report =
+        job(room(0, 0, 0, 4, GREY) + LAMP, QUICK)
+            .run(problems, cancelling, (balance, quality) -> iterations[0]++);
+    assertThat(report.complete()).isFalse();
+    assertThat(shown(lit().shapes().get(0), 0, 4, 0)[0]).isGreaterThan(10);
+  }
+
+  @Test
+  void whereAFileCannotBeWrittenThereIsNone() throws Exception {
+    Files.createDirectories(scenes.resolve("room-lit-light.png"));
+    assertThatThrownBy(() -> light(room(0, 0, 0, 4, GREY) + LAMP, QUICK))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("room-lit-light.png");
+    assertThat(written().keySet()).containsExactly("scenes/room.x3d");
+  }
+
+  @Test
+  void aPictureThatShinesByItselfStaysAsItIs() throws Exception {
+    Files.write(scenes.resolve("view.png"), PngFile.of(1, 1, new byte[] {50, 60, 70}));
+    String view =
+        tiled("view.png")
+            .replace("<Material/>", "<UnlitMaterial/>");
+    light(room(0, 0, 0, 4, GREY) + LAMP + view, QUICK);
+    assertThat(litText()).contains("view.png", "<UnlitMaterial", "TextureTransform");
+  }
+}

@@ -1,0 +1,81 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.List;
+import org.selectiverenderer.radiosity.SmallScene;
+import org.selectiverenderer.radiosity.atlas.Atlas;
+import org.selectiverenderer.radiosity.atlas.TexelMap;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.LightPatches;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.solve.Solver;
+import org.selectiverenderer.radiosity.solve.Transport;
+import org.selectiverenderer.radiosity.work.WorkProgress;
+
+/** A small scene with light at its texels. */
+record TexelLight(LightScene scene, LightPages pages) {
+
+  /**
+   * @param density texels per metre
+   * @param patch length of patches, metres
+   */
+  static TexelLight of(String body, double density, double patch) throws Exception {
+    return of(body, density, patch, WorkProgress.NONE);
+  }
+
+  static TexelLight of(String body, double density, double patch, WorkProgress progress)
+      throws Exception {
+    LightScene scene = SmallScene.read(body);
+    Transport transport =
+        Transport.find(scene, new LightPatches(scene, patch), 64, 8, 1, WorkProgress.NONE);
+    Solution solution = new Solver(scene, transport).solve(40, 99.9, WorkProgress.NONE, each -> {});
+    Atlas atlas = QuadAtlas.of(scene, density);
+    return new TexelLight(
+        scene,
+        new TexelGatherer(scene, solution, atlas, TexelGatherer.Effort.of(256, true, 1))
+            .gather(TexelChoice.ALL, progress));
+  }
+
+  /** Looks at a texel. */
+  interface Look {
+    /**
+     * @param point x, y, z
+     * @param lux of green
+     */
+    void at(double[] point, double lux);
+  }
+
+  /** Shows the texels of a body's charts. */
+  void each(int body, Look look) {
+    int page = pages.atlas().layouts().get(body).page();
+    TexelMap map = pages.atlas().pages().get(page);
+    double[] point = new double[3];
+    for (int i = 0; i < map.texels(); i++) {
+      if (map.triangle()[i] != TexelMap.NONE) {
+        scene.triangles().point(map.triangle()[i], map.u()[i], map.v()[i], point);
+        look.at(point, pages.irradiance().get(page)[3 * i + 1]);
+      }
+    }
+  }
+
+  /** The light of a body's texel nearest to a point. */
+  double at(int body, double x, double y, double z) {
+    double[] best = {Double.POSITIVE_INFINITY, 0};
+    each(
+        body,
+        (point, lux) -> {
+          double away =
+              (point[0] - x) * (point[0] - x)
+                  + (point[1] - y) * (point[1] - y)
+                  + (point[2] - z) * (point[2] - z);
+          if (away < best[0]) {
+            best[0] = away;
+            best[1] = lux;
+          }
+        });
+    return best[1];
+  }
+
+  List<float[]> irradiance() {
+    return pages.irradiance();
+  }
+}
