@@ -41,9 +41,11 @@ final class HitLight {
     }
     Body of = scene.bodies().get(body);
     int rho = of.reflectanceAt(ray.triangle - of.firstTriangle());
+    double opaque = 1.0 - of.transmittance(); // It was met, so it is not all transparent.
     for (int c = 0; c < 3; c++) {
       double irradiance = direct[3 * texel + c] + solution.indirect()[3 * patch + c];
-      out[c] = of.reflectance()[rho + c] * irradiance / Math.PI + solution.glow()[3 * patch + c];
+      double share = of.reflectance()[rho + c] / opaque;
+      out[c] = share * irradiance / Math.PI + solution.glow()[3 * patch + c];
     }
   }
 

@@ -8,9 +8,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.selectiverenderer.radiosity.LitByVertices;
+import org.selectiverenderer.radiosity.LightStore;
+import org.selectiverenderer.radiosity.LitResults;
 import org.selectiverenderer.radiosity.RadiositySettings;
-import org.selectiverenderer.radiosity.bake.LitScene;
+import org.selectiverenderer.radiosity.bake.Lit;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 
@@ -57,14 +58,14 @@ final class CompareLight {
     ComparisonPictures pictures = new ComparisonPictures(hits);
     double[] wanted = reference.light();
     Files.write(folder.resolve("reference.pfm"), pictures.floats(wanted));
-    String store = options.getOrDefault("--store", "vertices");
+    String store = options.getOrDefault("--store", "textures");
     if (store.equals("none")) {
       return;
     }
     long begun = System.nanoTime();
-    LitScene lit = LitByVertices.light(scene, RadiositySettings.DEFAULT);
+    Lit lit = lit(scene, store);
     out.printf(Locale.ROOT, "lit in %.0f s%n", (System.nanoTime() - begun) / 1e9);
-    double[] ours = LitPicture.reflected(scene, hits, new VertexIrradiance(lit));
+    double[] ours = LitPicture.reflected(scene, hits, Irradiance.of(lit));
     double[] glow = LitPicture.glowing(scene, hits);
     byte[] left = pictures.shown(sum(ours, glow), lit.curve());
     byte[] middle = pictures.shown(sum(wanted, glow), lit.curve());
@@ -75,6 +76,16 @@ final class CompareLight {
     Files.write(folder.resolve("compared-" + store + ".png"), pictures.beside(left, middle, right));
     out.print(Comparison.of(hits, ours, reference).text());
     out.print(ObjectErrors.text(scene, hits, ours, wanted));
+  }
+
+  private static Lit lit(LightScene scene, String store) throws UnlitSceneException {
+    return switch (store) {
+      case "textures" -> LitResults.inTextures(scene, RadiositySettings.DEFAULT);
+      case "vertices" ->
+          LitResults.atVertices(scene, RadiositySettings.DEFAULT.with(LightStore.VERTICES));
+      default ->
+          throw new IllegalArgumentException("--store is textures, vertices or none, not " + store);
+    };
   }
 
   /** Goes on with what is in the folder until there are enough samples. */

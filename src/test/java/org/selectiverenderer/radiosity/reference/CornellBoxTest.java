@@ -8,8 +8,10 @@ import java.nio.file.Path;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.radiosity.LitByVertices;
+import org.selectiverenderer.radiosity.LightStore;
+import org.selectiverenderer.radiosity.LitResults;
 import org.selectiverenderer.radiosity.RadiositySettings;
+import org.selectiverenderer.radiosity.bake.Lit;
 import org.selectiverenderer.radiosity.scene.LightScene;
 
 /** The Cornell box: its colours, its walls, and its light against paths. */
@@ -80,17 +82,28 @@ class CornellBoxTest {
   }
 
   @Test
-  void itsLightIsThatOfPaths() throws Exception {
-    SceneFile box = read();
-    PrimaryHits hits = PrimaryHits.of(box.scene(), box.view("Camera"), 24, 24, 2);
-    ReferencePicture reference = new ReferencePicture(box.scene(), hits, 1);
+  void lightAtVerticesIsThatOfPaths() throws Exception {
+    LightScene scene = read().scene();
+    check(LitResults.atVertices(scene, QUICK));
+  }
+
+  @Test
+  void lightInTexturesIsThatOfPaths() throws Exception {
+    LightScene scene = read().scene();
+    LightStore store = new LightStore(LightStore.Kind.TEXTURES, OptionalDouble.of(60), 1, false);
+    check(LitResults.inTextures(scene, QUICK.with(store)));
+  }
+
+  private void check(Lit lit) throws Exception {
+    PrimaryHits hits = PrimaryHits.of(lit.scene(), read().view("Camera"), 24, 24, 2);
+    ReferencePicture reference = new ReferencePicture(lit.scene(), hits, 1);
     for (int i = 0; i < 4; i++) {
       reference.pass();
     }
-    var lit = LitByVertices.light(box.scene(), QUICK);
-    double[] ours = LitPicture.reflected(box.scene(), hits, new VertexIrradiance(lit));
+    double[] ours = LitPicture.reflected(lit.scene(), hits, Irradiance.of(lit));
     Comparison comparison = Comparison.of(hits, ours, reference);
     assertThat(comparison.error()).as(comparison.text()).isLessThan(0.02 + comparison.noise());
+    if (Boolean.getBoolean("told")) System.out.println(comparison.text());
   }
 
   private SceneFile read() throws Exception {

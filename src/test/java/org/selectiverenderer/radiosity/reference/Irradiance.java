@@ -1,5 +1,9 @@
 package org.selectiverenderer.radiosity.reference;
 
+import org.selectiverenderer.radiosity.bake.Lit;
+import org.selectiverenderer.radiosity.bake.LitScene;
+import org.selectiverenderer.radiosity.bake.TexelScene;
+
 /** The light that a lit result has on the scene's surfaces. For several threads. */
 @FunctionalInterface
 interface Irradiance {
@@ -11,4 +15,11 @@ interface Irradiance {
    * @param out gets r, g, b
    */
   void at(int triangle, double u, double v, double[] out);
+
+  /** The light of a result, wherever it is stored. */
+  static Irradiance of(Lit lit) {
+    return lit instanceof TexelScene texels
+        ? new PageIrradiance(texels)
+        : new VertexIrradiance((LitScene) lit);
+  }
 }
