@@ -23,6 +23,9 @@ final class CompareLight {
   private static final List<String> NAMES =
       List.of("--viewpoint", "--size", "--samples", "--seed", "--store", "--out");
 
+  /** Rays through a pixel along each axis. */
+  private static final int SIDE = 4;
+
   private final PrintStream out;
 
   private CompareLight(PrintStream out) {
@@ -43,17 +46,19 @@ final class CompareLight {
     SceneFile file = SceneFile.read(Path.of(options.get("")));
     LightScene scene = file.scene();
     String[] size = options.getOrDefault("--size", "480x320").split("x");
-    int side = 4;
+    if (size.length != 2) {
+      throw new IllegalArgumentException("--size is WIDTHxHEIGHT in pixels, such as 480x320");
+    }
     PrimaryHits hits =
         PrimaryHits.of(
             scene,
             file.view(options.getOrDefault("--viewpoint", "")),
-            Integer.parseInt(size[0]),
-            Integer.parseInt(size[1]),
-            side);
+            number("--size", size[0]),
+            number("--size", size[1]),
+            SIDE);
     Path folder = Files.createDirectories(Path.of(options.getOrDefault("--out", "compare-light")));
-    int seed = Integer.parseInt(options.getOrDefault("--seed", "1"));
-    long samples = Long.parseLong(options.getOrDefault("--samples", "256"));
+    int seed = number("--seed", options.getOrDefault("--seed", "1"));
+    int samples = number("--samples", options.getOrDefault("--samples", "256"));
     ReferencePicture reference = trace(scene, hits, seed, samples, folder);
     ComparisonPictures pictures = new ComparisonPictures(hits);
     double[] wanted = reference.light();
@@ -110,6 +115,14 @@ final class CompareLight {
           (System.nanoTime() - begun) / 1e9);
     }
     return picture;
+  }
+
+  private static int number(String option, String text) {
+    if (!text.matches("[1-9][0-9]{0,5}")) {
+      throw new IllegalArgumentException(
+          option + " takes whole numbers from 1 to 999999, not " + text);
+    }
+    return Integer.parseInt(text);
   }
 
   private static double[] sum(double[] a, double[] b) {
