@@ -23,6 +23,7 @@ import org.selectiverenderer.radiosity.work.WorkProgress;
 class LawsOfLightTest {
   private static final String LAMP = "<PointLight location='0 5 0'/>";
   private static final String GREY = "diffuseColor='0.735 0.735 0.735'"; // Reflects a half.
+  private static final String BRIGHT = "diffuseColor='0.9 0.9 0.9'";
   private static final double HALF = Photometry.linear(0.735);
 
   private static double formFactor(String one, String other) throws Exception {
@@ -156,6 +157,67 @@ class LawsOfLightTest {
         Transport.find(covered, new LightPatches(covered, 100), 4, 4, 1, WorkProgress.NONE)
             .direct()[0];
     assertThat(less).isCloseTo(0.75f * free, within(1e-3f * free));
+  }
+
+  /** Half a pane throws back half of what a wall does: its share counts once. */
+  @Test
+  void aPaneThrowsBackItsShare() throws Exception {
+    String floor = quad("-1 0 1, 1 0 1, 1 0 -1, -1 0 -1", "diffuseColor='0 0 0'");
+    String over = "-1 1 -1, 1 1 -1, 1 1 1, -1 1 1";
+    String lamp = "<PointLight location='0 0.5 0'/>";
+    double wall = fromAbove(floor + quad(over, GREY) + lamp);
+    double pane = fromAbove(floor + quad(over, GREY + " transparency='0.5'") + lamp);
+    assertThat(pane).isCloseTo(wall / 2, within(0.05 * wall));
+  }
+
+  /** A floor of which a cupboard covers two thirds throws back light from the rest. */
+  @Test
+  void whatIsMostlyCoveredStillThrowsBackLight() throws Exception {
+    String cupboard =
+        "<Transform translation='2 1 1.35'><Shape><Appearance><Material "
+            + GREY
+            + "/></Appearance><Box size='3.96 2.02 2.66'/></Shape></Transform>";
+    LightScene scene =
+        SmallScene.read(room(0, 0, 0, 4, GREY) + cupboard + "<PointLight location='2 3 3'/>");
+    Solution solution = solve(scene, 100, 3, new ArrayList<>());
+    int floor = solution.patches().at(10, 0.3, 0.3, false);
+    assertThat(solution.buried()[floor]).isFalse();
+    assertThat(solution.reflected()[3 * floor]).isPositive();
+  }
+
+  private static double fromAbove(String body) throws Exception {
+    LightScene scene = SmallScene.read(body);
+    Transport transport =
+        Transport.find(scene, new LightPatches(scene, 100), 4096, 64, 1, WorkProgress.NONE);
+    Solution solution = new Solver(scene, transport).solve(4, 100, WorkProgress.NONE, each -> {});
+    return solution.indirect()[0];
+  }
+
+  /** Ending early costs no light: what is still to come is estimated and added. */
+  @Test
+  void whatIsStillToComeIsAddedWhenTheWantedQualityIsReached() throws Exception {
+    LightScene scene = SmallScene.read(room(0, 0, 0, 4, BRIGHT) + "<PointLight location='2 3 1'/>");
+    Transport transport =
+        Transport.find(scene, new LightPatches(scene, 0.5), 256, 16, 1, WorkProgress.NONE);
+    Solution early = new Solver(scene, transport).solve(50, 90, WorkProgress.NONE, each -> {});
+    Solution late = new Solver(scene, transport).solve(200, 99.999, WorkProgress.NONE, each -> {});
+    assertThat(early.balances()).hasSizeLessThan(late.balances().size() / 2);
+    double off = 0;
+    double sum = 0;
+    for (int patch = 0; patch < early.patches().count(); patch++) {
+      off += Math.abs(early.reflected()[3 * patch] - late.reflected()[3 * patch]);
+      sum += late.reflected()[3 * patch];
+    }
+    assertThat(off).isLessThan(0.01 * sum);
+  }
+
+  /** A user who asks for one iteration gets light that was reflected once. */
+  @Test
+  void nothingIsAddedToANumberOfIterations() throws Exception {
+    LightScene scene = SmallScene.read(room(0, 0, 0, 4, BRIGHT) + "<PointLight location='2 3 1'/>");
+    List<Solution> all = new ArrayList<>();
+    Solution last = solve(scene, 1, 4, all);
+    assertThat(last.reflected()).isEqualTo(all.get(3).reflected());
   }
 
   @Test

@@ -5,6 +5,9 @@ import java.util.List;
 /**
  * The light on the patches.
  *
+ * <p>Radiance is that of the opaque part, which a ray meets that is not let through: of a pane that
+ * lets through three quarters it is what the remaining quarter has.
+ *
  * @param reflected radiance r, g, b per patch of what is reflected, cd/m2
  * @param glow radiance r, g, b per patch of what glows and is not among the lamps, cd/m2
  * @param direct irradiance r, g, b per patch by the lamps, lx

@@ -13,9 +13,13 @@ import org.selectiverenderer.radiosity.work.WorkProgress;
  * takes what those that it sees had after k - 1, so light has been reflected k times (Jacobi's
  * method; Kajiya's Neumann series, 1986). Light only grows from one iteration to the next. Since
  * the form factors are found beforehand, an iteration costs no rays, and it can end after any of
- * them as in progressive refinement (Cohen et al. 1988).
+ * them as in progressive refinement (Cohen et al. 1988). When the wanted share of the energy is
+ * distributed, the rest is estimated and added, as Cohen et al. do by an ambient term.
  */
 public final class Solver {
+  /** With a larger share of its rays inside of solids a patch counts as buried. */
+  private static final double BURIED = 7.0 / 8;
+
   private final LightScene scene;
   private final Transport transport;
   private final LightPatches patches;
@@ -37,9 +41,11 @@ public final class Solver {
       Body body = scene.body(patches.triangle(patch));
       int at = body.reflectanceAt(patches.triangle(patch) - body.firstTriangle());
       boolean sampled = scene.sampled()[scene.bodyOf()[patches.triangle(patch)]];
-      for (int c = 0; c < 3; c++) {
-        rho[3 * patch + c] = body.reflectance()[at + c];
-        glow[3 * patch + c] = sampled ? 0 : body.emission()[c];
+      // The scene has both beside what shines through; rays are stopped by the opaque part only.
+      float opaque = 1 - body.transmittance();
+      for (int c = 0; c < 3 && opaque > 0; c++) {
+        rho[3 * patch + c] = body.reflectance()[at + c] / opaque;
+        glow[3 * patch + c] = sampled ? 0 : body.emission()[c] / opaque;
       }
       int outside = 0;
       for (int i = 0; i < transport.rays(); i++) {
@@ -65,9 +71,10 @@ public final class Solver {
     int count = patches.count();
     boolean[] buried = new boolean[count];
     for (int patch = 0; patch < count; patch++) {
-      buried[patch] = inside[patch] > transport.rays() / 2;
+      buried[patch] = inside[patch] > BURIED * transport.rays();
     }
     float[] before = new float[3 * count];
+    RestOfLight rest = new RestOfLight();
     float[] indirect = new float[3 * count];
     List<EnergyBalance> balances = new ArrayList<>();
     Solution solution =
@@ -113,11 +120,30 @@ public final class Solver {
               buried,
               List.copyOf(balances));
       each.accept(solution);
+      rest.heard(arriving);
       if (solution.last().distributed() >= quality) {
-        break;
+        return whole(solution, rest);
       }
     }
     return solution;
+  }
+
+  /** With what is still to come. */
+  private Solution whole(Solution solution, RestOfLight rest) {
+    float[] indirect = rest.added();
+    float[] reflected = solution.reflected().clone();
+    for (int i = 0; i < reflected.length; i++) {
+      reflected[i] += (float) (rho[i] * (indirect[i] - solution.indirect()[i]) / Math.PI);
+    }
+    return new Solution(
+        patches,
+        reflected,
+        glow,
+        solution.direct(),
+        indirect,
+        solution.lampsOf(),
+        solution.buried(),
+        solution.balances());
   }
 
   private void gather(int patch, float[] source, float[] arriving, float[] after) {
@@ -169,11 +195,11 @@ public final class Solver {
       for (int c = 0; c < 3; c++) {
         int at = 3 * patch + c;
         double weight = c == 0 ? 0.2126 : c == 1 ? 0.7152 : 0.0722;
-        double flux = weight * area;
+        double flux = weight * area * (1 - through);
         double direct = transport.direct()[at] / open(patch);
         double irradiance = direct + arriving[at];
-        emitted += flux * ((1 - through) * direct + Math.PI * glow[at]);
-        absorbed += flux * Math.max(0, 1 - through - rho[at]) * irradiance;
+        emitted += flux * (direct + Math.PI * glow[at]);
+        absorbed += flux * Math.max(0, 1 - rho[at]) * irradiance;
         escaped += flux * Math.PI * (source[at] + glow[at]) * outsideShare[patch];
         unshot += flux * Math.PI * (after[at] - source[at]);
         reflected += flux * Math.PI * after[at];
@@ -185,7 +211,7 @@ public final class Solver {
 
   /**
    * The share of a patch outside of solids. What lamps throw on it was averaged over all of it, and
-   * the rest got none; a patch that is not buried is at least half open.
+   * the rest got none; a patch that is not buried is open by an eighth at least.
    */
   private double open(int patch) {
     return 1 - (double) inside[patch] / transport.rays();

@@ -44,12 +44,16 @@ final class HitLight {
     return ray.length * ray.length < NEAR * solution.patches().area(patch);
   }
 
-  /** Writes the reflectance r, g, b of the place that a ray has met. */
+  /**
+   * Writes the reflectance r, g, b of the place that a ray has met: of its opaque share, since that
+   * stopped the ray.
+   */
   void reflectance(Ray ray, double[] out) {
     Body body = scene.body(ray.triangle);
     int at = body.reflectanceAt(ray.triangle - body.firstTriangle());
+    double opaque = 1.0 - body.transmittance();
     for (int c = 0; c < 3; c++) {
-      out[c] = body.reflectance()[at + c];
+      out[c] = body.reflectance()[at + c] / opaque;
     }
   }
 
