@@ -60,56 +60,33 @@ record InteractionProfiles(
                   CHOOSE_LEFT, List.of(LEFT + "select/click"),
                   CHOOSE_RIGHT, List.of(RIGHT + "select/click"))),
           sticks(
-              START + "valve/index_controller",
+              "valve/index_controller",
               "Index controllers",
-              Map.of(
-                  FORWARD, List.of(RIGHT + "trigger/click"),
-                  BACKWARD, List.of(LEFT + "trigger/click"),
-                  TELEPORT, List.of(RIGHT + "thumbstick/click"),
-                  RECENTRE, List.of(LEFT + "thumbstick/click"),
-                  YES, both("a/click"),
-                  NO, both("b/click"),
-                  CHOOSE_LEFT, List.of(LEFT + "trigger/click"),
-                  CHOOSE_RIGHT, List.of(RIGHT + "trigger/click"))),
+              "thumbstick",
+              "trigger/click",
+              both("a/click"),
+              both("b/click")),
           sticks(
-              START + "oculus/touch_controller",
+              "oculus/touch_controller",
               "Touch controllers",
-              Map.of(
-                  FORWARD, List.of(RIGHT + "trigger/value"),
-                  BACKWARD, List.of(LEFT + "trigger/value"),
-                  TELEPORT, List.of(RIGHT + "thumbstick/click"),
-                  RECENTRE, List.of(LEFT + "thumbstick/click"),
-                  YES, List.of(RIGHT + "a/click", LEFT + "x/click"),
-                  NO, List.of(RIGHT + "b/click", LEFT + "y/click"),
-                  CHOOSE_LEFT, List.of(LEFT + "trigger/value"),
-                  CHOOSE_RIGHT, List.of(RIGHT + "trigger/value"))),
-          new InteractionProfiles(
-              START + "htc/vive_controller",
-              "Vive controllers",
-              Optional.empty(),
-              Optional.of(LEFT + "trackpad"),
-              Optional.of(RIGHT + "trackpad"),
-              Map.of(
-                  FORWARD, List.of(RIGHT + "trigger/click"),
-                  BACKWARD, List.of(LEFT + "trigger/click"),
-                  TELEPORT, List.of(RIGHT + "trackpad/click"),
-                  RECENTRE, List.of(LEFT + "trackpad/click"),
-                  YES, List.of(RIGHT + "menu/click"),
-                  NO, List.of(LEFT + "menu/click"),
-                  CHOOSE_LEFT, List.of(LEFT + "trigger/click"),
-                  CHOOSE_RIGHT, List.of(RIGHT + "trigger/click"))),
+              "thumbstick",
+              "trigger/value",
+              List.of(RIGHT + "a/click", LEFT + "x/click"),
+              List.of(RIGHT + "b/click", LEFT + "y/click")),
           sticks(
-              START + "microsoft/motion_controller",
+              "htc/vive_controller",
+              "Vive controllers",
+              "trackpad",
+              "trigger/click",
+              List.of(RIGHT + "menu/click"),
+              List.of(LEFT + "menu/click")),
+          sticks(
+              "microsoft/motion_controller",
               "Windows Mixed Reality controllers",
-              Map.of(
-                  FORWARD, List.of(RIGHT + "trigger/value"),
-                  BACKWARD, List.of(LEFT + "trigger/value"),
-                  TELEPORT, List.of(RIGHT + "thumbstick/click"),
-                  RECENTRE, List.of(LEFT + "thumbstick/click"),
-                  YES, List.of(RIGHT + "squeeze/click"),
-                  NO, List.of(LEFT + "squeeze/click"),
-                  CHOOSE_LEFT, List.of(LEFT + "trigger/value"),
-                  CHOOSE_RIGHT, List.of(RIGHT + "trigger/value"))),
+              "thumbstick",
+              "trigger/value",
+              List.of(RIGHT + "squeeze/click"),
+              List.of(LEFT + "squeeze/click")),
           new InteractionProfiles(
               START + "ext/hand_interaction_ext",
               "hands",
@@ -124,15 +101,24 @@ record InteractionProfiles(
                   CHOOSE_LEFT, List.of(LEFT + "pinch_ext/value"),
                   CHOOSE_RIGHT, List.of(RIGHT + "pinch_ext/value"))));
 
+  /** A stick or pad in each hand, which can be pressed, and a trigger that chooses. */
   private static InteractionProfiles sticks(
-      String path, String name, Map<HeadsetButton, List<String>> buttons) {
+      String path, String name, String stick, String trigger, List<String> yes, List<String> no) {
     return new InteractionProfiles(
-        path,
+        START + path,
         name,
         Optional.empty(),
-        Optional.of(LEFT + "thumbstick"),
-        Optional.of(RIGHT + "thumbstick"),
-        buttons);
+        Optional.of(LEFT + stick),
+        Optional.of(RIGHT + stick),
+        Map.of(
+            FORWARD, List.of(RIGHT + trigger),
+            BACKWARD, List.of(LEFT + trigger),
+            TELEPORT, List.of(RIGHT + stick + "/click"),
+            RECENTRE, List.of(LEFT + stick + "/click"),
+            YES, yes,
+            NO, no,
+            CHOOSE_LEFT, List.of(LEFT + trigger),
+            CHOOSE_RIGHT, List.of(RIGHT + trigger)));
   }
 
   private static List<String> both(String input) {

@@ -31,24 +31,30 @@ class HeadPlaceTest {
   private double time;
   private Motion wish = Motion.NONE;
 
-  private TrackedMotion standing(World world, boolean floor, double size) {
+  private World world;
+  private TrackedMotion motion;
+
+  /** Puts somebody there whose head is tracked above a body that is led. */
+  private void stand(World in, boolean floor, double size) {
+    world = in;
     Walker walker =
         new Walker(new Colliders(world.instances(), world.assets(), world.meshes()), dt -> wish);
     walker.use(Navigation.WALKING, NavigationFrame.WORLD);
-    return new TrackedMotion(
-        world,
-        tracker,
-        walker,
-        WhenLost.FREEZE,
-        new HeadSettings(true, () -> floor, size),
-        walker::push);
+    motion =
+        new TrackedMotion(
+            world,
+            tracker,
+            walker,
+            WhenLost.FREEZE,
+            new HeadSettings(true, () -> floor, size),
+            walker::push);
   }
 
   private static World room(double turned) throws IOException {
     return Scenes.world(ROOM.formatted(turned));
   }
 
-  private void head(World world, TrackedMotion motion, double yaw, double... place) {
+  private void head(double yaw, double... place) {
     pose.turn(yaw, 0, 0);
     pose.place(place[0], place[1], place[2]);
     tracker.hand(pose, System.nanoTime());
@@ -56,124 +62,116 @@ class HeadPlaceTest {
     world.step(time, motion);
   }
 
-  private static void assertAt(World world, double x, double y, double z) {
+  private void assertAt(double x, double y, double z) {
     Vector3dc at = world.viewer().position();
     assertThat(at.distance(new Vector3d(x, y, z))).as("at %s", at).isLessThan(1e-3);
   }
 
   @Test
   void theHeadOfOneWhoStandsIsAsHighAsItIs() throws IOException {
-    World world = room(0);
-    TrackedMotion motion = standing(world, true, 1);
-    head(world, motion, 0, 5, 1.7, 3);
-    assertAt(world, 0, 1.7, 0);
-    head(world, motion, 0, 5.3, 1.2, 3.4);
-    assertAt(world, 0.3, 1.2, 0.4);
+    stand(room(0), true, 1);
+    head(0, 5, 1.7, 3);
+    assertAt(0, 1.7, 0);
+    head(0, 5.3, 1.2, 3.4);
+    assertAt(0.3, 1.2, 0.4);
   }
 
   @Test
   void theHeadOfOneWhoSitsIsAsHighAsTheSceneSays() throws IOException {
-    World world = room(0);
-    TrackedMotion motion = standing(world, false, 1);
-    head(world, motion, 0, 0, 0.2, 0);
-    assertAt(world, 0, 1.6, 0);
-    head(world, motion, 0, 0, 0.1, 0);
-    assertAt(world, 0, 1.5, 0);
+    stand(room(0), false, 1);
+    head(0, 0, 0.2, 0);
+    assertAt(0, 1.6, 0);
+    head(0, 0, 0.1, 0);
+    assertAt(0, 1.5, 0);
   }
 
   @Test
   void theRoomOfTheTrackerTurnsWithTheChair() throws IOException {
-    World world = room(Math.PI / 2); // The viewpoint looks to -X.
-    TrackedMotion motion = standing(world, true, 1);
-    head(world, motion, 0, 0, 1.6, 0);
-    head(world, motion, 0, 0, 1.6, -0.5);
-    assertAt(world, -0.5, 1.6, 0);
+    stand(room(Math.PI / 2), true, 1); // The viewpoint looks to -X.
+    head(0, 0, 1.6, 0);
+    head(0, 0, 1.6, -0.5);
+    assertAt(-0.5, 1.6, 0);
   }
 
   @Test
   void straighteningTurnsTheRoomSoThatTheHeadLooksAhead() throws IOException {
-    World world = room(0);
-    TrackedMotion motion = standing(world, true, 1);
+    stand(room(0), true, 1);
     tracker.straighten();
-    head(world, motion, 90, 2, 1.6, 2); // Looks to the room's -X.
-    assertAt(world, 0, 1.6, 0);
-    head(world, motion, 90, 1.5, 1.6, 2); // Half a metre the way it looks.
-    assertAt(world, 0, 1.6, -0.5);
+    head(90, 2, 1.6, 2); // Looks to the room's -X.
+    assertAt(0, 1.6, 0);
+    head(90, 1.5, 1.6, 2); // Half a metre the way it looks.
+    assertAt(0, 1.6, -0.5);
   }
 
   @Test
   void aLargerUserSeesEverythingSmaller() throws IOException {
-    World world = room(0);
-    TrackedMotion motion = standing(world, true, 2);
-    head(world, motion, 0, 0, 1.7, 0);
-    head(world, motion, 0, 0.1, 1.7, 0);
-    assertAt(world, 0.2, 3.4, 0);
+    stand(room(0), true, 2);
+    head(0, 0, 1.7, 0);
+    head(0, 0.1, 1.7, 0);
+    assertAt(0.2, 3.4, 0);
   }
 
   @Test
   void theBodyFollowsTheHeadAndWallsHoldItUp() throws IOException {
-    World world = room(0);
-    TrackedMotion motion = standing(world, true, 1);
-    head(world, motion, 0, 0, 1.6, 0);
+    stand(room(0), true, 1);
+    head(0, 0, 1.6, 0);
     for (int i = 1; i <= 20; i++) {
-      head(world, motion, 0, 0, 1.6, -0.1 * i); // Two metres, to the wall.
+      head(0, 0, 1.6, -0.1 * i); // Two metres, to the wall.
     }
     // The body stops a quarter of a metre before it, and the head leans over by what is left.
     assertThat(world.viewer().position().z()).isCloseTo(-2, within(1e-2));
     for (int i = 21; i <= 40; i++) {
-      head(world, motion, 0, 0, 1.6, -0.1 * i); // Two more: the room comes along.
+      head(0, 0, 1.6, -0.1 * i); // Two more: the room comes along.
     }
     assertThat(world.viewer().position().z()).isCloseTo(-1.75 - HeadPlace.LEAN, within(2e-2));
-    head(world, motion, 0, 0, 1.6, -3.5); // And back: at once by as much as the head goes.
+    head(0, 0, 1.6, -3.5); // And back: at once by as much as the head goes.
     assertThat(world.viewer().position().z()).isCloseTo(-1.25 - HeadPlace.LEAN, within(2e-2));
   }
 
   @Test
   void sensorsSeeTheRealHead() throws IOException {
-    World world = room(0);
+    stand(room(0), true, 1);
     Node sensor = world.scene().find("NEAR").orElseThrow();
-    TrackedMotion motion = standing(world, true, 1);
-    head(world, motion, 0, 0, 1.6, 0);
+    head(0, 0, 1.6, 0);
     assertThat(sensor.bool("isActive")).isFalse();
-    head(world, motion, 0, 0.8, 1.6, 0);
+    head(0, 0.8, 1.6, 0);
     assertThat(sensor.bool("isActive")).isTrue();
-    head(world, motion, 0, 0.2, 1.6, 0);
+    head(0, 0.2, 1.6, 0);
     assertThat(sensor.bool("isActive")).isFalse();
   }
 
   @Test
   void walkingGoesTheWayTheHeadLooksFromBelowTheHead() throws IOException {
-    World world = room(0);
-    TrackedMotion motion = standing(world, true, 1);
-    head(world, motion, -90, 0, 1.7, 0); // Looks to +X.
-    head(world, motion, -90, 0, 1.7, 0.5);
+    stand(room(0), true, 1);
+    head(-90, 0, 1.7, 0); // Looks to +X.
+    head(-90, 0, 1.7, 0.5);
     wish = Motion.ahead(1);
-    head(world, motion, -90, 0, 1.7, 0.5);
-    assertAt(world, 0.1, 1.7, 0.5);
+    head(-90, 0, 1.7, 0.5);
+    assertAt(0.1, 1.7, 0.5);
   }
 
   @Test
   void anotherViewpointTakesTheBodyThere() throws IOException {
-    World world =
+    stand(
         Scenes.world(
             "<Viewpoint position='0 1.6 0'/><Viewpoint DEF='B' position='3 1.6 3'/>"
-                + "<Transform translation='0 -0.05 0'><Shape><Box size='10 0.1 10'/></Shape></Transform>");
-    TrackedMotion motion = standing(world, false, 1);
-    head(world, motion, 0, 0, 0, 0);
-    head(world, motion, 0, 0.2, 0, 0);
+                + "<Transform translation='0 -0.05 0'><Shape><Box size='10 0.1 10'/></Shape></Transform>"),
+        false,
+        1);
+    head(0, 0, 0, 0);
+    head(0, 0.2, 0, 0);
     world.views().goTo(world.views().viewpoints().get(1));
-    head(world, motion, 0, 0.2, 0, 0);
-    assertAt(world, 3, 1.6, 3);
-    head(world, motion, 0, 0.3, 0, 0);
-    assertAt(world, 3.1, 1.6, 3);
+    head(0, 0.2, 0, 0);
+    assertAt(3, 1.6, 3);
+    head(0, 0.3, 0, 0);
+    assertAt(3.1, 1.6, 3);
   }
 
   @Test
   void aTrackerWhosePlaceIsNotUsedTurnsTheHeadAlone() throws IOException {
-    World world = room(0);
-    TrackedMotion motion =
-        new TrackedMotion(world, tracker, (viewer, now, dt) -> {}, WhenLost.FREEZE);
-    head(world, motion, 10, 1, 1, 1);
-    assertAt(world, 0, 1.6, 0);
+    world = room(0);
+    motion = new TrackedMotion(world, tracker, (viewer, now, dt) -> {}, WhenLost.FREEZE);
+    head(10, 1, 1, 1);
+    assertAt(0, 1.6, 0);
   }
 }

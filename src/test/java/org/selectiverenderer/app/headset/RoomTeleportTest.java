@@ -3,20 +3,13 @@ package org.selectiverenderer.app.headset;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
-import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.hmd.Scenes;
 import org.selectiverenderer.runtime.World;
-import org.selectiverenderer.runtime.loading.SceneLoader;
-import org.selectiverenderer.runtime.nodes.NodeFactory;
-import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
-import org.selectiverenderer.x3d.source.ReadLimits;
 
 /** A press on the stick takes the user of a headset to the middle of a room. */
 class RoomTeleportTest {
@@ -30,24 +23,6 @@ class RoomTeleportTest {
             + "</Transform><Transform DEF='%sChair' translation='-1 0.5 1'><Shape>"
             + "<Box size='0.5 1 0.5'/></Shape></Transform></Transform>")
         .formatted(name, x, y, name, name, name);
-  }
-
-  private static World world(String nodes) throws IOException {
-    Problems problems = new Problems();
-    String text = "<X3D version='4.0' profile='Immersive'><Scene>" + nodes + "</Scene></X3D>";
-    try (SceneLoader loader =
-        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
-      World world =
-          new World(
-              loader.load(
-                  "test.x3d",
-                  new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)),
-                  Path.of("")),
-              problems);
-      world.step(0, (viewer, time, dt) -> {});
-      assertThat(problems.list()).isEmpty();
-      return world;
-    }
   }
 
   /** Where the head of one who stands there is after a press; yaw and pitch in degrees. */
@@ -65,7 +40,7 @@ class RoomTeleportTest {
 
   @Test
   void goesToTheMiddleOfTheRoomThatIsLookedAtAsHighAboveItsFloor() throws IOException {
-    World world = world(ROOMS);
+    World world = Scenes.world(ROOMS);
     // From the hall's corner over to the study's floor, which is half a metre higher.
     gone(world, new Vector3d(1.5, 1.7, 0.5), -90, -8);
     assertThat(RoomTeleport.go(world)).contains("Study");
@@ -74,7 +49,7 @@ class RoomTeleportTest {
 
   @Test
   void goesToTheMiddleOfItsOwnRoomWhereTheSkyIsLookedAt() throws IOException {
-    World world = world(ROOMS);
+    World world = Scenes.world(ROOMS);
     gone(world, new Vector3d(1.5, 1.7, 1.5), 0, 90);
     assertThat(RoomTeleport.go(world)).contains("Hall");
     assertAt(world.viewer().position(), 0, 1.7, 0);
@@ -82,7 +57,7 @@ class RoomTeleportTest {
 
   @Test
   void theHeadKeepsTheWayItLooks() throws IOException {
-    World world = world(ROOMS);
+    World world = Scenes.world(ROOMS);
     gone(world, new Vector3d(1.5, 1.7, 0.5), 30, -20);
     Quaterniond before = new Quaterniond(world.viewer().orientation());
     assertThat(RoomTeleport.go(world)).contains("Hall");
@@ -91,7 +66,7 @@ class RoomTeleportTest {
 
   @Test
   void outsideOfAllRoomsNobodyIsMoved() throws IOException {
-    World world = world(ROOMS);
+    World world = Scenes.world(ROOMS);
     Vector3dc from = new Vector3d(gone(world, new Vector3d(50, 1.7, 50), 180, 0));
     assertThat(RoomTeleport.go(world)).isEmpty();
     assertThat(world.viewer().position()).isEqualTo(from);
@@ -99,7 +74,7 @@ class RoomTeleportTest {
 
   @Test
   void anEmptySceneHasNoRoom() throws IOException {
-    World world = world("<Viewpoint/>");
+    World world = Scenes.world("<Viewpoint/>");
     assertThat(RoomTeleport.go(world)).isEmpty();
   }
 }

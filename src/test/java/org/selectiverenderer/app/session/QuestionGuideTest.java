@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import javax.imageio.ImageIO;
 import org.joml.Matrix4dc;
 import org.joml.Quaterniond;
@@ -34,9 +33,7 @@ import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.experiment.questionnaire.Answer;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionOptions;
 import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.hmd.HeadsetShown;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.openxr.HeadsetNews;
@@ -84,18 +81,7 @@ class QuestionGuideTest {
                {"kind": "recognition", "items": "items.csv", "when": "begin"},
                {"file": "words.json"}]}
             """);
-    StudyMaterial material = StudyMaterial.read(file, problems).orElseThrow();
-    session =
-        Session.begin(
-            material,
-            "001",
-            1,
-            new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
-            new Problems());
-    SessionStep form = session.remaining().get(0);
-    session.began(form, false);
-    session.assign("18-22");
-    session.finished(form, Map.of());
+    session = BegunSession.of(file);
     controls = new OperatorControls(session.journal());
     steps =
         new ShownSteps(

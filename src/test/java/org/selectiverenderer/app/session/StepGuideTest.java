@@ -13,12 +13,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
-import org.selectiverenderer.experiment.session.SessionOptions;
-import org.selectiverenderer.experiment.session.SessionStep;
-import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
@@ -45,18 +41,7 @@ class StepGuideTest {
             {"name": "Rooms", "conditions": ["selective"], "participants": 1, "scene": "rooms.x3d",
              "areas": [{"name": "hall", "viewpoint": "Here", "seconds": 1}]}
             """);
-    StudyMaterial material = StudyMaterial.read(file, new Problems()).orElseThrow();
-    session =
-        Session.begin(
-            material,
-            "001",
-            1,
-            new SessionOptions(Optional.empty(), OptionalDouble.empty(), false, "test"),
-            new Problems());
-    SessionStep form = session.remaining().get(0);
-    session.began(form, false);
-    session.assign("18-22");
-    session.finished(form, Map.of());
+    session = BegunSession.of(file);
     controls = new OperatorControls(session.journal());
   }
 

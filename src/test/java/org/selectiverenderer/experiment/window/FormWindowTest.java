@@ -41,6 +41,17 @@ class FormWindowTest extends SessionWindowFixture {
   }
 
   @Test
+  void theTemplatesConsentStandsOnAPageOfItsOwnAndMustBeGivenInFull() throws IOException {
+    StudyMaterial material = material("en");
+    FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());
+    JFrame form = OpenWindow.named(hands, "questionnaire");
+    assertThat(pages).hasSize(1);
+    assertThat(Hands.onEdt(Hands.named(form, "Continue", JButton.class)::isEnabled)).isFalse();
+    pictures(form, "session-consent");
+    assertThat(asked.isDone()).isFalse();
+  }
+
+  @Test
   void theFormSaysWhoDoesNotTakePart() throws IOException {
     StudyMaterial material = form("el");
     FutureTask<Boolean> asked = asking(material, material.form(), true, new ArrayList<>());

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Bodies meet where a formula of their own says so. */
@@ -11,7 +12,18 @@ class MeetingTest {
   /** Nearer to touching than this, rounding decides. */
   private static final double UNSURE = 1e-6;
 
+  /** As often as this each must have been tried, lest one answer to all would do. */
+  private static final int SOME = 9;
+
   private final Random random = new Random(38);
+  private int met;
+  private int parted;
+
+  @AfterEach
+  void bothWereTried() {
+    assertThat(met).as("bodies that meet").isGreaterThanOrEqualTo(SOME);
+    assertThat(parted).as("bodies that do not").isGreaterThanOrEqualTo(SOME);
+  }
 
   private Vector3d somewhere(double reach) {
     return new Vector3d(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())
@@ -22,8 +34,10 @@ class MeetingTest {
     return (direction, out) -> body.farthest(direction, out).add(place);
   }
 
-  private static void check(Convex one, Convex two, double apart, String what) {
+  private void check(Convex one, Convex two, double apart, String what) {
     if (Math.abs(apart) > UNSURE) {
+      met += apart < 0 ? 1 : 0;
+      parted += apart > 0 ? 1 : 0;
       assertThat(Meeting.of(one, two)).as(what).isEqualTo(apart < 0);
       assertThat(Meeting.of(two, one)).as(what).isEqualTo(apart < 0);
     }

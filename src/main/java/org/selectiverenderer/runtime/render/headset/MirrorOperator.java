@@ -1,15 +1,12 @@
 package org.selectiverenderer.runtime.render.headset;
 
-import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.geometry.tessellate.TextMesher;
-import org.selectiverenderer.runtime.render.context.PictureCopy;
 import org.selectiverenderer.runtime.render.context.Screenshot;
+import org.selectiverenderer.runtime.render.show.OperatorCanvas;
 import org.selectiverenderer.runtime.render.show.OperatorPage;
 import org.selectiverenderer.runtime.render.show.WorldHost;
-import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.SideSource;
 
@@ -24,8 +21,7 @@ final class MirrorOperator implements SideSource {
   private record Made(OperatorPage page, FrameSize size, long number) {}
 
   private final Mirror mirror;
-  private final PictureCopy picture = new PictureCopy();
-  private final SketchPainter sketch = new SketchPainter(new TextMesher());
+  private final OperatorCanvas canvas = new OperatorCanvas();
   private final AtomicReference<@Nullable Made> made = new AtomicReference<>();
   private volatile @Nullable FrameSize size;
   private volatile @Nullable Screenshot shot;
@@ -68,24 +64,18 @@ final class MirrorOperator implements SideSource {
   @Override
   public void draw(GL3 gl, FrameSize frame) {
     size = frame;
-    gl.glClearColor(0.11f, 0.12f, 0.14f, 1);
-    gl.glClear(GL.GL_COLOR_BUFFER_BIT);
+    canvas.clear(gl);
     Made newest = made.get();
     if (newest == null) {
       return;
     }
     drawn = newest.number();
     Mirror.Copy copy = mirror.newest();
-    OperatorPage page = newest.page();
-    if (copy != null && page.width() > 0 && page.height() > 0) {
-      if (copy.number() != copied) {
-        copied = copy.number();
-        picture.hold(copy.pixels(), copy.width(), copy.height());
-      }
-      int bottom = frame.height() - page.y() - page.height();
-      picture.show(gl, page.x(), bottom, page.width(), page.height());
+    if (copy != null && copy.number() != copied) {
+      copied = copy.number();
+      canvas.picture().hold(copy.pixels(), copy.width(), copy.height());
     }
-    sketch.draw(gl, page.marks(), 0, 0, frame.width(), frame.height());
+    canvas.paint(gl, frame, newest.page(), copy != null);
   }
 
   /** The window's last picture; null when there was none. */
@@ -96,11 +86,6 @@ final class MirrorOperator implements SideSource {
   @Override
   public void stop(GL3 gl) {
     FrameSize known = size;
-    if (known != null) {
-      draw(gl, known);
-      shot = Screenshot.read(gl, known.width(), known.height());
-    }
-    picture.dispose(gl);
-    sketch.dispose(gl);
+    shot = canvas.end(gl, known, () -> draw(gl, known));
   }
 }

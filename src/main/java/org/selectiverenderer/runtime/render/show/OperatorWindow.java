@@ -1,12 +1,9 @@
 package org.selectiverenderer.runtime.render.show;
 
-import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.geometry.tessellate.TextMesher;
 import org.selectiverenderer.runtime.render.context.PictureCopy;
 import org.selectiverenderer.runtime.render.context.Screenshot;
-import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.SideSource;
 
@@ -18,8 +15,7 @@ final class OperatorWindow implements SideSource {
   private static final long PAUSE = 100_000_000;
 
   private final WorldHost host;
-  private final PictureCopy picture = new PictureCopy();
-  private final SketchPainter sketch = new SketchPainter(new TextMesher());
+  private final OperatorCanvas canvas = new OperatorCanvas();
   private long last = System.nanoTime() - PAUSE;
   private boolean due;
   private @Nullable FrameSize size;
@@ -36,7 +32,7 @@ final class OperatorWindow implements SideSource {
 
   /** Takes what is bound for reading, in the participant's context. */
   void take(GL3 gl, int width, int height) {
-    picture.take(gl, 0, 0, width, height);
+    canvas.picture().take(gl, 0, 0, width, height);
     last = System.nanoTime();
     due = true;
   }
@@ -50,15 +46,11 @@ final class OperatorWindow implements SideSource {
   public void draw(GL3 gl, FrameSize frame) {
     due = false;
     size = frame;
-    gl.glClearColor(0.11f, 0.12f, 0.14f, 1);
-    gl.glClear(GL.GL_COLOR_BUFFER_BIT);
+    canvas.clear(gl);
+    PictureCopy picture = canvas.picture();
     OperatorPage page =
         host.operatorPage(frame.width(), frame.height(), picture.width(), picture.height());
-    if (page.width() > 0 && page.height() > 0) {
-      int bottom = frame.height() - page.y() - page.height();
-      picture.show(gl, page.x(), bottom, page.width(), page.height());
-    }
-    sketch.draw(gl, page.marks(), 0, 0, frame.width(), frame.height());
+    canvas.paint(gl, frame, page, true);
   }
 
   /** The window's last picture; null when there was none. */
@@ -69,11 +61,6 @@ final class OperatorWindow implements SideSource {
   @Override
   public void stop(GL3 gl) {
     FrameSize known = size;
-    if (known != null) {
-      draw(gl, known);
-      shot = Screenshot.read(gl, known.width(), known.height());
-    }
-    picture.dispose(gl);
-    sketch.dispose(gl);
+    shot = canvas.end(gl, known, () -> draw(gl, known));
   }
 }

@@ -296,8 +296,9 @@ public final class Hands {
    * Paints a window's content into a PNG in {@code target/pictures}.
    *
    * @param scale 2 for how it looks on a screen of 200 %
+   * @return the same
    */
-  public static void picture(Container content, String name, int scale) {
+  public static BufferedImage picture(Container content, String name, int scale) {
     BufferedImage image =
         onEdt(
             () -> {
@@ -313,6 +314,7 @@ public final class Hands {
               return painted;
             });
     write(image, name);
+    return image;
   }
 
   private BufferedImage screen() {

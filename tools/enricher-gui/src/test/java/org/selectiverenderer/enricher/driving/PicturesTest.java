@@ -3,11 +3,14 @@ package org.selectiverenderer.enricher.driving;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JFrame;
@@ -27,7 +30,10 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.testing.ShowsWindows;
 
-/** Pictures of the dialogs with the apartment, for looking at: {@code target/pictures}. */
+/**
+ * The dialogs with the apartment, light and dark, at both scales. Their pictures in {@code
+ * target/pictures} are for looking at, and for the manual.
+ */
 @ShowsWindows
 class PicturesTest {
   private static final Path SCENES = Path.of("scenes");
@@ -36,10 +42,42 @@ class PicturesTest {
   @TempDir Path folder;
   private final Hands hands = new Hands();
 
+  /**
+   * At both scales: of the theme's brightness, with words on it, the larger one no blown up one.
+   */
   private static void both(Container content, String name, boolean dark) {
     String theme = dark ? "-dark" : "-light";
-    Hands.picture(content, name + theme, 1);
-    Hands.picture(content, name + theme + "-200", 2);
+    BufferedImage plain = Hands.picture(content, name + theme, 1);
+    BufferedImage fine = Hands.picture(content, name + theme + "-200", 2);
+    for (BufferedImage each : List.of(plain, fine)) {
+      double[] brightness = brightness(each).toArray();
+      double mean = Arrays.stream(brightness).average().orElseThrow();
+      assertThat(mean).as("brightness of 255").isBetween(dark ? 20.0 : 160.0, dark ? 110.0 : 254.0);
+      double most = Arrays.stream(brightness).map(value -> Math.abs(value - mean)).max().orElse(0);
+      assertThat(most).as("words that can be read").isGreaterThan(80);
+    }
+    assertThat(fine.getWidth()).isEqualTo(2 * plain.getWidth());
+    assertThat(blownUp(fine)).isFalse();
+  }
+
+  private static DoubleStream brightness(BufferedImage image) {
+    int[] pixels =
+        image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    return Arrays.stream(pixels)
+        .mapToDouble(rgb -> ((rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255)) / 3.0);
+  }
+
+  /** Whether each block of two by two pixels has one colour. */
+  private static boolean blownUp(BufferedImage image) {
+    for (int y = 0; y + 1 < image.getHeight(); y += 2) {
+      for (int x = 0; x + 1 < image.getWidth(); x += 2) {
+        int rgb = image.getRGB(x, y);
+        if (image.getRGB(x + 1, y) != rgb || image.getRGB(x, y + 1) != rgb) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   @ParameterizedTest

@@ -1,0 +1,364 @@
+#!/usr/bin/env bash
+# Takes the pictures of README.md, scenes/README.md and the pages in docs/ anew:
+#
+#   docs/pictures.sh                  all that this machine can take
+#   docs/pictures.sh NAME...          these, by file name: overlay.png enricher-plan.png
+#   docs/pictures.sh --list           what there is, and how each is taken
+#
+# They are written to docs/pictures, or to the folder that PICTURES names. It takes a JDK and Maven as
+# the build does, Xvfb, ImageMagick (convert, import) and xdotool. Every picture is taken on a screen
+# of its own, with software OpenGL where Mesa has it, so that two machines take the same one but for
+# what their fonts and figures differ in. Scene, viewpoint, size, theme and what is selected stand in
+# the functions below, which have the pictures' names, and for the enricher in EnricherPictures.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+out=$(realpath -m "${PICTURES:-docs/pictures}")
+program=/tmp/mends-prog
+export LIBGL_ALWAYS_SOFTWARE=1 LC_ALL=C.UTF-8
+
+# The table: picture, how it is taken. A test holds it against the folder and the pages.
+pictures='
+anaglyph.jpg                       run
+apartment-kitchen.jpg              run
+apartment-lounge.jpg               run
+apartment-office.jpg               run
+apartment.jpg                      run
+dual.jpg                           run
+enricher-areas.png                 enricher
+enricher-compare.png               enricher
+enricher-cost.png                  enricher
+enricher-dark.png                  enricher
+enricher-diff.png                  dialogs
+enricher-fault.png                 enricher
+enricher-fields.png                form
+enricher-find.png                  enricher
+enricher-handles.png               enricher
+enricher-help.png                  enricher
+enricher-overview.png              dialogs
+enricher-plan.png                  enricher
+enricher-preview.png               enricher
+enricher-ratings.png               dialogs
+enricher-schemas.png               enricher
+enricher-source.png                enricher
+enricher-switch.png                enricher
+enricher-versions.png              dialogs
+head-log.svg                       run
+headset-questions.png              kept
+hmd-check.png                      run
+openxr-window.jpg                  kept
+openxr.jpg                         monado
+operator.jpg                       window
+overlay.png                        window
+performance-frame.svg              plots
+performance-frames.svg             plots
+performance-growth-inlines.svg     plots
+performance-growth-objects.svg     plots
+performance-growth-sensors.svg     plots
+performance-growth-switches.svg    plots
+performance-memory.svg             plots
+polygons-kitchen.svg               plots
+polygons-lounge.svg                plots
+polygons-office.svg                plots
+radiosity-kitchen.jpg              run
+radiosity-lounge.jpg               run
+radiosity-office.jpg               run
+sculptures.jpg                     run
+session-bipolar.png                session
+session-consent.png                session
+session-controls.png               session
+session-kinds.png                  session
+session-operator.jpg               window
+session-questionnaire.png          session
+side-by-side.jpg                   run
+threshold-trial.png                window
+trashcan-versions.png              run
+'
+
+explain() {
+  case $1 in
+    run) echo 'drawn by run --offscreen' ;;
+    window) echo 'a window of the program on a screen of its own' ;;
+    enricher) echo 'the window of the enricher, driven by EnricherPictures' ;;
+    dialogs) echo 'a dialog of the enricher, driven by PicturesTest' ;;
+    form) echo 'the form of a node, driven by FormPanelTest' ;;
+    session) echo 'a screen of a session, driven by the tests of experiment.window' ;;
+    plots) echo 'written with its page by a test; CONTRIBUTING.md has the command' ;;
+    monado) echo 'what Monado was given in .ci/openxr check, which takes root' ;;
+    kept) echo 'kept: taken by hand, of a headset that a person wears or a window of Monado' ;;
+  esac
+}
+
+say() { echo "pictures: $*" >&2; }
+
+# Commands on a screen of their own: screen 1280x1024 COMMAND...
+screen() {
+  local size=$1
+  shift
+  xvfb-run -a -s "-screen 0 ${size}x24 -noreset" "$@"
+}
+
+# shot FILE WxH SCENE OPTIONS...: a picture of a scene.
+shot() {
+  local file=$1 size=$2
+  shift 2
+  screen 1280x1024 "$program" run "$@" --offscreen --mute --samples 8 --size "$size" \
+    --screenshot "$file" >/dev/null
+}
+
+# small IN OUT OPTIONS...: a picture as it is published, without when and where it was taken.
+small() {
+  local in=$1 to=$2
+  shift 2
+  case $to in
+    *.jpg) convert "$in" "$@" -strip -quality 88 "$to" ;;
+    *) convert "$in" "$@" -strip -define png:compression-level=9 -define png:exclude-chunk=date,tIME "$to" ;;
+  esac
+}
+
+# beside LEFT RIGHT OUT GAP: two pictures side by side.
+beside() {
+  convert "$1" -background white -gravity east -splice "$4x0" "$tmp/left.png"
+  convert "$tmp/left.png" "$2" +append "$tmp/both.png"
+  small "$tmp/both.png" "$3"
+}
+
+# Test classes are run once, whatever pictures are taken of them: tested CLASS OPTIONS...
+tested() {
+  local class=$1
+  shift
+  if [ ! -e "$tmp/$class" ]; then
+    screen 1600x1200 mvn -B -ntp -q test -Dspotless.check.skip -Dsurefire.failIfNoSpecifiedTests=false \
+      "-Dtest=$class" "$@"
+    touch "$tmp/$class"
+  fi
+}
+
+# A picture that a test has written to target/pictures at twice the size: fromTest CLASS NAME OUT WIDTH
+fromTest() {
+  tested "$1"
+  small "target/pictures/$2.png" "$3" -resize "$4"
+}
+
+apartment() { # ROOM OUT: all polygons on the left, selective on the right
+  local view=${1^}View
+  shot "$tmp/all.png" 800x450 scenes/apartment-lit.x3d --viewpoint "$view" --condition high
+  shot "$tmp/selective.png" 800x450 scenes/apartment-lit.x3d --viewpoint "$view"
+  beside "$tmp/all.png" "$tmp/selective.png" "$2" 8
+}
+
+radiosity() { # ROOM OUT: X3D's own lights on the left, radiosity on the right
+  local view=${1^}View
+  shot "$tmp/before.png" 720x480 scenes/apartment.x3d --viewpoint "$view" --condition high
+  shot "$tmp/after.png" 720x480 scenes/apartment-lit.x3d --viewpoint "$view" --condition high
+  beside "$tmp/before.png" "$tmp/after.png" "$2" 16
+}
+
+trashcan() { # OUT
+  # What is expected in the office is seen from the desk's viewpoint where no area says otherwise.
+  sed "s/<ProximitySensor /<ProximitySensor enabled='false' /" scenes/trashcan.x3d >"$office"
+  shot "$tmp/office.png" 480x450 "$office" --viewpoint TrashCanView
+  shot "$tmp/desk.png" 480x450 scenes/trashcan.x3d --viewpoint TrashCanView
+  labelled "$tmp/office.png" 'in the office: 93 polygons'
+  labelled "$tmp/desk.png" 'at the desk: 1064 polygons'
+  beside "$tmp/office.png" "$tmp/desk.png" "$1" 0
+}
+
+labelled() { # FILE WORDS: words below a picture
+  convert "$1" -gravity south -background '#f2f2f2' -splice 0x23 -font DejaVu-Sans -pointsize 14 \
+    -fill black -annotate +0+4 "$2" "$1"
+}
+
+stereo() { # OUT WxH OPTIONS...
+  local to=$1 size=$2
+  shift 2
+  shot "$tmp/stereo.png" "$size" scenes/apartment.x3d --viewpoint KitchenView "$@"
+  small "$tmp/stereo.png" "$to"
+}
+
+dual() { # OUT: both screens, a gap between them
+  shot "$tmp/dual.png" 1280x480 scenes/apartment.x3d --viewpoint KitchenView --display side-by-side
+  convert "$tmp/dual.png" -crop 640x480 +repage "$tmp/eye-%d.png"
+  beside "$tmp/eye-0.png" "$tmp/eye-1.png" "$1" 12
+}
+
+headlog() { # OUT
+  screen 1280x1024 "$program" run scenes/apartment.x3d --path scenes/paths/apartment-tour.csv \
+    --offscreen --mute --size 160x120 --head-log "$tmp/apartment.csv" >/dev/null
+  "$program" experiment view "$tmp/apartment.csv" --plot "$1" >/dev/null
+}
+
+# What the windows below run: once they are there for so long, a key is pressed and the screen taken.
+overlay() { # OUT
+  screen 1024x768 bash -c '
+    "$1" run scenes/trashcan.x3d --viewpoint DeskView --size 1024x768 --mute --screenshot "$2" &
+    window=$(timeout 120 xdotool search --sync --onlyvisible --name trashcan | head -1)
+    sleep 5
+    xdotool mousemove 512 384 key --window "$window" F1
+    sleep 5
+    kill $!
+    wait $! || true' overlay "$program" "$tmp/overlay.png"
+  small "$tmp/overlay.png" "$1"
+}
+
+operator() { # OUT
+  local device=$tmp/tracker
+  "$program" track --emulate intertrax2 --link "$device" >/dev/null 2>&1 &
+  local emulator=$!
+  sleep 5
+  screen 2240x1400 "$program" run scenes/apartment.x3d --viewpoint KitchenView --display side-by-side \
+    --tracker "intertrax2:$device" --head-log "$tmp/p01.csv" --operator --mute --size 1120x560 \
+    --duration 17 --operator-screenshot "$tmp/operator.png" >/dev/null || true
+  kill "$emulator"
+  small "$tmp/operator.png" "$1" -resize 1120x
+}
+
+study() {
+  [ -d "$tmp/study" ] || "$program" experiment new "$tmp/study" --scene scenes/apartment.x3d >/dev/null
+}
+
+# The window of a program whose title has a word, after some seconds: titled WORD SECONDS OUT COMMAND...
+titled() {
+  local word=$1 seconds=$2 file=$3
+  shift 3
+  screen 1600x1200 bash -c '
+    word=$1 seconds=$2 file=$3
+    shift 3
+    "$@" >/dev/null 2>&1 &
+    window=$(timeout 180 xdotool search --sync --onlyvisible --name "$word" | head -1)
+    sleep "$seconds"
+    import -window "$window" "$file"
+    kill $!
+    wait $! || true' titled "$word" "$seconds" "$file" "$@"
+}
+
+sessionOperator() { # OUT
+  study
+  titled 'Operator' 10 "$tmp/operator.png" "$program" experiment run "$tmp/study/study.json" \
+    --participant 001 --unattended --operator --exposure 30
+  small "$tmp/operator.png" "$1" -resize 896x
+}
+
+trial() { # OUT
+  study
+  titled 'pilot' 5 "$tmp/trial.png" "$program" experiment threshold "$tmp/study/pilot" --participant 001
+  small "$tmp/trial.png" "$1" -resize 900x
+}
+
+take() { # NAME HOW
+  local name=$1 how=$2 to=$out/$1 stem=${1%.*}
+  case $name in
+    apartment.jpg)
+      shot "$tmp/above.png" 1920x800 scenes/apartment-lit.x3d --viewpoint OverviewView --condition high
+      small "$tmp/above.png" "$to" -resize 960x400
+      ;;
+    apartment-*) apartment "${stem#*-}" "$to" ;;
+    radiosity-*) radiosity "${stem#*-}" "$to" ;;
+    trashcan-versions.png) trashcan "$to" ;;
+    sculptures.jpg)
+      shot "$tmp/sculptures.png" 1400x654 docs/examples/sculptures.x3dv
+      small "$tmp/sculptures.png" "$to" -resize 700x327
+      ;;
+    side-by-side.jpg) stereo "$to" 1280x480 --display side-by-side ;;
+    anaglyph.jpg) stereo "$to" 1024x768 --display anaglyph ;;
+    hmd-check.png) stereo "$to" 1280x480 --hmd-check ;;
+    dual.jpg) dual "$to" ;;
+    head-log.svg) headlog "$to" ;;
+    overlay.png) overlay "$to" ;;
+    operator.jpg) operator "$to" ;;
+    session-operator.jpg) sessionOperator "$to" ;;
+    threshold-trial.png) trial "$to" ;;
+    session-consent.png) fromTest FormWindowTest session-consent-200 "$to" 980x ;;
+    session-controls.png) fromTest ControlWindowTest session-controls-200 "$to" 534x ;;
+    session-questionnaire.png) fromTest QuestionnaireWindowTest session-questionnaire-en-200 "$to" 980x ;;
+    session-*) fromTest QuestionnaireWindowTest "$stem-200" "$to" 980x ;;
+    enricher-fields.png)
+      tested FormPanelTest
+      small target/form-fields.png "$to"
+      ;;
+    enricher-areas.png | enricher-plan.png) driven "$stem" "$to" 1280x ;;
+    enricher-find.png) driven "$stem" "$to" 1200x ;;
+    enricher-cost.png) driven "$stem" "$to" 900x ;;
+    enricher-compare.png) driven "$stem" "$to" 800x ;;
+    enricher-handles.png) driven "$stem" "$to" 680x ;;
+    enricher-switch.png) driven "$stem" "$to" 438x ;;
+    enricher-*)
+      if [ "$how" = dialogs ]; then
+        fromTest PicturesTest "${stem#*-}-light-200" "$to" 1100x
+      else
+        driven "$stem" "$to" 1100x
+      fi
+      ;;
+    polygons-*) plotted PolygonsPageTest -Dpolygons.update=true "$name" ;;
+    performance-*) plotted PerformancePlotsTest -Dplots.update=true "$name" ;;
+    openxr.jpg)
+      .ci/openxr check
+      small target/openxr.png "$to" -resize 1200x
+      ;;
+    *)
+      say "$name: no recipe"
+      return 1
+      ;;
+  esac
+}
+
+driven() { # NAME OUT WIDTH: the enricher's window
+  tested EnricherPictures "-Dpictures=$driving"
+  small "target/pictures/$1.png" "$2" -resize "$3"
+}
+
+plotted() { # CLASS OPTION NAME: written in docs/pictures by a test
+  tested "$1" "$2"
+  [ "$out" = "$PWD/docs/pictures" ] || cp "docs/pictures/$3" "$out/"
+}
+
+list() { echo "$pictures" | grep . ; }
+
+if [ "${1:-}" = --list ]; then
+  list | while read -r name how; do printf '%-34s %s\n' "$name" "$(explain "$how")"; done
+  exit
+fi
+
+for tool in xvfb-run convert import xdotool mvn; do
+  command -v "$tool" >/dev/null || {
+    say "$tool is not there; Debian: apt-get install xvfb imagemagick xdotool maven"
+    exit 2
+  }
+done
+
+wanted=("$@")
+if [ $# -eq 0 ]; then
+  mapfile -t wanted < <(list | awk '$2 != "kept" && $2 != "monado" { print $1 }')
+fi
+tmp=$(mktemp -d)
+office=scenes/.pictures-$$.x3d
+trap 'rm -rf "$tmp" "$office"' EXIT
+mkdir -p "$out"
+driving=$(list | awk '$2 == "enricher" { print $1 }' | grep -xF "$(printf '%s\n' "${wanted[@]}")" |
+  sed 's/\.png$//' | paste -sd, || true)
+
+failed=0
+for name in "${wanted[@]}"; do
+  how=$(list | awk -v name="$name" '$1 == name { print $2 }')
+  if [ -z "$how" ]; then
+    say "$name: no such picture; docs/pictures.sh --list names them"
+    failed=2
+  elif [ "$how" = kept ]; then
+    say "$name stays as it is: $(explain kept)"
+  else
+    set +e # Else the first failure would not end the taking of a picture but all.
+    (
+      set -e
+      take "$name" "$how"
+    )
+    status=$?
+    set -e
+    if [ "$status" -eq 0 ]; then
+      say "$name"
+    else
+      say "$name could not be taken; the one that is there stays"
+      [ "$failed" -ne 0 ] || failed=1
+    fi
+  fi
+done
+exit "$failed"
