@@ -4,9 +4,11 @@ import com.jogamp.opengl.GL3;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.InstanceTree;
@@ -18,8 +20,10 @@ import org.selectiverenderer.runtime.render.light.LightWatch;
  * The draw items of all shapes of a tree, shown or not, kept between frames. Made anew when the
  * tree's structure changes; otherwise only where a shape has another mesh or surface.
  *
- * <p>Shapes that are new and not shown may wait: then a few of them are made ready with each frame,
- * those that are shown meanwhile in that very frame.
+ * <p>Shapes that are new may wait: then a few of them are made ready with each frame. Those that
+ * wait hidden and are shown meanwhile are made ready in that very frame. Those that came into a
+ * running scene shown, more of them than one frame can make ready, follow in the next frames, as if
+ * they had come in several files; what was in the tree before is never late.
  */
 final class DrawList {
   /**
@@ -42,6 +46,7 @@ final class DrawList {
   private List<ShapeInstance> shapes = List.of();
   private @Nullable DrawItem[] slots = {};
   private final BitSet waiting = new BitSet();
+  private final BitSet late = new BitSet(); // Of those waiting the ones that came shown.
   private List<DrawItem> items = List.of();
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
   private LightWatch watch = new LightWatch(List.of());
@@ -78,28 +83,60 @@ final class DrawList {
   }
 
   /**
-   * Makes waiting shapes ready: all that are shown, and of the others so many.
+   * Makes waiting shapes ready: all that are shown but late ones, and of these and then of the
+   * others so many.
    *
    * @param portion triangles
    */
   private boolean arrive(GL3 gl, long portion) {
-    List<Integer> places = new ArrayList<>();
-    List<LightPlanner.Request> requests = new ArrayList<>();
-    long left = portion;
+    Arrivals arrivals = new Arrivals(portion);
+    for (int i = late.nextSetBit(0); i >= 0; i = late.nextSetBit(i + 1)) {
+      late.set(i, shapes.get(i).shown()); // What was hidden since waits like the others.
+    }
     for (int i = waiting.nextSetBit(0); i >= 0; i = waiting.nextSetBit(i + 1)) {
-      ShapeInstance shape = shapes.get(i);
-      if (left > 0 || shape.shown()) {
-        waiting.clear(i);
-        Mesh mesh = mesh(shape);
-        if (mesh != null) {
-          left -= Math.max(LEAST_OF_ONE, mesh.polygons());
-          places.add(i);
-          requests.add(new LightPlanner.Request(shape, mesh, shape.lights(), true));
-        }
+      if (shapes.get(i).shown() && !late.get(i)) {
+        arrivals.take(i);
       }
     }
-    fill(places, assets.prepare(gl, requests, true));
-    return !places.isEmpty();
+    for (int i = late.nextSetBit(0); i >= 0 && arrivals.left > 0; i = late.nextSetBit(i + 1)) {
+      arrivals.take(i);
+    }
+    for (int i = waiting.nextSetBit(0);
+        i >= 0 && arrivals.left > 0;
+        i = waiting.nextSetBit(i + 1)) {
+      arrivals.take(i);
+    }
+    fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
+    return !arrivals.places.isEmpty();
+  }
+
+  /** What is made ready of the waiting shapes. */
+  private final class Arrivals {
+    final List<Integer> places = new ArrayList<>();
+    final List<LightPlanner.Request> requests = new ArrayList<>();
+    long left;
+
+    Arrivals(long portion) {
+      left = portion;
+    }
+
+    void take(int place) {
+      ShapeInstance shape = shapes.get(place);
+      waiting.clear(place);
+      late.clear(place);
+      left -= cost(shape);
+      Mesh mesh = mesh(shape);
+      if (mesh != null) {
+        places.add(place);
+        requests.add(new LightPlanner.Request(shape, mesh, shape.lights(), true));
+      }
+    }
+  }
+
+  /** What making a shape ready counts for, in triangles. */
+  private static long cost(ShapeInstance shape) {
+    Mesh mesh = mesh(shape);
+    return mesh == null ? 0 : Math.max(LEAST_OF_ONE, mesh.polygons());
   }
 
   /** Makes anew what is no longer as its shape is; whether anything was. */
@@ -144,14 +181,28 @@ final class DrawList {
     return shape.mesh().filter(mesh -> !mesh.isEmpty()).orElse(null);
   }
 
+  /** The shapes of the tree as it was, but for those that are late already. */
+  private Set<ShapeInstance> older() {
+    Set<ShapeInstance> older = Collections.newSetFromMap(new IdentityHashMap<>());
+    for (int i = 0; i < shapes.size(); i++) {
+      if (!late.get(i)) {
+        older.add(shapes.get(i));
+      }
+    }
+    return older;
+  }
+
   private void restructure(InstanceTree newTree, boolean all) {
     Map<ShapeInstance, DrawItem> known = new IdentityHashMap<>();
     items.forEach(item -> known.put(item.shape(), item));
+    Set<ShapeInstance> older = older();
+    long left = all || newTree != tree ? Long.MAX_VALUE : PORTION;
     tree = newTree;
     structureVersion = newTree.structureVersion();
     shapes = newTree.shapes();
     slots = new DrawItem[shapes.size()];
     waiting.clear();
+    late.clear();
     for (int i = 0; i < slots.length; i++) {
       DrawItem before = known.get(shapes.get(i));
       // Another light may have come into scope: such items are made anew, their assets are kept.
@@ -162,7 +213,11 @@ final class DrawList {
                   && before.around().equals(before.shape().surroundings())
               ? before
               : null;
-      waiting.set(i, !all && before == null && !shapes.get(i).shown());
+      ShapeInstance shape = shapes.get(i);
+      boolean fresh = before == null && shape.shown() && !older.contains(shape);
+      late.set(i, fresh && left <= 0);
+      left -= fresh ? cost(shape) : 0;
+      waiting.set(i, late.get(i) || (!all && before == null && !shape.shown()));
     }
     watch = new LightWatch(newTree.lights());
     moves.keySet().retainAll(known.keySet());

@@ -34,9 +34,10 @@
  *
  * <p>What is new and not shown may wait ({@link
  * org.selectiverenderer.runtime.render.draw.SceneRenderer#follow}): it is made ready a few shapes
- * with each frame, in batches of its own, and in the very frame in which it is shown. How shapes
- * are put into batches decides how their coordinates are rounded: single pixels at edges may differ
- * between a run that waited and one that did not.
+ * with each frame, in batches of its own, and in the very frame in which it is shown. What comes
+ * into a running scene shown, but is too much for one frame, follows likewise. How shapes are put
+ * into batches decides how their coordinates are rounded: single pixels at edges may differ between
+ * a run that waited and one that did not.
  *
  * <p>Uses {@code runtime.render.gpu}, {@code runtime.render.glsl}, {@code runtime.render.light},
  * {@code runtime.render.mesh}, {@code runtime.render.occlude}, {@code runtime.render.context},
