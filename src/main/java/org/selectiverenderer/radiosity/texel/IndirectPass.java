@@ -34,6 +34,9 @@ final class IndirectPass {
   /** Light that is farther off the plane between records, as a share, needs more of them. */
   private static final double BENT = 0.03;
 
+  /** A texel takes the mean over about so many records: each may be as much noisier. */
+  private static final int SHARED = 6;
+
   /** So many times the rays at most, where they are noisy. */
   private static final int MOST_TIMES = 3;
 
@@ -217,7 +220,7 @@ final class IndirectPass {
     // Near to each other, records share their noise.
     int fewer = stride > 2 ? 1 : stride == 2 ? 2 : 4;
     hemisphere.gather(place, texel, fewer, record);
-    double bound = noise * (sum(direct, texel) + record.sum()) * Math.sqrt(fewer);
+    double bound = noise * (sum(direct, texel) + record.sum()) * Math.sqrt(SHARED * fewer);
     for (int times = 1; times < MOST_TIMES && record.seen && record.error > bound; times++) {
       hemisphere.gather(place, texel + 0x3779b97f * times, fewer, more);
       if (!more.seen) {

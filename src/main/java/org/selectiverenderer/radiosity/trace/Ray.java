@@ -1,6 +1,7 @@
 package org.selectiverenderer.radiosity.trace;
 
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.tree.BoxTree;
 
 /** A ray on its way, used again and again by one thread: nothing is allocated per ray. */
@@ -39,6 +40,11 @@ public final class Ray {
 
   final int[] stack = new int[BoxTree.MAX_DEPTH];
   final double[] entered = new double[BoxTree.MAX_DEPTH];
+
+  /** What last stopped a shadow ray: the next one often meets it, too. An item of a tree. */
+  int blocker;
+
+  @Nullable TriangleTree blockerTree;
 
   /** Rays cast since it was made, for figures. */
   long cast;

@@ -89,6 +89,9 @@ final class TriangleTree {
     if (ids.length == 0) {
       return 1;
     }
+    if (shadow && ray.blockerTree == this && through(ray.blocker, ray, without) == 0) {
+      return 0;
+    }
     int[] stack = ray.stack;
     double[] entered = ray.entered;
     double ix = 1 / ray.dx;
@@ -107,8 +110,13 @@ final class TriangleTree {
       if (items > 0) {
         for (int i = first[node]; i < first[node] + items; i++) {
           if (shadow) {
-            light *= through(i, ray, without);
+            double passed = through(i, ray, without);
+            light *= passed;
             if (light < DARK) {
+              if (passed == 0) {
+                ray.blocker = i;
+                ray.blockerTree = this;
+              }
               return 0;
             }
           } else {
