@@ -191,11 +191,12 @@ headlog() { # OUT
 # What the windows below run: once they are there for so long, a key is pressed and the screen taken.
 overlay() { # OUT
   screen 1024x768 bash -c '
-    "$1" run scenes/trashcan.x3d --viewpoint DeskView --size 1024x768 --mute --screenshot "$2" &
-    window=$(timeout 120 xdotool search --sync --onlyvisible --name trashcan | head -1)
+    "$1" run scenes/trashcan.x3d --viewpoint DeskView --size 1024x768 --mute &
+    timeout 120 xdotool search --sync --onlyvisible --name trashcan >/dev/null
     sleep 5
-    xdotool mousemove 512 384 key --window "$window" F1
+    xdotool mousemove 512 384 key F1
     sleep 5
+    import -window root "$2"
     kill $!
     wait $! || true' overlay "$program" "$tmp/overlay.png"
   small "$tmp/overlay.png" "$1"
@@ -214,7 +215,10 @@ operator() { # OUT
 }
 
 study() {
-  [ -d "$tmp/study" ] || "$program" experiment new "$tmp/study" --scene scenes/apartment.x3d >/dev/null
+  if [ ! -d "$tmp/study" ]; then
+    "$program" experiment new "$tmp/study" --scene scenes/apartment.x3d >/dev/null
+    sed -i '/^ *"practice":/d' "$tmp/study/study.json" # The kitchen comes first.
+  fi
 }
 
 # The window of a program whose title has a word, after some seconds: titled WORD SECONDS OUT COMMAND...
@@ -235,13 +239,13 @@ titled() {
 sessionOperator() { # OUT
   study
   titled 'Operator' 10 "$tmp/operator.png" "$program" experiment run "$tmp/study/study.json" \
-    --participant 001 --unattended --operator --exposure 30
+    --participant 001 --unattended --operator --exposure 60
   small "$tmp/operator.png" "$1" -resize 896x
 }
 
 trial() { # OUT
   study
-  titled 'pilot' 5 "$tmp/trial.png" "$program" experiment threshold "$tmp/study/pilot" --participant 001
+  titled 'differs' 5 "$tmp/trial.png" "$program" experiment threshold "$tmp/study/pilot" --participant 001
   small "$tmp/trial.png" "$1" -resize 900x
 }
 

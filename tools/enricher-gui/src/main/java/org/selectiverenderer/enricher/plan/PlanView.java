@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.plan;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -42,6 +43,10 @@ final class PlanView extends PaintedComponent {
   private final transient Supplier<Optional<DocumentElement>> selection;
   private transient @Nullable PlanPicture picture;
   private transient @Nullable PlanScale scale;
+
+  /** For which size of the view all of the plan was made to fit; null when the author chose. */
+  private transient @Nullable Dimension fitted;
+
   private transient @Nullable Bounds drawn;
   private transient @Nullable PlacedArea moved;
   private double grid;
@@ -86,11 +91,12 @@ final class PlanView extends PaintedComponent {
 
   PlanScale scale() {
     PlanScale now = scale;
-    if (now == null) {
+    if (now == null || fitted != null && !fitted.equals(getSize())) {
       Bounds all = picture().map(PlanPicture::extent).orElse(new Bounds(-5, 0, -5, 5, 0, 5));
       now = PlanScale.fitting(all, Math.max(1, getWidth()), Math.max(1, getHeight()));
       if (picture != null && getWidth() > 0) {
         scale = now;
+        fitted = getSize();
       }
     }
     return now;
@@ -98,6 +104,7 @@ final class PlanView extends PaintedComponent {
 
   void scale(PlanScale now) {
     scale = now;
+    fitted = null;
     repaint();
   }
 

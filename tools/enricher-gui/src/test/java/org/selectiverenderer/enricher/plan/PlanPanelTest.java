@@ -174,6 +174,23 @@ class PlanPanelTest {
   }
 
   @Test
+  void allOfThePlanStaysInViewWhenTheWindowChangesUnlessTheAuthorCameNearer() throws Exception {
+    open("<Group/>\n");
+    Swing.edt(
+        () -> {
+          double wide = view.scale().scale();
+          view.setSize(view.getWidth() / 3, view.getHeight());
+          assertThat(view.scale().toX(ROOM.minX())).isGreaterThanOrEqualTo(0);
+          assertThat(view.scale().toX(ROOM.maxX())).isLessThanOrEqualTo(view.getWidth());
+          double narrow = view.scale().scale();
+          assertThat(narrow).isLessThan(wide);
+          view.scale(view.scale().zoomed(2, 0, 0));
+          view.setSize(view.getWidth() * 3, view.getHeight());
+          assertThat(view.scale().scale()).isCloseTo(2 * narrow, within(1e-9));
+        });
+  }
+
+  @Test
   void keysCopyMoveAndDeleteAreas() throws Exception {
     open("<ProximitySensor DEF='A' center='0 1.5 0' size='2 3 2'/>\n");
     Swing.edt(
