@@ -19,13 +19,15 @@ import org.selectiverenderer.runtime.render.mesh.StagedMesh;
  */
 final class BatchPlan {
   /**
-   * Indices of a mesh beyond which a call of its own costs next to nothing beside its triangles.
+   * Indices of a mesh's coarsest stage beyond which a call of its own costs next to nothing beside
+   * its triangles.
    */
   private static final int MOST_OF_ONE = 3 * 512;
 
   /**
-   * Indices of a batch. Batches are drawn front to back, the shapes in one are not: with four times
-   * as many, 1,000 shapes took a tenth more of the rasteriser's time and no less before.
+   * Indices of a batch, of coarsest stages. Batches are drawn front to back, the shapes in one are
+   * not: with four times as many, 1,000 shapes took a tenth more of the rasteriser's time and no
+   * less before.
    */
   private static final int MOST_TOGETHER = 3 * 1024;
 
@@ -55,8 +57,8 @@ final class BatchPlan {
     }
 
     /**
-     * Indices of what is drawn of it from afar. Calls count where there are many shapes in view,
-     * and then most are far away; a near one has more triangles, which cost more than its call.
+     * Indices of what is drawn of it from afar. Calls cost time where many shapes are in view, and
+     * then most are far away.
      */
     int least() {
       return staged.least();
