@@ -8,6 +8,16 @@
  * org.selectiverenderer.radiosity.atlas.Atlas}, or the one sentence why the budget cannot be kept.
  * Uses {@code radiosity.scene}, {@code radiosity.trace}, {@code geometry} and {@code
  * geometry.mesh}.
+ *
+ * <pre>
+ * body -> WeldedBody: neighbours -> ChartGrower, ChartJoiner: charts -> Overlaps: cut where they
+ *   lie on themselves -> BodyCharts: flat, in the smallest box
+ * Density -> TexelBoxes: whole texels -> PagePlanner, Skyline: pages -> Rasterizer: TexelMap
+ * </pre>
+ *
+ * <p>Between charts lie two texels of none, and one around each page: bilinear filtering meets
+ * texels of its own chart and of the gutter beside it, also where a page repeats. Of a mipmap the
+ * first smaller level is safe; further ones mix charts.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.atlas;

@@ -115,6 +115,45 @@ final class AtlasLaws {
     return 1 / wished[scene.bodies().indexOf(body)];
   }
 
+  /**
+   * The least and the largest area that a triangle has on its page, as a share of what its body's
+   * density wishes, among charts of at least eight texels both ways: in smaller ones whole texels
+   * stretch more than the chart does.
+   */
+  static double[] stretch(LightScene scene, Atlas atlas) {
+    double[] wished = Density.of(scene, AtlasSettings.DEFAULT);
+    double[] range = {Double.POSITIVE_INFINITY, 0};
+    double[] a = new double[2];
+    double[] b = new double[2];
+    double[] c = new double[2];
+    double[] normal = new double[3];
+    for (int triangle = 0; triangle < scene.triangles().count(); triangle++) {
+      int body = scene.bodyOf()[triangle];
+      TexelMap map = atlas.pages().get(atlas.layouts().get(body).page());
+      texels(scene, atlas, triangle, 1 / 3.0, 1 / 3.0, a);
+      if (side(map, map.chart()[(int) a[1] * map.width() + (int) a[0]]) < 8) {
+        continue;
+      }
+      texels(scene, atlas, triangle, 0, 0, a);
+      texels(scene, atlas, triangle, 1, 0, b);
+      texels(scene, atlas, triangle, 0, 1, c);
+      double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+      double area = scene.triangles().normal(triangle, normal) * wished[body] * wished[body];
+      // A triangle that is turned over has an area below 0.
+      range[0] = Math.min(range[0], twice / 2 / area);
+      range[1] = Math.max(range[1], twice / 2 / area);
+    }
+    return range;
+  }
+
+  /** The shorter side of a chart, texels. */
+  private static int side(TexelMap map, int chart) {
+    int[] texels = IntStream.range(0, map.texels()).filter(i -> map.chart()[i] == chart).toArray();
+    var columns = IntStream.of(texels).map(i -> i % map.width()).summaryStatistics();
+    var rows = IntStream.of(texels).map(i -> i / map.width()).summaryStatistics();
+    return Math.min(columns.getMax() - columns.getMin(), rows.getMax() - rows.getMin()) + 1;
+  }
+
   /** Where a place of a triangle lies on its page, texels. */
   static void texels(
       LightScene scene, Atlas atlas, int triangle, double u, double v, double[] out) {

@@ -60,6 +60,15 @@ class AtlasMakerTest {
     assertThat(AtlasLaws.charts(checked(Shapes.torus()))).isLessThanOrEqualTo(20);
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"<Sphere radius='0.3'/>", "<Cone/>", "<Box size='2 1 0.5'/>"})
+  void trianglesStretchByTwoAtMostAndNoneIsTurnedOver(String geometry) throws Exception {
+    LightScene scene = SmallScene.read(Shapes.lit(Shapes.shape(geometry)));
+    double[] range = AtlasLaws.stretch(scene, make(scene, AtlasSettings.DEFAULT));
+    assertThat(range[0]).isGreaterThan(0.48);
+    assertThat(range[1]).isLessThan(1.3);
+  }
+
   @Test
   void aStripWithOneSideIsCutOpen() throws Exception {
     assertThat(AtlasLaws.charts(checked(Shapes.moebius()))).isBetween(2L, 16L);
