@@ -242,6 +242,19 @@ class LightPicturesJobTest {
     assertThat(litText()).contains("version='3.3'", "on='false'").doesNotContain("Material");
   }
 
+  /**
+   * Facets a hundred thousandth as high as the shape is wide: rounded more they would have none.
+   */
+  @Test
+  void thinFacetsKeepTheirAreaInTheText() throws Exception {
+    String thin =
+        "<Switch whichChoice='0'>"
+            + quad("1 1 1, 1 1 2, 1.00001 1 2, 1.00001 1 1", GREY)
+            + "</Switch>";
+    light(room(0, 0, 0, 4, GREY) + LAMP + thin, QUICK);
+    assertThat(lit().shapes().get(1).mesh().orElseThrow().polygons()).isEqualTo(2);
+  }
+
   @Test
   void whatIsTransparentStaysSo() throws Exception {
     light(

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.TexelMap;
@@ -34,6 +35,10 @@ final class TexelShapeWriter {
   private static final double FINE = 8;
 
   private static final int NORMAL_DECIMALS = 2;
+  private static final int MOST_DECIMALS = 9;
+
+  /** Height by longest edge below which a facet may count as one without area, with some room. */
+  private static final double FLAT = 1e-7;
 
   private final TexelScene lit;
   private final boolean apart;
@@ -83,7 +88,7 @@ final class TexelShapeWriter {
     TexelMap page = lit.atlas().pages().get(layout.page());
     int fine = decimals(Math.max(page.width(), page.height()));
     OwnTexture own = apart ? OwnTexture.of(body) : null;
-    int decimals = ShapeNumbers.decimals(body.mesh(), body.version() == Versions.FIXED ? ROOM : OBJECT);
+    int decimals = decimals(body, divided, count);
     int[] index = new int[3 * count];
     Lists lists =
         new Lists(
@@ -133,6 +138,31 @@ final class TexelShapeWriter {
     if (to > from) {
       lines.next().append(key, from + 1, to);
     }
+  }
+
+  /** As few as leave every facet its area: a browser does not count one without. */
+  private int decimals(Body body, @Nullable List<Facet> divided, int count) {
+    double least = body.version() == Versions.FIXED ? ROOM : OBJECT;
+    int decimals = ShapeNumbers.decimals(body.mesh(), least);
+    for (int facet = 0; facet < count; facet++) {
+      Facet part = divided == null ? null : divided.get(facet);
+      while (decimals < MOST_DECIMALS && flat(body, part, facet, decimals)) {
+        decimals++;
+      }
+    }
+    return decimals;
+  }
+
+  private boolean flat(Body body, @Nullable Facet part, int facet, int decimals) {
+    double unit = DecimalText.unit(decimals);
+    float[] read = new float[9];
+    for (int i = 0; i < 3; i++) {
+      double[] local = corner(body, part, facet, i).local();
+      for (int axis = 0; axis < 3; axis++) {
+        read[3 * i + axis] = (float) (Math.rint(local[axis] * unit) / unit);
+      }
+    }
+    return !TriangleMath.hasArea(read, 0, 3, 6, FLAT * FLAT);
   }
 
   private static int decimals(int pixels) {
