@@ -130,7 +130,7 @@ public final class Solver {
 
   /** With what is still to come. */
   private Solution whole(Solution solution, RestOfLight rest) {
-    float[] indirect = rest.added();
+    float[] indirect = rest.added(solution.balances());
     float[] reflected = solution.reflected().clone();
     for (int i = 0; i < reflected.length; i++) {
       reflected[i] += (float) (rho[i] * (indirect[i] - solution.indirect()[i]) / Math.PI);
