@@ -221,32 +221,37 @@ study() {
   fi
 }
 
-# The window of a program whose title has a word, after some seconds: titled WORD SECONDS OUT COMMAND...
+# The window of a program whose title has a word, so many seconds later; where a key is to be pressed
+# then, as many again: titled WORD SECONDS KEY OUT COMMAND...
 titled() {
-  local word=$1 seconds=$2 file=$3
-  shift 3
+  local word=$1 seconds=$2 key=$3 file=$4
+  shift 4
   screen 1600x1200 bash -c '
-    word=$1 seconds=$2 file=$3
-    shift 3
+    word=$1 seconds=$2 key=$3 file=$4
+    shift 4
     "$@" >/dev/null 2>&1 &
     window=$(timeout 180 xdotool search --sync --onlyvisible --name "$word" | head -1)
     sleep "$seconds"
+    if [ -n "$key" ]; then
+      xdotool mousemove 800 600 key "$key"
+      sleep "$seconds"
+    fi
     import -window "$window" "$file"
     kill $!
-    wait $! || true' titled "$word" "$seconds" "$file" "$@"
+    wait $! || true' titled "$word" "$seconds" "$key" "$file" "$@"
 }
 
 sessionOperator() { # OUT
   study
-  titled 'Operator' 10 "$tmp/operator.png" "$program" experiment run "$tmp/study/study.json" \
+  titled 'Operator' 10 '' "$tmp/operator.png" "$program" experiment run "$tmp/study/study.json" \
     --participant 001 --unattended --operator --exposure 60
   small "$tmp/operator.png" "$1" -resize 896x
 }
 
 trial() { # OUT
   study
-  titled 'differs' 5 "$tmp/trial.png" "$program" experiment threshold "$tmp/study/pilot" --participant 001
-  small "$tmp/trial.png" "$1" -resize 900x
+  titled 'differs' 10 space "$tmp/trial.png" "$program" experiment threshold "$tmp/study/pilot" --participant 001
+  small "$tmp/trial.png" "$1" -gravity north -crop 100%x60%+0+200 +repage -resize 900x
 }
 
 take() { # NAME HOW
