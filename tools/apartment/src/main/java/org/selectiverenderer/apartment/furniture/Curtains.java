@@ -4,6 +4,7 @@ import org.joml.Vector3d;
 import org.selectiverenderer.apartment.looks.Looks;
 import org.selectiverenderer.geometry.Degrees;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Boxes;
 import org.selectiverenderer.modelling.Copies;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
@@ -31,10 +32,12 @@ final class Curtains {
     double middle = window / 2 + SILL + PANEL / 2;
     double rail = 2 * middle + PANEL + 0.05;
     TriangleMesh bar = Rounds.cylinder(0.011, rail, 6).turnZ(90).move(rail / 2, LENGTH, AWAY);
+    TriangleMesh bracket =
+        Boxes.plain(0.02, 0.03, AWAY).move(window / 2 + SILL / 2, LENGTH - 0.013, AWAY / 2);
     return ParametricModel.of(
         name,
         Part.of("cloth", Looks.LINEN, Copies.bothSides(panel().move(middle, 0, AWAY))).crease(180),
-        Part.of("rail", Looks.DARK_STEEL, bar));
+        Part.of("rail", Looks.DARK_STEEL, bar, Copies.bothSides(bracket)));
   }
 
   /** Folds that are wider at the hem than at the rail. */

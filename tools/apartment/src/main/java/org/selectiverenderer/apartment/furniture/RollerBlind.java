@@ -14,10 +14,10 @@ final class RollerBlind {
   private RollerBlind() {}
 
   static ParametricModel model() {
-    TriangleMesh roll = Rounds.cylinder(0.032, WIDTH, 8).turnZ(90).move(WIDTH / 2, 0.1, 0.04);
-    TriangleMesh cloth = Boxes.plain(WIDTH - 0.02, 0.1, 0.004).move(0, 0, 0.07);
-    TriangleMesh bar = Boxes.plain(WIDTH - 0.02, 0.018, 0.014).move(0, -0.018, 0.07);
-    TriangleMesh cord = Boxes.plain(0.005, 0.75, 0.005).move(WIDTH / 2 - 0.03, -0.66, 0.04);
+    TriangleMesh roll = Rounds.cylinder(0.032, WIDTH, 8).turnZ(90).move(WIDTH / 2, 0.1, 0.032);
+    TriangleMesh cloth = Boxes.plain(WIDTH - 0.02, 0.1, 0.004).move(0, 0, 0.062);
+    TriangleMesh bar = Boxes.plain(WIDTH - 0.02, 0.018, 0.014).move(0, -0.018, 0.062);
+    TriangleMesh cord = Boxes.plain(0.005, 0.75, 0.005).move(WIDTH / 2 - 0.03, -0.66, 0.032);
     return ParametricModel.of(
         "rollerBlind",
         Part.of("cloth", Looks.CREAM_CLOTH, roll, cloth),
