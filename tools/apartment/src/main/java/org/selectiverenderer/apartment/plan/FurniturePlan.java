@@ -122,7 +122,7 @@ public final class FurniturePlan {
         row(OFFICE, "filingCabinet", new Against(Side.EAST, -2.85, 0.02)),
         row(OFFICE, "meetingTable", new Floor(7.35, -1.95, 0)),
         row(OFFICE, "visitorChair", new Floor(7.25, -2.68, 6)),
-        again(OFFICE, "visitorChair", 2, new Floor(8.05, -1.75, -104)),
+        again(OFFICE, "visitorChair", 2, new Floor(8.13, -1.75, -104)),
         row(OFFICE, "officeRug", new Floor(4.75, -0.95, 0)),
         row(OFFICE, "rollerBlind", new Hung(Side.NORTH, 6.6, 1.61)));
   }
