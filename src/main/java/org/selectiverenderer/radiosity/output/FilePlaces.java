@@ -12,7 +12,7 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
  * The files that bodies are written to: one for each place of an Inline that holds some, and the
  * scene's own, by numbers in the order of their first bodies.
  */
-public final class FilePlaces {
+final class FilePlaces {
   /** What has no number: no body is in that file itself. */
   static final int NONE = -1;
 
@@ -29,7 +29,7 @@ public final class FilePlaces {
   }
 
   /** The files of a scene's bodies. */
-  public static FilePlaces of(LightScene scene) {
+  static FilePlaces of(LightScene scene) {
     return new FilePlaces(scene);
   }
 
@@ -51,7 +51,7 @@ public final class FilePlaces {
   }
 
   /** The number of the file of each body. */
-  public int[] ofBodies() {
+  int[] ofBodies() {
     return ofBody.clone();
   }
 
