@@ -12,9 +12,9 @@ import org.selectiverenderer.radiosity.work.WorkProgress;
 /**
  * Light from the lamps at every texel: what would arrive if nothing were in the way, in closed
  * form, times the share that reaches it. The share is found with many rays on every fourth texel of
- * every fourth row and with one ray in between; where all say the same, or the share changes slowly
- * and the single rays agree with that, it is interpolated; elsewhere each texel has rays of its
- * own.
+ * every fourth row and with one ray on every other texel in between; where all say the same, or the
+ * share changes slowly and the single rays agree with that, it is interpolated; elsewhere each
+ * texel has rays of its own.
  */
 final class DirectPass {
   private static final int GRID = 4;
@@ -134,11 +134,15 @@ final class DirectPass {
 
     void probe(int texel) {
       go(texel);
-      place.at(texel);
       int x = (texel - first) % map.width();
       int y = (texel - first) / map.width();
+      boolean onGrid = onGrid(x, y);
+      if (!onGrid && (x + y) % 2 != 0 && besideGrid(x, y)) {
+        return;
+      }
+      place.at(texel);
       double share;
-      if (onGrid(x, y)) {
+      if (onGrid) {
         share = shadow.share(place, number, texel + 7919 * number);
       } else {
         int cell = first + y / GRID * GRID * map.width() + x / GRID * GRID;
@@ -184,6 +188,13 @@ final class DirectPass {
               || in(x + GRID, y, chart)
               || in(x, y - GRID, chart)
               || in(x, y + GRID, chart));
+    }
+
+    /** Whether a texel's cell has one of the grid, so that every other single ray will do. */
+    private boolean besideGrid(int x, int y) {
+      int x0 = x / GRID * GRID;
+      int y0 = y / GRID * GRID;
+      return in(x0, y0, map.chart()[y * map.width() + x]) && onGrid(x0, y0);
     }
 
     /** Whether the rays of a texel of the grid are enough: no edge is near, or it had them all. */
@@ -258,7 +269,7 @@ final class DirectPass {
         }
       }
       double error = Math.sqrt(interpolated * (1 - interpolated) / Math.max(1, count));
-      return count > 8 && Math.abs(sum / count - interpolated) < AGREES * error + SAME;
+      return count >= ENOUGH && Math.abs(sum / count - interpolated) < AGREES * error + SAME;
     }
 
     /** Likewise without any texel of the grid: the single rays must be all that is needed. */
