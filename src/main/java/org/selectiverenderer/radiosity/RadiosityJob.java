@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.files.NotWritten;
@@ -151,24 +152,33 @@ public record RadiosityJob(
       Work work, WorkProgress progress, BiConsumer<EnergyBalance, Double> iterations)
       throws IOException, UnlitSceneException {
     double unit = work.loaded().scene().unitLength();
-    PreviewPicture picture = new PreviewPicture(work.light(), PreviewCamera.of(work.tree(), unit));
+    PreviewPicture picture =
+        preview == null
+            ? null
+            : new PreviewPicture(work.light(), PreviewCamera.of(work.tree(), unit));
     Consumer<Solution> each =
         solution -> {
           iterations.accept(solution.last(), settings.quality());
-          show(picture.of(solution, settings.exposure()));
+          show(picture, shown -> shown.of(solution, settings.exposure()));
         };
     if (!settings.store().inTextures()) {
       TextureNotes.atVertices(work.light(), work.problems());
       LitScene lit = new Radiosity(settings, progress).light(work.light(), each);
-      show(picture.of(lit));
+      show(picture, shown -> shown.of(lit));
       int files = write(work, new VertexForm(lit), progress, "colours").texts();
       return report(work, lit, lit.facets().vertices(), files, null);
     }
     TextureNotes.inPictures(work.light(), work.problems());
     TexelScene lit =
         new TexelRadiosity(settings, progress, work.problems())
-            .light(work.light(), TexelForm.files(work.light()), each);
-    show(picture.of(lit.pages(), lit.curve()));
+            .light(
+                work.light(),
+                TexelForm.files(work.light()),
+                each,
+                picture == null
+                    ? null
+                    : (pages, curve) -> show(picture, shown -> shown.of(pages, curve)));
+    show(picture, shown -> shown.of(lit.pages(), lit.curve()));
     LightPictures painted = LightPictures.of(lit);
     LampFit lamps = new LampFit(lit.curve(), settings.photometric(), unit);
     TexelForm form = new TexelForm(lit, painted, lamps, settings.store().highlights());
@@ -239,10 +249,10 @@ public record RadiosityJob(
   /**
    * Over the last one, in its place: it is looked at and thrown away, so the disk need not have it.
    */
-  private void show(byte[] png) {
-    if (preview != null) {
+  private void show(@Nullable PreviewPicture picture, Function<PreviewPicture, byte[]> png) {
+    if (preview != null && picture != null) {
       try {
-        Files.write(preview, png);
+        Files.write(preview, png.apply(picture));
       } catch (IOException e) {
         throw new UncheckedIOException(NotWritten.named(preview, e));
       }

@@ -3,7 +3,9 @@ package org.selectiverenderer.radiosity;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.AtlasMaker;
@@ -45,6 +47,20 @@ final class TexelRadiosity {
    */
   TexelScene light(LightScene scene, int[] fileOf, Consumer<Solution> each)
       throws UnlitSceneException {
+    return light(scene, fileOf, each, null);
+  }
+
+  /**
+   * Likewise.
+   *
+   * @param rough hears what there is at texels before light from surfaces is gathered, or null
+   */
+  TexelScene light(
+      LightScene scene,
+      int[] fileOf,
+      Consumer<Solution> each,
+      @Nullable BiConsumer<LightPages, ToneCurve> rough)
+      throws UnlitSceneException {
     MeshPlan plan = MeshPlan.of(scene, settings);
     Iterations.checkMemory(scene, plan);
     Map<Integer, List<Facet>> divided = divided(scene, plan);
@@ -53,10 +69,13 @@ final class TexelRadiosity {
     Solution solution = iterations.solution();
     TexelGatherer.Effort effort =
         TexelGatherer.Effort.of(settings.rays(), settings.regather(), settings.seed());
+    ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
     LightPages pages =
         new TexelGatherer(scene, solution, atlas, effort)
-            .gather(SharedTexels.find(scene, atlas, progress), progress);
-    ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
+            .gather(
+                SharedTexels.find(scene, atlas, progress),
+                progress,
+                rough == null ? null : light -> rough.accept(light, curve));
     return new TexelScene(scene, pages, divided, solution, curve, iterations.rays() + pages.rays());
   }
 

@@ -7,10 +7,12 @@ import static org.selectiverenderer.radiosity.SmallScene.quad;
 import static org.selectiverenderer.radiosity.SmallScene.room;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
@@ -161,6 +163,38 @@ class LightPicturesJobTest {
     assertThat(pictures.files()).isEqualTo(1);
     assertThat(pictures.bytes()).isEqualTo(Files.size(scenes.resolve("room-lit-light.png")));
     assertThat(pictures.leastPerMetre()).isBetween(7.0, 50.0);
+  }
+
+  @Test
+  void thePreviewShowsLightAtTexelsBeforeAllOfItIsGathered() throws Exception {
+    RadiosityJob job =
+        job("<Viewpoint position='2 2 3.9'/>" + room(0, 0, 0, 4, GREY) + LAMP, QUICK);
+    Path preview = folder.resolve("p.png");
+    List<byte[]> shown = Collections.synchronizedList(new ArrayList<>());
+    WorkProgress watching =
+        new WorkProgress() {
+          @Override
+          public void at(Stage stage, double share) {
+            if (stage == Stage.TEXELS) {
+              try {
+                shown.add(Files.readAllBytes(preview));
+              } catch (IOException e) {
+                throw new UncheckedIOException(e);
+              }
+            }
+          }
+
+          @Override
+          public boolean cancelled() {
+            return false;
+          }
+        };
+    new RadiosityJob(job.scene(), job.output(), job.inlines(), preview, QUICK)
+        .run(problems, watching, (balance, quality) -> {});
+    assertThat(shown.get(0)).as("by patches").isNotEqualTo(shown.get(shown.size() - 1));
+    assertThat(Files.readAllBytes(preview))
+        .as("with all light")
+        .isNotEqualTo(shown.get(shown.size() - 1));
   }
 
   @Test

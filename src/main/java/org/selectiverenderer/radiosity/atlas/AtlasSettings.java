@@ -5,9 +5,9 @@ import java.util.OptionalDouble;
 /**
  * How fine the light of a scene is stored.
  *
- * @param texelsPerMetre of surfaces as large as a room's; smaller bodies get more, up to six times
- *     as many, since their shadows are smaller. Empty for the default, which is lowered evenly
- *     until the budget is kept
+ * @param texelsPerMetre of surfaces as large as a room's; smaller bodies get more, up to three
+ *     times as many, since their shadows are smaller. Empty for the default, which is lowered
+ *     evenly until the budget is kept
  * @param budgetBytes of all pages, at {@link #BYTES_PER_TEXEL}; the files are smaller
  * @param largestPage the longest side of a page, texels
  */

@@ -10,14 +10,14 @@ import org.selectiverenderer.radiosity.scene.LightScene;
  */
 final class Density {
   /** Of surfaces as large as a room's, texels per metre. */
-  private static final double ROOM = 50;
+  private static final double ROOM = 40;
 
   /** As large as a room is, metres. */
   private static final double ROOM_SIZE = 4;
 
-  private static final double GROWTH = 0.55;
+  private static final double GROWTH = 0.4;
   private static final double LEAST = 0.8;
-  private static final double MOST = 6;
+  private static final double MOST = 3;
 
   /** Scenes of this extent have rooms of that size, metres. */
   private static final double LARGE_SCENE = 60;

@@ -12,9 +12,10 @@ import org.selectiverenderer.radiosity.work.WorkProgress;
 /**
  * Light from the lamps at every texel: what would arrive if nothing were in the way, in closed
  * form, times the share that reaches it. The share is found with many rays on every fourth texel of
- * every fourth row and with one ray in between; where all say the same, or the share changes slowly
- * and the single rays agree with that, it is interpolated; elsewhere each texel has rays of its
- * own.
+ * every fourth row and with one ray on every other texel in between; where all say the same, or the
+ * share changes slowly and the single rays agree with that, it is interpolated; elsewhere each
+ * texel has rays of its own, few of them in half-shadows, whose noise is evened out with the texels
+ * beside that have about the same share.
  */
 final class DirectPass {
   private static final int GRID = 4;
@@ -34,6 +35,9 @@ final class DirectPass {
   /** A share that changes by more over a cell is not interpolated. */
   private static final double STEEP = 0.12;
 
+  /** Shares of texels side by side that differ by less do so by their noise, not by an edge. */
+  private static final double ALIKE = 0.2;
+
   /** How far the mean of single rays may be from what is interpolated, in standard errors. */
   private static final double AGREES = 2.5;
 
@@ -42,6 +46,10 @@ final class DirectPass {
   private final Texels texels;
   private final LampShadow.Points points;
   private final char[] shares;
+
+  /** What has been found for each texel, before half-shadows are evened out. */
+  private final char[] found;
+
   private final float[] light;
   private final LongAdder rays = new LongAdder();
 
@@ -51,6 +59,7 @@ final class DirectPass {
     this.texels = texels;
     points = LampShadow.Points.of(most, seed);
     shares = new char[texels.count()];
+    found = new char[texels.count()];
     light = new float[3 * texels.count()];
   }
 
@@ -65,6 +74,7 @@ final class DirectPass {
     for (int i = 0; i < lamps; i++) {
       int lamp = i;
       java.util.Arrays.fill(shares, UNKNOWN);
+      java.util.Arrays.fill(found, UNKNOWN);
       boolean whole =
           each(tiles, lamp, progress, share -> {}, worker -> worker::probe)
               && each(
@@ -72,7 +82,9 @@ final class DirectPass {
                   lamp,
                   progress,
                   share -> done.accept((lamp + share) / lamps),
-                  worker -> worker::add);
+                  worker -> worker::find)
+              && (scene.lamps().get(lamp).hard()
+                  || each(tiles, lamp, progress, share -> {}, worker -> worker::even));
       if (!whole) {
         return null;
       }
@@ -134,11 +146,15 @@ final class DirectPass {
 
     void probe(int texel) {
       go(texel);
-      place.at(texel);
       int x = (texel - first) % map.width();
       int y = (texel - first) / map.width();
+      boolean onGrid = onGrid(x, y);
+      if (!onGrid && (x + y) % 2 != 0 && besideGrid(x, y)) {
+        return;
+      }
+      place.at(texel);
       double share;
-      if (onGrid(x, y)) {
+      if (onGrid) {
         share = shadow.share(place, number, texel + 7919 * number);
       } else {
         int cell = first + y / GRID * GRID * map.width() + x / GRID * GRID;
@@ -149,7 +165,8 @@ final class DirectPass {
           share == LampShadow.NOTHING ? DARK : (char) Math.round(WHOLE * Math.min(1, share));
     }
 
-    void add(int texel) {
+    /** Finds the share and adds its light, unless that is to be evened out first. */
+    void find(int texel) {
       go(texel);
       int x = (texel - first) % map.width();
       int y = (texel - first) / map.width();
@@ -170,9 +187,46 @@ final class DirectPass {
       } else {
         share = Math.max(0, shadow.small(place, number, texel + 7919 * number));
       }
+      found[texel] = (char) Math.round(WHOLE * Math.min(1, share));
+      if (lamp.hard() || !mixed(found[texel])) {
+        add(texel, share);
+      }
+    }
+
+    private void add(int texel, double share) {
       for (int c = 0; c < 3; c++) {
         light[3 * texel + c] += (float) (share * open[c]);
       }
+    }
+
+    private static boolean mixed(char share) {
+      return share >= SAME * WHOLE && share <= (1 - SAME) * WHOLE;
+    }
+
+    /** In a half-shadow, takes the mean over the texels around that have about the same share. */
+    void even(int texel) {
+      char own = found[texel];
+      if (own >= DARK || !mixed(own)) {
+        return;
+      }
+      go(texel);
+      int x = (texel - first) % map.width();
+      int y = (texel - first) / map.width();
+      int chart = map.chart()[texel - first];
+      double sum = 0;
+      int count = 0;
+      for (int ny = y - 1; ny <= y + 1; ny++) {
+        for (int nx = x - 1; nx <= x + 1; nx++) {
+          char share = in(nx, ny, chart) ? found[first + ny * map.width() + nx] : UNKNOWN;
+          if (share < DARK && Math.abs(share - own) <= ALIKE * WHOLE) {
+            sum += share;
+            count++;
+          }
+        }
+      }
+      place.at(texel);
+      lamp.unshadowed(place.point, place.normal, open);
+      add(texel, sum / count / WHOLE);
     }
 
     /** Whether a texel is one of the grid, with others of it in its chart. */
@@ -184,6 +238,13 @@ final class DirectPass {
               || in(x + GRID, y, chart)
               || in(x, y - GRID, chart)
               || in(x, y + GRID, chart));
+    }
+
+    /** Whether a texel's cell has one of the grid, so that every other single ray will do. */
+    private boolean besideGrid(int x, int y) {
+      int x0 = x / GRID * GRID;
+      int y0 = y / GRID * GRID;
+      return in(x0, y0, map.chart()[y * map.width() + x]) && onGrid(x0, y0);
     }
 
     /** Whether the rays of a texel of the grid are enough: no edge is near, or it had them all. */
@@ -258,7 +319,7 @@ final class DirectPass {
         }
       }
       double error = Math.sqrt(interpolated * (1 - interpolated) / Math.max(1, count));
-      return count > 8 && Math.abs(sum / count - interpolated) < AGREES * error + SAME;
+      return count >= ENOUGH && Math.abs(sum / count - interpolated) < AGREES * error + SAME;
     }
 
     /** Likewise without any texel of the grid: the single rays must be all that is needed. */

@@ -38,7 +38,7 @@ final class IndirectPass {
   private static final int SHARED = 6;
 
   /** So many times the rays at most, where they are noisy. */
-  private static final int MOST_TIMES = 3;
+  private static final int MOST_TIMES = 2;
 
   private final LightScene scene;
   private final Solution solution;

@@ -59,9 +59,14 @@ final class LampShadow {
     return share(place, lamp, hard[lamp] ? 4 : 16, points.most(), turn);
   }
 
-  /** The share where an edge may be: of a hard shadow's all rays are needed to place it. */
+  /**
+   * The share where an edge may be. Of a hard shadow's all rays are needed to place it; a soft
+   * one's is taken together with those of the texels around.
+   */
   double edge(TexelPlace place, int lamp, int turn) {
-    return share(place, lamp, hard[lamp] ? points.most() : 16, points.most(), turn);
+    return hard[lamp]
+        ? share(place, lamp, points.most(), points.most(), turn)
+        : share(place, lamp, points.most() / 8, points.most() / 4, turn);
   }
 
   /** The share on a piece of few texels, on which little of a half-shadow can be seen. */

@@ -94,71 +94,80 @@ final class TriangleTree {
     }
     int[] stack = ray.stack;
     double[] entered = ray.entered;
+    double ox = ray.ox;
+    double oy = ray.oy;
+    double oz = ray.oz;
     double ix = 1 / ray.dx;
     double iy = 1 / ray.dy;
     double iz = 1 / ray.dz;
+    double most = ray.length + touch;
     double light = 1;
     int size = 1;
     stack[0] = 0;
-    entered[0] = enter(0, ray, ix, iy, iz);
+    entered[0] = enter(0, ox, oy, oz, ix, iy, iz, most);
     while (size > 0) {
       int node = stack[--size];
-      if (!(entered[size] <= ray.length + touch)) {
+      if (!(entered[size] <= most)) {
         continue;
       }
       int items = count[node];
-      if (items > 0) {
-        for (int i = first[node]; i < first[node] + items; i++) {
-          if (shadow) {
-            double passed = through(i, ray, without);
-            light *= passed;
-            if (light < DARK) {
-              if (passed == 0) {
-                ray.blocker = i;
-                ray.blockerTree = this;
-              }
-              return 0;
-            }
-          } else {
-            test(i, ray, without);
-          }
+      // Down to the nearest leaf; what is farther waits.
+      while (items == 0) {
+        int near = first[node];
+        int far = near + 1;
+        double toNear = enter(6 * near, ox, oy, oz, ix, iy, iz, most);
+        double toFar = enter(6 * far, ox, oy, oz, ix, iy, iz, most);
+        if (toFar < toNear) {
+          near = far;
+          far = first[node];
+          double swap = toNear;
+          toNear = toFar;
+          toFar = swap;
         }
-        continue;
+        if (toNear <= most) {
+          if (toFar <= most) {
+            entered[size] = toFar;
+            stack[size++] = far;
+          }
+          node = near;
+        } else if (toFar <= most) {
+          node = far;
+        } else {
+          break;
+        }
+        items = count[node];
       }
-      int near = first[node];
-      int far = near + 1;
-      double toNear = enter(near, ray, ix, iy, iz);
-      double toFar = enter(far, ray, ix, iy, iz);
-      if (toFar < toNear) {
-        near = far;
-        far = first[node];
-        double swap = toNear;
-        toNear = toFar;
-        toFar = swap;
-      }
-      if (toFar <= ray.length + touch) {
-        entered[size] = toFar;
-        stack[size++] = far;
-      }
-      if (toNear <= ray.length + touch) {
-        entered[size] = toNear;
-        stack[size++] = near;
+      for (int i = first[node]; i < first[node] + items; i++) {
+        if (shadow) {
+          double passed = through(i, ray, without);
+          light *= passed;
+          if (light < DARK) {
+            if (passed == 0) {
+              ray.blocker = i;
+              ray.blockerTree = this;
+            }
+            return 0;
+          }
+        } else {
+          test(i, ray, without);
+          most = ray.length + touch;
+        }
       }
     }
     return light;
   }
 
-  /** Where the ray enters a node's box (Kay and Kajiya 1986); NaN when it misses. */
-  private double enter(int node, Ray ray, double ix, double iy, double iz) {
-    int at = 6 * node;
-    double x0 = (boxes[at] - ray.ox) * ix;
-    double x1 = (boxes[at + 3] - ray.ox) * ix;
-    double y0 = (boxes[at + 1] - ray.oy) * iy;
-    double y1 = (boxes[at + 4] - ray.oy) * iy;
-    double z0 = (boxes[at + 2] - ray.oz) * iz;
-    double z1 = (boxes[at + 5] - ray.oz) * iz;
+  /** Where a ray enters a node's box (Kay and Kajiya 1986); NaN when it misses. */
+  private double enter(
+      int at, double ox, double oy, double oz, double ix, double iy, double iz, double most) {
+    double x0 = (boxes[at] - ox) * ix;
+    double x1 = (boxes[at + 3] - ox) * ix;
+    double y0 = (boxes[at + 1] - oy) * iy;
+    double y1 = (boxes[at + 4] - oy) * iy;
+    double z0 = (boxes[at + 2] - oz) * iz;
+    double z1 = (boxes[at + 5] - oz) * iz;
     double from = 0;
-    double to = ray.length + touch;
+    double to = most;
     // Comparisons, not Math.min: a ray parallel to a slab and on its border gives NaN, which
     // they pass over.
     double low = x0 < x1 ? x0 : x1;

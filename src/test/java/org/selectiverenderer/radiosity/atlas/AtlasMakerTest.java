@@ -34,11 +34,11 @@ class AtlasMakerTest {
     Atlas atlas = checked(PLANE);
     assertThat(AtlasLaws.charts(atlas)).isEqualTo(1);
     TexelMap map = atlas.pages().get(0);
-    // 50 texels a metre of what is 4 m large, 2 to the power of 0.55 as many for half of that.
+    // 40 texels a metre of what is 4 m large, 2 to the power of 0.4 as many for half of that.
     long used = java.util.stream.IntStream.of(map.chart()).filter(c -> c >= 0).count();
-    assertThat(used).isEqualTo(147L * 147);
-    assertThat(map.width()).isEqualTo(152);
-    assertThat(map.height()).isEqualTo(152);
+    assertThat(used).isEqualTo(106L * 106);
+    assertThat(map.width()).isEqualTo(112);
+    assertThat(map.height()).isEqualTo(112);
   }
 
   @Test
@@ -131,8 +131,8 @@ class AtlasMakerTest {
                 SmallScene.quad("0 0 0, 0 0 4, 4 0 4, 4 0 0", "")
                     + Shapes.shape("<Box size='0.1 0.1 0.1'/>")));
     double[] densities = Density.of(scene, AtlasSettings.DEFAULT);
-    assertThat(densities[0]).isEqualTo(50);
-    assertThat(densities[1]).isEqualTo(300);
+    assertThat(densities[0]).isEqualTo(40);
+    assertThat(densities[1]).isEqualTo(120);
   }
 
   @Test
