@@ -72,7 +72,7 @@ public final class ChildStarter {
       ended = process.waitFor(probe.limit().toMillis(), TimeUnit.MILLISECONDS);
     } finally {
       process.descendants().forEach(ProcessHandle::destroyForcibly);
-      process.destroyForcibly();
+      process.toHandle().destroyForcibly(); // The process itself would drop what is still unread.
     }
     reader.join(LAST_WORDS_MS);
     List<Diagnosis> lines = output.lines();
