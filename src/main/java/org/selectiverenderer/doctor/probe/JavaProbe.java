@@ -3,6 +3,7 @@ package org.selectiverenderer.doctor.probe;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.doctor.Diagnosis;
@@ -45,6 +46,9 @@ final class JavaProbe {
             .findFirst();
     if (archive.filter(Files::isReadable).isPresent()) {
       found.accept(Diagnosis.ok("class archive", archive.get().toString()));
+    } else if (archive.isEmpty() && !launcherMakesOne()) {
+      found.accept(
+          Diagnosis.ok("class archive", "none, as the launcher of this system makes none"));
     } else {
       found.accept(
           Diagnosis.warning(
@@ -53,5 +57,11 @@ final class JavaProbe {
               "commands start more slowly: begin the program by its launcher, and let it write to its"
                   + " folder target"));
     }
+  }
+
+  /** Only the script for Linux and macOS does: not that for Windows, nor a bundle's. */
+  private static boolean launcherMakesOne() {
+    return System.getProperty("jpackage.app-path") == null
+        && !System.getProperty("os.name", "").toLowerCase(Locale.ROOT).startsWith("windows");
   }
 }
