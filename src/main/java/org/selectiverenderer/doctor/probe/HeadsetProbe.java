@@ -1,5 +1,6 @@
 package org.selectiverenderer.doctor.probe;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -14,7 +15,7 @@ final class HeadsetProbe {
   private HeadsetProbe() {}
 
   static void run(Consumer<Diagnosis> found) {
-    String manifest = manifest().map(file -> "; set up by " + file).orElse("");
+    String manifest = manifest().map(HeadsetProbe::text).orElse("");
     try (XrSearch search = XrSearch.begin()) {
       found.accept(
           Diagnosis.ok(
@@ -28,6 +29,12 @@ final class HeadsetProbe {
     } catch (HeadsetUnavailableException e) {
       found.accept(Diagnosis.missing("OpenXR", e.getMessage() + manifest, ""));
     }
+  }
+
+  static String text(Path manifest) {
+    return Files.exists(manifest)
+        ? "; set up by " + manifest
+        : "; XR_RUNTIME_JSON names " + manifest + ", which is not there";
   }
 
   /** On Windows the registry names it, on macOS there is none. */

@@ -70,6 +70,14 @@ class HereProbesTest {
   }
 
   @Test
+  void aRuntimesFileThatIsNotThereIsToldOf() throws IOException {
+    Path file = folder.resolve("runtime.json");
+    assertThat(HeadsetProbe.text(file))
+        .isEqualTo("; XR_RUNTIME_JSON names " + file + ", which is not there");
+    assertThat(HeadsetProbe.text(Files.writeString(file, "{}"))).isEqualTo("; set up by " + file);
+  }
+
+  @Test
   void portsAreAskedOnlyWhenTheUserWantsIt() {
     assertThat(Probes.all(false)).extracting(Probe::name).doesNotContain("tracker");
     assertThat(Probes.all(true))
