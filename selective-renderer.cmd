@@ -58,6 +58,7 @@ set "SR_LIGHT=-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xms64m -Xmn32m"
 if /i "%~1"=="run" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="simulate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="validate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
+if /i "%~1"=="doctor" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="radiosity" set "SR_FLAGS=%SR_FLAGS% -Xmx1200m"
 if /i "%~1"=="bench" set "SR_FLAGS=%SR_FLAGS% -Dselective-renderer.run-flags=%SR_LIGHT: =,%"
 rem What is typed is in no block either: a file may be called room(1).x3d.

@@ -20,6 +20,7 @@ import org.selectiverenderer.cli.experiment.ExperimentCommand;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.view.BenchCommand;
+import org.selectiverenderer.cli.view.DoctorCommand;
 import org.selectiverenderer.cli.view.RunCommand;
 import org.selectiverenderer.cli.view.SaiCommand;
 import org.selectiverenderer.cli.view.SimulateCommand;
@@ -46,6 +47,7 @@ final class CommandCatalogue {
           "apartment",
           "radiosity",
           "bench",
+          "doctor",
           "sai");
 
   /** All commands. */
@@ -86,6 +88,7 @@ final class CommandCatalogue {
           case "apartment" -> new ApartmentCommand(console);
           case "radiosity" -> new RadiosityCommand(console);
           case "bench" -> new BenchCommand(console, Main.class.getName());
+          case "doctor" -> new DoctorCommand(console, Main.class.getName());
           case "sai" -> new SaiCommand(console, System.in);
           default -> null;
         });

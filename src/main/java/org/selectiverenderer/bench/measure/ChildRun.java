@@ -2,13 +2,13 @@ package org.selectiverenderer.bench.measure;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.machine.ProgramCommand;
 import org.selectiverenderer.bench.BenchScene;
 
 /**
@@ -87,15 +87,11 @@ record ChildRun(String mainClass, int runs) {
   }
 
   private List<String> command(Path scene, List<String> options, Path stats) {
-    List<String> command = new ArrayList<>();
-    command.add(ProcessHandle.current().info().command().orElse("java"));
-    command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
+    List<String> arguments = new ArrayList<>(List.of("run", scene.toString(), "--offscreen"));
+    arguments.addAll(options);
+    arguments.addAll(List.of("--stats", stats.toString()));
     String flags = System.getProperty(FLAGS, "");
-    command.addAll(flags.isEmpty() ? List.of() : List.of(flags.split(",")));
-    command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
-    command.addAll(List.of("run", scene.toString(), "--offscreen"));
-    command.addAll(options);
-    command.addAll(List.of("--stats", stats.toString()));
-    return command;
+    return ProgramCommand.of(
+        mainClass, flags.isEmpty() ? List.of() : List.of(flags.split(",")), arguments);
   }
 }

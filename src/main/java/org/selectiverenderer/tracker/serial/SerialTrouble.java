@@ -7,6 +7,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermission;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -54,6 +55,18 @@ final class SerialTrouble {
         + ")";
   }
 
+  /** For a port whose file this user may not read and write; empty for others. */
+  static Optional<String> denied(String port) {
+    try {
+      Path device = Path.of(port);
+      return Files.exists(device) && !(Files.isReadable(device) && Files.isWritable(device))
+          ? Optional.of(denied(port, device))
+          : Optional.empty();
+    } catch (InvalidPathException e) {
+      return Optional.empty(); // A name such as \\.\COM12, which has no permissions.
+    }
+  }
+
   private static String refused(String port, Path device, int code) {
     if (!Files.isReadable(device) || !Files.isWritable(device)) {
       return denied(port, device);
@@ -75,16 +88,16 @@ final class SerialTrouble {
       return may.contains(PosixFilePermission.GROUP_READ)
               && may.contains(PosixFilePermission.GROUP_WRITE)
           ? denied(port, attributes.group().getName())
-          : denied(port)
+          : unusable(port)
               + ": only its owner, "
               + attributes.owner().getName()
               + ", has permission to use it";
     } catch (IOException | UnsupportedOperationException e) {
-      return denied(port); // Not a POSIX system, or the device has just gone.
+      return unusable(port); // Not a POSIX system, or the device has just gone.
     }
   }
 
-  private static String denied(String port) {
+  private static String unusable(String port) {
     return "permission denied for the serial port " + port;
   }
 
@@ -94,7 +107,7 @@ final class SerialTrouble {
    * @param group that may
    */
   static String denied(String port, String group) {
-    return denied(port)
+    return unusable(port)
         + ": join the group "
         + group
         + " (sudo usermod -aG "

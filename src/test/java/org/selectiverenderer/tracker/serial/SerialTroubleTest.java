@@ -67,8 +67,17 @@ class SerialTroubleTest {
     assumeTrue(!Files.isReadable(file), "the administrator may read everything");
     assertThat(SerialTrouble.refused(file.toString(), 13))
         .contains("permission denied for the serial port " + file + ": join the group ");
+    assertThat(SerialPorts.denied(file.toString()))
+        .hasValueSatisfying(sentence -> assertThat(sentence).contains(": join the group "));
     Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("---------"));
     assertThat(SerialTrouble.refused(file.toString(), 13)).contains(": only its owner, ");
+  }
+
+  @Test
+  void whoMayIsToldNothing() throws IOException {
+    Path file = Files.writeString(folder.resolve("ttyS9"), "");
+    assertThat(SerialPorts.denied(file.toString())).isEmpty();
+    assertThat(SerialPorts.denied("\\\\.\\COM12\0")).isEmpty();
   }
 
   private static void open(Path port) throws IOException {

@@ -1,12 +1,20 @@
 package org.selectiverenderer.runtime.render.context;
 
 import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GLProfile;
+import com.jogamp.opengl.JoglVersion;
 
 /** What draws: the strings of the current context. */
 public record GlInfo(String vendor, String renderer, String version) {
   public static GlInfo of(GL gl) {
     return new GlInfo(
         string(gl, GL.GL_VENDOR), string(gl, GL.GL_RENDERER), string(gl, GL.GL_VERSION));
+  }
+
+  /** The version of JOGL, by which the program calls OpenGL; loads its native parts. */
+  public static String binding() {
+    GLProfile.initSingleton();
+    return JoglVersion.getInstance().getImplementationVersion();
   }
 
   /** Whether a processor draws, without a graphics card. */

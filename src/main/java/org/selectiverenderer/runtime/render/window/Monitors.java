@@ -17,7 +17,12 @@ public final class Monitors {
 
   /** All monitors, in the order of their screens, from left to right, from top to bottom. */
   public static List<Monitor> all() {
-    List<Monitor> monitors = new ArrayList<>();
+    return modes().stream().map(MonitorMode::monitor).toList();
+  }
+
+  /** How each of them is driven, in the same order. */
+  public static List<MonitorMode> modes() {
+    List<MonitorMode> monitors = new ArrayList<>();
     Display display = NewtFactory.createDisplay(null);
     int screens = 1;
     for (int index = 0; index < screens; index++) {
@@ -31,7 +36,7 @@ public final class Monitors {
         }
         for (MonitorDevice device : screen.getMonitorDevices()) {
           RectangleImmutable at = device.getViewportInWindowUnits();
-          monitors.add(
+          Monitor monitor =
               new Monitor(
                   index,
                   device.getId(),
@@ -39,17 +44,25 @@ public final class Monitors {
                   at.getX(),
                   at.getY(),
                   at.getWidth(),
-                  at.getHeight()));
+                  at.getHeight());
+          monitors.add(
+              new MonitorMode(monitor, device.getCurrentMode().getRefreshRate(), scale(device)));
         }
       } finally {
         screen.removeReference();
       }
     }
     monitors.sort(
-        Comparator.comparingInt(Monitor::screen)
-            .thenComparingInt(Monitor::x)
-            .thenComparingInt(Monitor::y));
+        Comparator.comparing(
+            MonitorMode::monitor,
+            Comparator.comparingInt(Monitor::screen)
+                .thenComparingInt(Monitor::x)
+                .thenComparingInt(Monitor::y)));
     return monitors;
+  }
+
+  private static float scale(MonitorDevice device) {
+    return device.getPixelScale(new float[2])[0];
   }
 
   /** NEWT asks for no number of screens, and of one that is not there it answers nonsense. */

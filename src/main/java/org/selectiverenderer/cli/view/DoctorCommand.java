@@ -1,0 +1,102 @@
+package org.selectiverenderer.cli.view;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.option.FormatOption;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.doctor.Diagnosis;
+import org.selectiverenderer.doctor.Probe;
+import org.selectiverenderer.doctor.probe.Probes;
+import org.selectiverenderer.doctor.report.DoctorReport;
+import org.selectiverenderer.doctor.run.ChildStarter;
+import org.selectiverenderer.doctor.run.Doctor;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+@Command(
+    name = "doctor",
+    description = {
+      "Says what this machine has and lacks: Java, display, OpenGL and its speed, headset, serial ports,"
+          + " sound.",
+      "Put its lines into a report of a fault."
+    },
+    footer = {
+      "  ./selective-renderer doctor",
+      "  ./selective-renderer doctor --format json > machine.json"
+    })
+public final class DoctorCommand extends CliCommand {
+  private static final String ONE = "--probe";
+
+  @Mixin private FormatOption format = new FormatOption();
+
+  @Option(
+      names = "--ask-ports",
+      description =
+          "sends the commands of an InterTrax2 to every serial port, to find one; what else hangs there"
+              + " gets them too")
+  private boolean askPorts;
+
+  @Option(
+      names = ONE,
+      hidden = true,
+      description = "makes one probe, for the process that began it")
+  private @Nullable String one;
+
+  private final String program;
+
+  /**
+   * @param program the name of the class that probes in processes of their own run
+   */
+  public DoctorCommand(Console console, String program) {
+    super(console);
+    this.program = program;
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    try {
+      return one == null ? examine() : answer(one);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw CommandFailure.environment("interrupted");
+    }
+  }
+
+  private ExitStatus examine() throws IOException, InterruptedException {
+    List<String> arguments =
+        askPorts ? List.of("doctor", "--ask-ports", ONE) : List.of("doctor", ONE);
+    Doctor doctor =
+        new Doctor(ChildStarter.of(program, arguments), System.getProperty("user.home", ""));
+    String version = ProgramVersion.number();
+    List<Diagnosis> lines = new ArrayList<>();
+    lines.add(Diagnosis.ok("program", ProgramVersion.PROGRAM + " " + version));
+    lines.addAll(doctor.examine(Probes.all(askPorts)));
+    DoctorReport report = new DoctorReport(version, lines);
+    console().out().print(format.json() ? report.json() : report.text());
+    console().message("doctor: " + report.summary());
+    return report.healthy() ? ExitStatus.DONE : ExitStatus.PROBLEMS;
+  }
+
+  private ExitStatus answer(String name) throws InterruptedException {
+    Probe probe =
+        Probes.all(askPorts).stream()
+            .filter(each -> each.name().equals(name))
+            .findFirst()
+            .orElseThrow(() -> CommandFailure.usage(ONE + ": there is no probe " + name));
+    Doctor.look(probe, this::send);
+    return ExitStatus.DONE;
+  }
+
+  /** At once: the next thing that is asked may end the process. */
+  private void send(Diagnosis line) {
+    console().out().println(ChildStarter.MARK + line.json());
+    console().out().flush();
+  }
+}

@@ -1,0 +1,42 @@
+package org.selectiverenderer.doctor.probe;
+
+import java.time.Duration;
+import java.util.List;
+import org.selectiverenderer.doctor.Probe;
+import org.selectiverenderer.doctor.Probe.Place;
+
+/** All probes, in the order of the report. */
+public final class Probes {
+  private static final Duration SHORT = Duration.ofSeconds(20);
+
+  /** Java and a driver begin within seconds; on a busy machine within more. */
+  private static final Duration LONG = Duration.ofSeconds(60);
+
+  private Probes() {}
+
+  /**
+   * @param askPorts whether serial ports are asked for a tracker, by commands that other devices
+   *     get too
+   */
+  public static List<Probe> all(boolean askPorts) {
+    return List.of(
+        new Probe("java", "Java", true, Place.HERE, SHORT, JavaProbe::run),
+        new Probe("archive", "class archive", false, Place.HERE, SHORT, JavaProbe::archive),
+        new Probe("system", "system", true, Place.HERE, SHORT, SystemProbe::run),
+        new Probe("language", "language", true, Place.HERE, SHORT, SystemProbe::language),
+        new Probe("places", "places to write", true, Place.HERE, SHORT, PlacesProbe::run),
+        new Probe("display", "display", true, Place.APART, LONG, DisplayProbe::run),
+        new Probe("opengl", "OpenGL", true, Place.APART, LONG, DrawingProbe::run),
+        new Probe("speed", "drawing speed", true, Place.ALONE, LONG, DrawingProbe::speed),
+        new Probe("stereo", "stereo buffers", false, Place.APART, LONG, DrawingProbe::stereo),
+        new Probe("windows", "Java's windows", true, Place.APART, LONG, WindowsProbe::run),
+        new Probe("fonts", "fonts", true, Place.APART, LONG, WindowsProbe::fonts),
+        new Probe("openxr", "OpenXR", false, Place.APART, LONG, HeadsetProbe::run),
+        new Probe("serial", "serial ports", false, Place.APART, LONG, TrackerProbe::ports),
+        askPorts
+            ? new Probe("tracker", "InterTrax2", false, Place.APART, LONG, TrackerProbe::search)
+            : new Probe("unasked", "InterTrax2", false, Place.HERE, SHORT, TrackerProbe::unasked),
+        new Probe("lsl", "liblsl", false, Place.APART, LONG, LibraryProbe::lsl),
+        new Probe("sound", "sound", false, Place.APART, LONG, LibraryProbe::sound));
+  }
+}

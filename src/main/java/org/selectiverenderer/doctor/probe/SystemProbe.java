@@ -1,0 +1,88 @@
+package org.selectiverenderer.doctor.probe;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.Charset;
+import java.nio.charset.IllegalCharsetNameException;
+import java.nio.charset.UnsupportedCharsetException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.selectiverenderer.base.machine.Processor;
+import org.selectiverenderer.doctor.Diagnosis;
+
+/** The computer, its system, and the letters that it can write. */
+final class SystemProbe {
+  /** By which Linux systems name themselves (os-release(5)). */
+  private static final Path RELEASE = Path.of("/etc/os-release");
+
+  private static final String NAME = "PRETTY_NAME=";
+
+  private SystemProbe() {}
+
+  static void run(Consumer<Diagnosis> found) throws IOException {
+    String system = System.getProperty("os.name", "") + " " + System.getProperty("os.version", "");
+    found.accept(
+        Diagnosis.ok(
+            "system",
+            "%s, %s"
+                .formatted(
+                    release().map(name -> name + ", " + system).orElse(system),
+                    System.getProperty("os.arch", "unknown"))));
+    found.accept(
+        Diagnosis.ok(
+            "processor",
+            "%s, %d of it for this program%s"
+                .formatted(
+                    Processor.name(), Runtime.getRuntime().availableProcessors(), memory())));
+  }
+
+  private static Optional<String> release() throws IOException {
+    if (!Files.isReadable(RELEASE)) {
+      return Optional.empty();
+    }
+    try (Stream<String> lines = Files.lines(RELEASE)) {
+      return lines
+          .filter(line -> line.startsWith(NAME))
+          .map(line -> line.substring(NAME.length()).replace("\"", ""))
+          .findFirst();
+    }
+  }
+
+  private static String memory() {
+    return ManagementFactory.getOperatingSystemMXBean()
+            instanceof com.sun.management.OperatingSystemMXBean bean
+        ? ", %,d MB of memory".formatted(bean.getTotalMemorySize() >> 20)
+        : "";
+  }
+
+  static void language(Consumer<Diagnosis> found) {
+    String names = System.getProperty("sun.jnu.encoding", Charset.defaultCharset().name());
+    String language =
+        "%s, names of files in %s, texts in %s"
+            .formatted(
+                Locale.getDefault(Locale.Category.DISPLAY).toLanguageTag(),
+                names,
+                Charset.defaultCharset());
+    found.accept(
+        encodesGreek(names)
+            ? Diagnosis.ok("language", language)
+            : Diagnosis.warning(
+                "language",
+                language,
+                "files with Greek names cannot be opened: set LC_ALL=C.UTF-8 or another language with"
+                    + " UTF-8"));
+  }
+
+  /** Whether names in that charset may be Greek; one that Java does not know may. */
+  static boolean encodesGreek(String charset) {
+    try {
+      return Charset.forName(charset).newEncoder().canEncode("Σκηνή");
+    } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
+      return true;
+    }
+  }
+}

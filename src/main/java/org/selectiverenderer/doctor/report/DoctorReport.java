@@ -1,0 +1,80 @@
+package org.selectiverenderer.doctor.report;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import org.selectiverenderer.base.json.JsonText;
+import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.doctor.Diagnosis;
+
+/**
+ * All lines about a machine.
+ *
+ * @param version of the program
+ * @param lines in their order
+ */
+public record DoctorReport(String version, List<Diagnosis> lines) {
+  /** Whether the program can do its work: nothing that everybody needs is missing. */
+  public boolean healthy() {
+    return lines.stream().noneMatch(Diagnosis::fatal);
+  }
+
+  /** A line for each, in columns; what to do stands behind an arrow. */
+  public String text() {
+    int width = lines.stream().mapToInt(line -> line.subject().length()).max().orElse(0);
+    StringBuilder text = new StringBuilder();
+    for (Diagnosis line : lines) {
+      text.append(pad(line.status().word(), Diagnosis.Status.WARNING.word().length()))
+          .append("  ")
+          .append(pad(line.subject(), width))
+          .append("  ")
+          .append(line.found());
+      if (!line.todo().isEmpty()) {
+        text.append(" -> ").append(line.todo());
+      }
+      text.append('\n');
+    }
+    return text.toString();
+  }
+
+  /** By {@code doctor.schema.json}. */
+  public String json() {
+    ObjectNode root = JsonTree.object();
+    root.put("version", version);
+    ArrayNode checks = root.putArray("checks");
+    lines.forEach(line -> checks.add(line.json()));
+    ObjectNode summary = root.putObject("summary");
+    for (Diagnosis.Status status : Diagnosis.Status.values()) {
+      summary.put(status.word(), count(status));
+    }
+    summary.put("healthy", healthy());
+    return JsonText.of(root);
+  }
+
+  /** One line for the end. */
+  public String summary() {
+    return "%d ok, %d warning, %d missing; %s"
+        .formatted(
+            count(Diagnosis.Status.OK),
+            count(Diagnosis.Status.WARNING),
+            count(Diagnosis.Status.MISSING),
+            healthy()
+                ? "nothing is missing that everybody needs"
+                : "needed by everybody: "
+                    + String.join(
+                        ", ",
+                        lines.stream()
+                            .filter(Diagnosis::fatal)
+                            .map(Diagnosis::subject)
+                            .distinct()
+                            .toList()));
+  }
+
+  private long count(Diagnosis.Status status) {
+    return lines.stream().filter(line -> line.status() == status).count();
+  }
+
+  private static String pad(String text, int width) {
+    return text + " ".repeat(Math.max(0, width - text.length()));
+  }
+}

@@ -1,0 +1,143 @@
+package org.selectiverenderer.doctor.run;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BiFunction;
+import java.util.stream.Stream;
+import org.selectiverenderer.base.machine.ProgramCommand;
+import org.selectiverenderer.doctor.Diagnosis;
+import org.selectiverenderer.doctor.Probe;
+
+/** Makes a probe in a child process, and tells of its death if it comes to that. */
+public final class ChildStarter {
+  /** What a child's own lines begin with; all others are a library's. */
+  public static final String MARK = "doctor-line ";
+
+  /** Lines of libraries that are kept; a driver may print without end. */
+  private static final int MOST_LINES = 200;
+
+  /** How the JVM heads the function that crashed. */
+  private static final String FRAME = "Problematic frame:";
+
+  private static final long LAST_WORDS_MS = 2000;
+
+  private final BiFunction<String, List<String>, List<String>> command;
+
+  ChildStarter(BiFunction<String, List<String>, List<String>> command) {
+    this.command = command;
+  }
+
+  /**
+   * Children are this program again.
+   *
+   * @param mainClass of the program
+   * @param arguments by which it makes one probe; the probe's name follows
+   */
+  public static ChildStarter of(String mainClass, List<String> arguments) {
+    return new ChildStarter(
+        (probe, flags) ->
+            ProgramCommand.of(
+                mainClass, flags, Stream.concat(arguments.stream(), Stream.of(probe)).toList()));
+  }
+
+  /** The lines of a probe; where it fails the last one says so. */
+  List<Diagnosis> run(Probe probe) throws InterruptedException {
+    Path folder = Path.of(System.getProperty("java.io.tmpdir", "."));
+    String crashes = "selective-renderer-doctor-" + probe.name() + "-";
+    List<String> flags =
+        List.of(
+            "-XX:-CreateCoredumpOnCrash", "-XX:ErrorFile=" + folder.resolve(crashes + "%p.log"));
+    Process process;
+    try {
+      process =
+          new ProcessBuilder(command.apply(probe.name(), flags)).redirectErrorStream(true).start();
+      process.getOutputStream().close();
+    } catch (IOException e) {
+      return List.of(Doctor.failed(probe, "no process can be started: " + e.getMessage(), ""));
+    }
+    Output output = new Output();
+    Thread reader = new Thread(() -> output.read(process), "doctor-" + probe.name() + "-output");
+    reader.setDaemon(true);
+    reader.start();
+    boolean ended = false;
+    try {
+      ended = process.waitFor(probe.limit().toMillis(), TimeUnit.MILLISECONDS);
+    } finally {
+      process.descendants().forEach(ProcessHandle::destroyForcibly);
+      process.toHandle().destroyForcibly(); // The process itself would drop what is still unread.
+    }
+    reader.join(LAST_WORDS_MS);
+    List<Diagnosis> lines = output.lines();
+    if (!ended) {
+      lines.add(Doctor.late(probe));
+    } else if (process.exitValue() != 0) {
+      Path log = folder.resolve(crashes + process.pid() + ".log");
+      lines.add(dead(probe, process.exitValue(), output, log));
+    } else if (lines.isEmpty()) {
+      lines.add(Doctor.failed(probe, "no answer" + output.reason(), ""));
+    }
+    return lines;
+  }
+
+  private static Diagnosis dead(Probe probe, int status, Output output, Path log) {
+    return Doctor.failed(
+        probe,
+        "the process that asked ended with status %d%s".formatted(status, output.reason()),
+        Files.exists(log)
+            ? "install another version of this driver or library; attach " + log + " to a report"
+            : "install another version of this driver or library");
+  }
+
+  /** What a child prints; written by one thread, read by another. */
+  private static final class Output {
+    private final List<Diagnosis> lines = new ArrayList<>();
+    private final List<String> others = new ArrayList<>();
+
+    void read(Process process) {
+      try (BufferedReader text =
+          new BufferedReader(
+              new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
+        for (String line = text.readLine(); line != null; line = text.readLine()) {
+          take(line);
+        }
+      } catch (IOException e) {
+        // The process was killed while it wrote; what it wrote before is kept.
+      }
+    }
+
+    private synchronized void take(String line) {
+      Optional<Diagnosis> own =
+          line.startsWith(MARK) ? Diagnosis.read(line.substring(MARK.length())) : Optional.empty();
+      own.ifPresent(lines::add);
+      if (own.isEmpty() && others.size() < MOST_LINES) {
+        others.add(line);
+      }
+    }
+
+    synchronized List<Diagnosis> lines() {
+      return new ArrayList<>(lines);
+    }
+
+    /** The function that crashed, else the last words; with a colon before them. */
+    synchronized String reason() {
+      for (int at = 0; at + 1 < others.size(); at++) {
+        if (others.get(at).contains(FRAME)) {
+          return ": crashed in " + others.get(at + 1).replaceFirst("^#\\s*", "");
+        }
+      }
+      return others.stream()
+          .filter(line -> !line.isBlank())
+          .reduce((first, last) -> last)
+          .map(line -> ": " + line.strip())
+          .orElse("");
+    }
+  }
+}

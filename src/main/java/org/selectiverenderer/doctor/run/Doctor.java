@@ -1,0 +1,134 @@
+package org.selectiverenderer.doctor.run;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import org.selectiverenderer.doctor.Diagnosis;
+import org.selectiverenderer.doctor.Probe;
+
+/**
+ * Examines a machine. As many probes are made at a time as there are processors, but those that
+ * measure follow alone.
+ */
+public final class Doctor {
+  private final ChildStarter children;
+  private final String home;
+
+  /**
+   * @param home the user's folder, which is written as {@code ~}
+   */
+  public Doctor(ChildStarter children, String home) {
+    this.children = children;
+    this.home = home;
+  }
+
+  /**
+   * Makes all probes.
+   *
+   * @return their lines, in the order of the probes
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public List<Diagnosis> examine(List<Probe> probes) throws InterruptedException {
+    Semaphore places = new Semaphore(Runtime.getRuntime().availableProcessors());
+    List<FutureTask<List<Diagnosis>>> tasks = new ArrayList<>();
+    for (Probe probe : probes) {
+      FutureTask<List<Diagnosis>> task = new FutureTask<>(() -> placed(probe, places));
+      tasks.add(task);
+      if (probe.place() != Probe.Place.ALONE) {
+        start("doctor-" + probe.name(), task);
+      }
+    }
+    for (boolean alone : new boolean[] {false, true}) {
+      for (int index = 0; index < probes.size(); index++) {
+        if ((probes.get(index).place() == Probe.Place.ALONE) == alone) {
+          if (alone) {
+            tasks.get(index).run();
+          }
+          await(tasks.get(index));
+        }
+      }
+    }
+    List<Diagnosis> lines = new ArrayList<>();
+    for (FutureTask<List<Diagnosis>> task : tasks) {
+      await(task).forEach(line -> lines.add(line.without(home)));
+    }
+    return lines;
+  }
+
+  /**
+   * Makes one probe on this thread. Whatever goes wrong with it becomes its line: a library that is
+   * not what it should be may throw anything.
+   */
+  public static void look(Probe probe, Consumer<Diagnosis> found) throws InterruptedException {
+    try {
+      probe.search().run(found);
+    } catch (IOException | RuntimeException | LinkageError e) {
+      String reason = e.getMessage() == null ? e.toString() : e.getMessage();
+      found.accept(failed(probe, reason, ""));
+    }
+  }
+
+  private List<Diagnosis> placed(Probe probe, Semaphore places) throws InterruptedException {
+    places.acquire();
+    try {
+      return probe.place() == Probe.Place.HERE ? here(probe) : children.run(probe);
+    } finally {
+      places.release();
+    }
+  }
+
+  /** On a thread of its own, which is left to itself if it hangs: a network folder may. */
+  private static List<Diagnosis> here(Probe probe) throws InterruptedException {
+    List<Diagnosis> lines = Collections.synchronizedList(new ArrayList<>());
+    FutureTask<Void> task =
+        new FutureTask<>(
+            () -> {
+              look(probe, lines::add);
+              return null;
+            });
+    start("doctor-" + probe.name() + "-here", task);
+    try {
+      task.get(probe.limit().toMillis(), TimeUnit.MILLISECONDS);
+    } catch (TimeoutException e) {
+      lines.add(late(probe));
+    } catch (ExecutionException e) {
+      throw new IllegalStateException(e.getCause());
+    }
+    return List.copyOf(lines);
+  }
+
+  /** For a probe that has not ended in its time. */
+  static Diagnosis late(Probe probe) {
+    return failed(
+        probe,
+        "no answer in %d s".formatted(probe.limit().toSeconds()),
+        "what is asked hangs, or the machine is very busy: try again when less runs");
+  }
+
+  /** For a probe that could not be made. */
+  static Diagnosis failed(Probe probe, String reason, String todo) {
+    return new Diagnosis(Diagnosis.Status.MISSING, probe.subject(), reason, todo, probe.needed());
+  }
+
+  private static void start(String name, Runnable task) {
+    Thread thread = new Thread(task, name);
+    thread.setDaemon(true); // One that hangs keeps nobody waiting.
+    thread.start();
+  }
+
+  private static List<Diagnosis> await(FutureTask<List<Diagnosis>> task)
+      throws InterruptedException {
+    try {
+      return task.get();
+    } catch (ExecutionException e) {
+      throw new IllegalStateException(e.getCause()); // Of our own: probes' failures are lines.
+    }
+  }
+}

@@ -1,0 +1,118 @@
+package org.selectiverenderer.runtime.render.show;
+
+import com.jogamp.opengl.GL3;
+import org.joml.Matrix4d;
+import org.selectiverenderer.geometry.mesh.Mesh;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.context.OffscreenContext;
+import org.selectiverenderer.runtime.render.context.OffscreenTarget;
+import org.selectiverenderer.runtime.render.draw.RawDraw;
+import org.selectiverenderer.runtime.render.mesh.MeshPacker;
+
+/**
+ * How fast the driver draws what costs it least: without light, textures and anti-aliasing, by one
+ * call. Scenes are drawn more slowly; but a machine that is slow here is slow with all of them. The
+ * thread that opens it owns its GL context and makes all calls. It takes about a second.
+ */
+public final class DriverSpeed implements AutoCloseable {
+  /** Columns and rows of the sheet of small triangles, two for each cell. */
+  private static final int COLUMNS = 400;
+
+  private static final int ROWS = 250;
+
+  private static final int WIDTH = 1024;
+  private static final int HEIGHT = 768;
+
+  /** Pixels along each side of the picture that is filled. */
+  private static final int SIDE = 2048;
+
+  /** A measurement shorter than this says more about its beginning and end. */
+  private static final long LEAST_NANOS = 250_000_000;
+
+  private static final int MOST_FRAMES = 1 << 14;
+
+  private final OffscreenContext context = OffscreenContext.open();
+
+  /** What is measured. */
+  public GlInfo info() {
+    return context.info();
+  }
+
+  /** Triangles per second, each of four pixels. */
+  public double triangles() {
+    return perSecond(COLUMNS, ROWS, WIDTH, HEIGHT) * 2 * COLUMNS * ROWS;
+  }
+
+  /** Pixels per second, in two triangles that fill the picture; its clearing included. */
+  public double pixels() {
+    return perSecond(1, 1, SIDE, SIDE) * SIDE * SIDE;
+  }
+
+  private double perSecond(int columns, int rows, int width, int height) {
+    GL3 gl = context.gl();
+    Camera camera = new Camera(new Matrix4d(), new Matrix4d(), 0, 0, width, height);
+    OffscreenTarget target = new OffscreenTarget(gl, width, height, 0);
+    RawDraw raw = new RawDraw(gl, MeshPacker.pack(sheet(columns, rows)));
+    try {
+      target.bind(gl);
+      seconds(1, raw, camera, target); // The driver makes its shader ready.
+      for (int frames = 1; ; frames *= 2) {
+        double seconds = seconds(frames, raw, camera, target);
+        if (seconds * 1e9 >= LEAST_NANOS || frames >= MOST_FRAMES) {
+          return frames / seconds;
+        }
+      }
+    } finally {
+      raw.dispose(gl);
+      target.dispose(gl);
+    }
+  }
+
+  private double seconds(int frames, RawDraw raw, Camera camera, OffscreenTarget target) {
+    long begun = System.nanoTime();
+    for (int frame = 0; frame < frames; frame++) {
+      raw.draw(context.gl(), camera);
+    }
+    target.finish(context.gl());
+    return (System.nanoTime() - begun) / 1e9;
+  }
+
+  /** A sheet of triangles that fills the picture, in clip coordinates. */
+  private static Mesh sheet(int columns, int rows) {
+    int vertices = (columns + 1) * (rows + 1);
+    float[] positions = new float[3 * vertices];
+    float[] normals = new float[3 * vertices];
+    for (int row = 0, at = 0; row <= rows; row++) {
+      for (int column = 0; column <= columns; column++, at += 3) {
+        positions[at] = 2f * column / columns - 1;
+        positions[at + 1] = 2f * row / rows - 1;
+        normals[at + 2] = 1;
+      }
+    }
+    int[] indices = new int[6 * columns * rows];
+    for (int row = 0, at = 0; row < rows; row++) {
+      for (int column = 0; column < columns; column++) {
+        int corner = row * (columns + 1) + column;
+        int above = corner + columns + 1;
+        for (int index : new int[] {corner, corner + 1, above, above, corner + 1, above + 1}) {
+          indices[at++] = index;
+        }
+      }
+    }
+    return new Mesh(
+        Mesh.Primitive.TRIANGLES,
+        positions,
+        normals,
+        null,
+        null,
+        indices,
+        false,
+        Mesh.boundsOf(positions, indices));
+  }
+
+  @Override
+  public void close() {
+    context.close();
+  }
+}
