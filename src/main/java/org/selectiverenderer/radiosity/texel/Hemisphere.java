@@ -29,7 +29,7 @@ final class Hemisphere {
   private static final double FLAT = 0.005;
 
   /** Reflections between things that are near to each other that a ray follows. */
-  private static final int MOST_BOUNCES = 2;
+  private static final int MOST_BOUNCES = 1;
 
   /** Of flat rays no more than this counts for how light turns, as a cosine. */
   private static final double LEAST_COSINE = 0.1;

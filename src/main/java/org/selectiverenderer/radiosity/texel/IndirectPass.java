@@ -218,7 +218,7 @@ final class IndirectPass {
       LightRecord record,
       LightRecord more) {
     // Near to each other, records share their noise.
-    int fewer = stride > 2 ? 1 : stride == 2 ? 2 : 4;
+    int fewer = stride > 4 ? 1 : stride == 4 ? 2 : 4;
     hemisphere.gather(place, texel, fewer, record);
     double bound = noise * (sum(direct, texel) + record.sum()) * Math.sqrt(SHARED * fewer);
     for (int times = 1; times < MOST_TIMES && record.seen && record.error > bound; times++) {
