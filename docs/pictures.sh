@@ -14,7 +14,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 out=$(realpath -m "${PICTURES:-docs/pictures}")
-program=./selective-renderer
+root=$PWD
+program=$root/selective-renderer
 export LIBGL_ALWAYS_SOFTWARE=1 LC_ALL=C.UTF-8
 
 # The table: picture, how it is taken. A test holds it against the folder and the pages.
@@ -203,14 +204,17 @@ overlay() { # OUT
 }
 
 operator() { # OUT
-  local device=$tmp/tracker
-  "$program" track --emulate intertrax2 --link "$device" >/dev/null 2>&1 &
-  local emulator=$!
-  sleep 5
-  screen 2240x1400 "$program" run scenes/apartment.x3d --viewpoint KitchenView --display side-by-side \
-    --tracker "intertrax2:$device" --head-log "$tmp/p01.csv" --operator --mute --size 1120x560 \
-    --duration 17 --operator-screenshot "$tmp/operator.png" >/dev/null || true
-  kill "$emulator"
+  # The window names the tracker's device as it was given; so both run where that is short.
+  (
+    cd "$tmp"
+    "$program" track --emulate intertrax2 --link tracker >/dev/null 2>&1 &
+    emulator=$!
+    sleep 5
+    screen 2240x1400 "$program" run "$root/scenes/apartment.x3d" --viewpoint KitchenMiddle \
+      --display side-by-side --tracker intertrax2:tracker --head-log p01.csv --operator --mute \
+      --size 1120x560 --duration 17 --operator-screenshot operator.png >/dev/null || true
+    kill "$emulator"
+  )
   small "$tmp/operator.png" "$1" -resize 1120x
 }
 

@@ -77,8 +77,8 @@ public final class RadiosityCommand extends CliCommand {
       names = "--texels-per-metre",
       paramLabel = "D",
       description =
-          "texels per metre of large surfaces; small ones get more (default: as many as the "
-              + "budget allows)")
+          "texels per metre of large surfaces; small ones get more (default: 50, fewer where the "
+              + "budget asks for it)")
   private @Nullable Double texels;
 
   @Option(
