@@ -16,6 +16,7 @@ import org.selectiverenderer.cli.author.ValidateCommand;
 import org.selectiverenderer.cli.author.VersionsCommand;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.LibraryProperties;
+import org.selectiverenderer.cli.bundle.BundleFilesCommand;
 import org.selectiverenderer.cli.experiment.ExperimentCommand;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
@@ -25,6 +26,7 @@ import org.selectiverenderer.cli.view.SaiCommand;
 import org.selectiverenderer.cli.view.SimulateCommand;
 import org.selectiverenderer.cli.view.TrackCommand;
 import org.selectiverenderer.enricher.EnricherApp;
+import org.selectiverenderer.enricher.WindowIcon;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /** The commands, in the order of {@code --help}. */
@@ -46,7 +48,8 @@ final class CommandCatalogue {
           "apartment",
           "radiosity",
           "bench",
-          "sai");
+          "sai",
+          BundleFilesCommand.NAME);
 
   /** All commands. */
   static List<CliCommand> commands(Console console) {
@@ -87,6 +90,11 @@ final class CommandCatalogue {
           case "radiosity" -> new RadiosityCommand(console);
           case "bench" -> new BenchCommand(console, Main.class.getName());
           case "sai" -> new SaiCommand(console, System.in);
+          case BundleFilesCommand.NAME ->
+              new BundleFilesCommand(
+                  console,
+                  () -> new CommandRunner(console).model(commands(console)),
+                  WindowIcon::image);
           default -> null;
         });
   }
