@@ -21,6 +21,7 @@ import org.selectiverenderer.runtime.render.gpu.DetailTextures;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.gpu.ShapeVariant;
+import org.selectiverenderer.runtime.render.gpu.TextureFilters;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
@@ -34,10 +35,15 @@ final class DrawLooks {
   private final Map<State, Integer> ranks = new HashMap<>();
   private final Map<List<LightInstance>, List<LightInstance>> lists = new HashMap<>();
   private final Map<DrawLook, DrawLook> known = new HashMap<>();
+  private final TextureFilters filters;
   private long uploads;
 
   /** A program and texture, which decide the order of drawing. */
   private record State(ShapePrograms.Family programs, @Nullable GpuTexture texture) {}
+
+  DrawLooks(TextureFilters filters) {
+    this.filters = filters;
+  }
 
   /** Textures sent to the graphics card since the start. */
   long uploads() {
@@ -101,7 +107,7 @@ final class DrawLooks {
         source,
         image -> {
           uploads++;
-          return new GpuTexture(gl, GeneratedCubes.fitting(image, textures.values()));
+          return new GpuTexture(gl, GeneratedCubes.fitting(image, textures.values()), filters);
         });
   }
 

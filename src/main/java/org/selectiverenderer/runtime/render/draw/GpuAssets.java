@@ -15,6 +15,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.render.gpu.GpuMesh;
+import org.selectiverenderer.runtime.render.gpu.TextureFilters;
 import org.selectiverenderer.runtime.render.light.LightPlanner;
 import org.selectiverenderer.runtime.render.light.Lighting;
 import org.selectiverenderer.runtime.render.light.MeshForm;
@@ -32,7 +33,7 @@ final class GpuAssets {
   private final LightPlanner planner;
   private final Map<MeshForm, Uploaded> meshes = new HashMap<>();
   private final List<GpuMesh> merged = new ArrayList<>();
-  private final DrawLooks looks = new DrawLooks();
+  private final DrawLooks looks;
   private long uploads;
 
   private record Uploaded(MeshPart part, MeshSurvey survey) {}
@@ -46,8 +47,9 @@ final class GpuAssets {
 
   private record Packed(Drawn drawn, PackedMesh mesh) {}
 
-  GpuAssets(LightPlanner planner) {
+  GpuAssets(LightPlanner planner, TextureFilters filters) {
     this.planner = planner;
+    looks = new DrawLooks(filters);
   }
 
   /** Meshes and textures sent to the graphics card since the start. */

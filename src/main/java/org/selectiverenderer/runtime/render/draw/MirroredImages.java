@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+import org.selectiverenderer.runtime.render.gpu.TextureFilters;
 
 /**
  * What surfaces mirror of the light around them, on the graphics card: as long as it is mirrored in
@@ -18,7 +19,7 @@ final class MirroredImages {
 
   GpuTexture of(GL3 gl, CubeTexture image) {
     used.add(image);
-    return known.computeIfAbsent(image, wanted -> new GpuTexture(gl, wanted));
+    return known.computeIfAbsent(image, wanted -> new GpuTexture(gl, wanted, TextureFilters.FINE));
   }
 
   /** Frees what was not asked for since the last call. */

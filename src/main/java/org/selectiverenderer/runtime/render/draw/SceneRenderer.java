@@ -12,6 +12,7 @@ import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.context.GlInfo;
+import org.selectiverenderer.runtime.render.gpu.TextureFilters;
 import org.selectiverenderer.runtime.render.light.LightPlanner;
 import org.selectiverenderer.runtime.render.occlude.Occlusion;
 
@@ -72,12 +73,19 @@ public final class SceneRenderer {
   private void follow(GL3 gl, InstanceTree tree, boolean all) {
     if (list == null) {
       GlInfo info = GlInfo.of(gl);
-      assets = new GpuAssets(new LightPlanner(shading.byVertex(info)));
+      assets = new GpuAssets(new LightPlanner(shading.byVertex(info)), filters(info));
       portions = new Portions(info.software());
       list = new DrawList(assets);
     }
     mirrored.forgetOthers(gl);
     list.follow(gl, tree, all);
+  }
+
+  /**
+   * A processor samples quickly; light by pixel, asked for, is for a picture as a card draws it.
+   */
+  private TextureFilters filters(GlInfo info) {
+    return info.software() && shading != Shading.PIXEL ? TextureFilters.QUICK : TextureFilters.FINE;
   }
 
   /** The shapes of the tree last prepared, shown or not, with what they have on the card. */

@@ -12,6 +12,7 @@ import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.Program;
+import org.selectiverenderer.runtime.render.gpu.TextureFilters;
 
 /** Draws the pictures of a background behind what is drawn already (X3D 4.0, 24.2.1). */
 final class SkyboxPainter {
@@ -48,7 +49,8 @@ final class SkyboxPainter {
     for (Map.Entry<Backdrop.Side, Texture.Image> side : backdrop.pictures().entrySet()) {
       textures
           .computeIfAbsent(
-              side.getValue(), image -> new GpuTexture(gl, new Texture(image, false, false)))
+              side.getValue(),
+              image -> new GpuTexture(gl, new Texture(image, false, false), TextureFilters.FINE))
           .bind(gl);
       gl.glUniform3fv(used.uniform(gl, "side"), 3, side(side.getKey()), 0);
       gl.glDrawArrays(GL.GL_TRIANGLE_STRIP, 0, 4);

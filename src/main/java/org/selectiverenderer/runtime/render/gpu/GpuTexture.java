@@ -17,6 +17,7 @@ public final class GpuTexture {
   private final int id;
   private final int target;
   private final Alpha alpha;
+  private final TextureFilters filters;
 
   /** The texture of a film; null for what stands still. */
   private final @Nullable Texture moving;
@@ -39,7 +40,8 @@ public final class GpuTexture {
     BLENDED
   }
 
-  public GpuTexture(GL3 gl, TextureSource source) {
+  public GpuTexture(GL3 gl, TextureSource source, TextureFilters filters) {
+    this.filters = filters;
     int[] name = new int[1];
     gl.glGenTextures(1, name, 0);
     id = name[0];
@@ -70,7 +72,7 @@ public final class GpuTexture {
       use(gl, 0);
       TextureUpload.cube(gl, cube);
     }
-    TextureFilters.set(gl, target, source);
+    filters.set(gl, target, source);
   }
 
   public Alpha alpha() {
@@ -120,7 +122,7 @@ public final class GpuTexture {
       seen = now;
       TextureUpload.plane(
           gl, new Texture.Image(now.width(), now.height(), image.components(), now.rgba()));
-      TextureFilters.set(gl, target, texture);
+      filters.set(gl, target, texture);
     }
   }
 

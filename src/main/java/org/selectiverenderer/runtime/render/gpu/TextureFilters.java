@@ -10,10 +10,19 @@ import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.instance.VolumeTexture;
 
 /**
- * How the texture that is current is sampled: as its TextureProperties say, else trilinearly and a
- * little anisotropically.
+ * How textures are sampled: as their TextureProperties say, else trilinearly and a little
+ * anisotropically. Or as quickly as does not show, for where a processor samples them: there four
+ * samples of an anisotropic filter cost more than all the rest of a pixel.
  */
-final class TextureFilters {
+public enum TextureFilters {
+  /** As the scene says. */
+  FINE,
+  /**
+   * Of a filter's samples only those of one mipmap, none of them for slanted faces. Cubes stay as
+   * they are: mirrors ask for mipmaps between two.
+   */
+  QUICK;
+
   private static final float ANISOTROPY = 4;
 
   /**
@@ -22,22 +31,21 @@ final class TextureFilters {
    */
   private static final int ANISOTROPIC_FROM = 32;
 
-  // Cubes are not filtered so either, unless their author says so: the same renderer draws dots
-  // where faces meet.
-  private TextureFilters() {}
-
-  static void set(GL3 gl, int target, TextureSource source) {
+  /** Sets those of the texture that is current. */
+  void set(GL3 gl, int target, TextureSource source) {
     Sampling sampling = source.sampling();
     halve(gl, target, source);
     gl.glTexParameteri(
         target,
         GL.GL_TEXTURE_MIN_FILTER,
-        sampling == null ? GL.GL_LINEAR_MIPMAP_LINEAR : minify(sampling.minify()));
+        minify(sampling == null ? Sampling.Minify.LINEAR_LINEAR : sampling.minify(), fine(source)));
     boolean linear = sampling == null || sampling.magnifyLinear();
     gl.glTexParameteri(target, GL.GL_TEXTURE_MAG_FILTER, linear ? GL.GL_LINEAR : GL.GL_NEAREST);
     boundaries(gl, target, source);
     float wanted = sampling == null ? anisotropy(source) : sampling.anisotropy();
-    if (wanted > 1 && gl.isExtensionAvailable("GL_EXT_texture_filter_anisotropic")) {
+    if (fine(source)
+        && wanted > 1
+        && gl.isExtensionAvailable("GL_EXT_texture_filter_anisotropic")) {
       float[] most = new float[1];
       gl.glGetFloatv(GL2ES2.GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, most, 0);
       gl.glTexParameterf(target, GL.GL_TEXTURE_MAX_ANISOTROPY_EXT, Math.min(wanted, most[0]));
@@ -52,6 +60,8 @@ final class TextureFilters {
     }
   }
 
+  // Cubes are not filtered so either, unless their author says so: the same renderer draws dots
+  // where faces meet.
   private static float anisotropy(TextureSource source) {
     boolean tiny =
         source instanceof Texture texture
@@ -59,14 +69,18 @@ final class TextureFilters {
     return tiny || source.cube() ? 1 : ANISOTROPY;
   }
 
-  private static int minify(Sampling.Minify filter) {
+  private boolean fine(TextureSource source) {
+    return this == FINE || source.cube();
+  }
+
+  private static int minify(Sampling.Minify filter, boolean fine) {
     return switch (filter) {
       case NEAREST -> GL.GL_NEAREST;
       case LINEAR -> GL.GL_LINEAR;
       case NEAREST_NEAREST -> GL.GL_NEAREST_MIPMAP_NEAREST;
-      case NEAREST_LINEAR -> GL.GL_NEAREST_MIPMAP_LINEAR;
+      case NEAREST_LINEAR -> fine ? GL.GL_NEAREST_MIPMAP_LINEAR : GL.GL_NEAREST_MIPMAP_NEAREST;
       case LINEAR_NEAREST -> GL.GL_LINEAR_MIPMAP_NEAREST;
-      case LINEAR_LINEAR -> GL.GL_LINEAR_MIPMAP_LINEAR;
+      case LINEAR_LINEAR -> fine ? GL.GL_LINEAR_MIPMAP_LINEAR : GL.GL_LINEAR_MIPMAP_NEAREST;
     };
   }
 

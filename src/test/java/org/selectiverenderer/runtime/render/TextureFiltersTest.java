@@ -1,0 +1,101 @@
+package org.selectiverenderer.runtime.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL3;
+import java.util.Collections;
+import org.junit.jupiter.api.Test;
+import org.selectiverenderer.runtime.instance.CubeTexture;
+import org.selectiverenderer.runtime.instance.Sampling;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.instance.TextureSource;
+import org.selectiverenderer.runtime.render.context.OffscreenContext;
+import org.selectiverenderer.runtime.render.gpu.GpuTexture;
+import org.selectiverenderer.runtime.render.gpu.TextureFilters;
+import org.selectiverenderer.testing.RequiresDisplay;
+
+/** What the driver is told of a texture's filters. */
+@RequiresDisplay
+class TextureFiltersTest {
+  private static final int SIDE = 64;
+  private static final Texture.Image IMAGE =
+      new Texture.Image(SIDE, SIDE, 3, new byte[4 * SIDE * SIDE]);
+  private static final CubeTexture CUBE =
+      new CubeTexture(Collections.nCopies(CubeTexture.FACES, new CubeTexture.Face(IMAGE, 0)), null);
+
+  private record Filters(int smaller, int larger, float anisotropy) {}
+
+  @Test
+  void fineOnesAreTheScenes() {
+    assertThat(filters(TextureFilters.FINE, plain()))
+        .isEqualTo(new Filters(GL.GL_LINEAR_MIPMAP_LINEAR, GL.GL_LINEAR, 4));
+    assertThat(filters(TextureFilters.FINE, sampled(Sampling.Minify.LINEAR_LINEAR, 2)))
+        .isEqualTo(new Filters(GL.GL_LINEAR_MIPMAP_LINEAR, GL.GL_LINEAR, 2));
+    assertThat(filters(TextureFilters.FINE, sampled(Sampling.Minify.NEAREST_LINEAR, 1)))
+        .isEqualTo(new Filters(GL.GL_NEAREST_MIPMAP_LINEAR, GL.GL_LINEAR, 1));
+  }
+
+  @Test
+  void quickOnesTakeSamplesOfOneMipmap() {
+    Filters quick = new Filters(GL.GL_LINEAR_MIPMAP_NEAREST, GL.GL_LINEAR, 1);
+
+    assertThat(filters(TextureFilters.QUICK, plain())).isEqualTo(quick);
+    assertThat(filters(TextureFilters.QUICK, sampled(Sampling.Minify.LINEAR_LINEAR, 8)))
+        .isEqualTo(quick);
+    assertThat(filters(TextureFilters.QUICK, sampled(Sampling.Minify.NEAREST_LINEAR, 1)))
+        .isEqualTo(new Filters(GL.GL_NEAREST_MIPMAP_NEAREST, GL.GL_LINEAR, 1));
+  }
+
+  @Test
+  void quickOnesLeaveFiltersThatAreCheap() {
+    assertThat(filters(TextureFilters.QUICK, sampled(Sampling.Minify.NEAREST, 1)))
+        .isEqualTo(new Filters(GL.GL_NEAREST, GL.GL_LINEAR, 1));
+    assertThat(filters(TextureFilters.QUICK, sampled(Sampling.Minify.LINEAR_NEAREST, 1)))
+        .isEqualTo(new Filters(GL.GL_LINEAR_MIPMAP_NEAREST, GL.GL_LINEAR, 1));
+  }
+
+  @Test
+  void cubesAreSampledBetweenTwoMipmapsInBothWays() {
+    for (TextureFilters filters : TextureFilters.values()) {
+      assertThat(filters(filters, CUBE))
+          .isEqualTo(new Filters(GL.GL_LINEAR_MIPMAP_LINEAR, GL.GL_LINEAR, 1));
+    }
+  }
+
+  private static Texture plain() {
+    return new Texture(IMAGE, true, true);
+  }
+
+  private static Texture sampled(Sampling.Minify minify, float anisotropy) {
+    return new Texture(
+        IMAGE,
+        true,
+        true,
+        new Sampling(
+            Sampling.Boundary.REPEAT,
+            Sampling.Boundary.REPEAT,
+            Sampling.Boundary.REPEAT,
+            new Sampling.Color(0, 0, 0, 0),
+            anisotropy,
+            minify,
+            true));
+  }
+
+  private static Filters filters(TextureFilters wanted, TextureSource source) {
+    try (OffscreenContext context = OffscreenContext.open()) {
+      GL3 gl = context.gl();
+      GpuTexture texture = new GpuTexture(gl, source, wanted);
+      texture.bind(gl);
+      int target = source.cube() ? GL.GL_TEXTURE_CUBE_MAP : GL.GL_TEXTURE_2D;
+      int[] of = new int[2];
+      gl.glGetTexParameteriv(target, GL.GL_TEXTURE_MIN_FILTER, of, 0);
+      gl.glGetTexParameteriv(target, GL.GL_TEXTURE_MAG_FILTER, of, 1);
+      float[] anisotropy = new float[1];
+      gl.glGetTexParameterfv(target, GL2ES2.GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy, 0);
+      texture.dispose(gl);
+      return new Filters(of[0], of[1], anisotropy[0]);
+    }
+  }
+}
