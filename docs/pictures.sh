@@ -25,6 +25,7 @@ apartment-kitchen.jpg              run
 apartment-lounge.jpg               run
 apartment-office.jpg               run
 apartment.jpg                      run
+cornell-box.jpg                    light
 dual.jpg                           run
 enricher-areas.png                 enricher
 enricher-compare.png               enricher
@@ -84,6 +85,7 @@ explain() {
     dialogs) echo 'a dialog of the enricher, driven by PicturesTest' ;;
     form) echo 'the form of a node, driven by FormPanelTest' ;;
     session) echo 'a screen of a session, driven by the tests of experiment.window' ;;
+    light) echo 'by tools/compare-light, beside paths of light' ;;
     plots) echo 'written with its page by a test; CONTRIBUTING.md has the command' ;;
     monado) echo 'what Monado was given in .ci/openxr check, which takes root' ;;
     kept) echo 'kept: taken by hand, of a headset that a person wears or a window of Monado' ;;
@@ -153,6 +155,12 @@ radiosity() { # ROOM OUT: X3D's own lights on the left, radiosity on the right
   shot "$tmp/before.png" 720x480 scenes/apartment.x3d --viewpoint "$view" --condition high
   shot "$tmp/after.png" 720x480 scenes/apartment-lit.x3d --viewpoint "$view" --condition high
   beside "$tmp/before.png" "$tmp/after.png" "$2" 16
+}
+
+cornell() { # OUT: light in textures, paths of light, the difference
+  tools/compare-light docs/examples/cornell-box.x3d --viewpoint Camera --size 128x128 --samples 4096 \
+    --out "$tmp/cornell" >/dev/null
+  small "$tmp/cornell/compared-textures.png" "$1" -filter point -resize 200%
 }
 
 trashcan() { # OUT
@@ -266,6 +274,7 @@ take() { # NAME HOW
       small "$tmp/above.png" "$to" -resize 960x400
       ;;
     apartment-*) apartment "${stem#*-}" "$to" ;;
+    cornell-box) cornell "$to" ;;
     radiosity-*) radiosity "${stem#*-}" "$to" ;;
     trashcan-versions.png) trashcan "$to" ;;
     sculptures.jpg)

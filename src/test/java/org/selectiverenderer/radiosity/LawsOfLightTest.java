@@ -220,6 +220,56 @@ class LawsOfLightTest {
     assertThat(last.reflected()).isEqualTo(all.get(3).reflected());
   }
 
+  /** Two centimetres before a square of a metre: Howell's catalogue, B-3, four quarters. */
+  @Test
+  void aPatchCloseToALargeLampHasTheLightOfAllOfIt() throws Exception {
+    String lamp =
+        "<SpotLight location='1 1 1' direction='0 -1 0'>"
+            + "<MetadataSet containerField='metadata' name='photometric'>"
+            + "<MetadataFloat containerField='value' name='size' value='1 1'/>"
+            + "<MetadataFloat containerField='value' name='luminance' value='1000'/>"
+            + "</MetadataSet></SpotLight>";
+    String small = quad("0.9 %1$s 1.1, 1.1 %1$s 1.1, 1.1 %1$s 0.9, 0.9 %1$s 0.9", GREY);
+    for (double down : new double[] {0.02, 0.3}) {
+      double a = 0.5 / down;
+      double edge = a / Math.sqrt(1 + a * a);
+      double expected = 1000 * 4 * edge * Math.atan(edge);
+      String below = small.formatted(String.valueOf(1 - down));
+      LightScene scene = SmallScene.read(below + lamp);
+      LightPatches patches = new LightPatches(scene, 100);
+      double lux = Transport.find(scene, patches, 64, 64, 1, WorkProgress.NONE).direct()[0];
+      assertThat(lux).isCloseTo(expected, within(0.02 * expected));
+    }
+  }
+
+  /** What a board covers closely must not darken what is seen beside it. */
+  @Test
+  void aFloorHalfUnderABoardThrowsBackWhatItsOpenHalfDoes() throws Exception {
+    String floor = quad("1 0 3, 3 0 3, 3 0 1, 1 0 1", GREY);
+    String board =
+        "<Transform translation='2.5 0.06 2'><Shape><Appearance><Material "
+            + "diffuseColor='0 0 0'/></Appearance><Box size='1 0.02 2'/></Shape></Transform>";
+    String sun = "<DirectionalLight direction='0 -1 0'/>";
+    double open = solve(SmallScene.read(floor + sun), 100, 3, new ArrayList<>()).reflected()[0];
+    double half =
+        solve(SmallScene.read(floor + board + sun), 100, 3, new ArrayList<>()).reflected()[0];
+    assertThat(half).isCloseTo(open, within(0.1 * open));
+  }
+
+  /** Under a board that covers all there is less light, and what there is counts. */
+  @Test
+  void aFloorAllUnderABoardThrowsBackTheLightThatComesUnderIt() throws Exception {
+    String floor = quad("1 0 3, 3 0 3, 3 0 1, 1 0 1", GREY);
+    String board =
+        "<Transform translation='2 0.11 2'><Shape><Appearance><Material "
+            + GREY
+            + "/></Appearance><Box size='2 0.02 2'/></Shape></Transform>";
+    String lamp = "<PointLight location='3.5 0.05 2'/>";
+    Solution solution = solve(SmallScene.read(floor + board + lamp), 100, 3, new ArrayList<>());
+    assertThat(solution.buried()[0]).isFalse();
+    assertThat(solution.reflected()[0]).isPositive();
+  }
+
   @Test
   void photometricMetadataThatSaysNothingIsTold() throws Exception {
     String set =

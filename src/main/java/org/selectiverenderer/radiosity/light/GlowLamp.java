@@ -117,6 +117,11 @@ public final class GlowLamp implements Lamp {
   }
 
   @Override
+  public double near() {
+    return sums.length <= MOST_EXACT ? Math.sqrt(area) : 0;
+  }
+
+  @Override
   public boolean hard() {
     return false;
   }

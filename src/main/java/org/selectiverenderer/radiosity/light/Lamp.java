@@ -23,6 +23,12 @@ public sealed interface Lamp permits PointLamp, SunLamp, RectangleLamp, GlowLamp
    */
   void unshadowed(double[] point, double[] normal, double[] out);
 
+  /**
+   * Metres: of what is nearer, single places are no fair sample, as their light changes too much
+   * from one to the next; {@link #unshadowed} is right there, too. 0 where that is no better.
+   */
+  double near();
+
   /** Whether it is a point or infinitely far, so that its shadows have hard edges. */
   boolean hard();
 

@@ -40,6 +40,11 @@ public record PointLamp(
   }
 
   @Override
+  public double near() {
+    return 0;
+  }
+
+  @Override
   public boolean hard() {
     return true;
   }

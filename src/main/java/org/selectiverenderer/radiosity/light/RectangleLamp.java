@@ -62,6 +62,11 @@ public record RectangleLamp(
   }
 
   @Override
+  public double near() {
+    return Math.sqrt(area);
+  }
+
+  @Override
   public boolean hard() {
     return false;
   }

@@ -23,6 +23,11 @@ public record SunLamp(double[] towards, float[] lux, double lumens) implements L
   }
 
   @Override
+  public double near() {
+    return 0;
+  }
+
+  @Override
   public boolean hard() {
     return true;
   }

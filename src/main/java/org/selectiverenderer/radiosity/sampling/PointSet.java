@@ -44,6 +44,12 @@ public final class PointSet {
     return y[i];
   }
 
+  /** A number of 0 .. 1 moved by another, around: a set that is moved stays as even as it was. */
+  public static double turned(double value, double by) {
+    double sum = value + by;
+    return sum >= 1 ? sum - 1 : sum;
+  }
+
   /** An integer without visible order; a bijection (Wellons 2018). */
   public static int hash(int value) {
     int h = value;

@@ -81,6 +81,18 @@ public final class DirectLight {
     return sample.light[0] + sample.light[1] + sample.light[2];
   }
 
+  /** How far the last place aimed at is, metres; infinite for the sun. */
+  double distance() {
+    return sample.distance;
+  }
+
+  /** Adds the light of the last place aimed at, r, g, b, at right angles, times a share. */
+  void addAimed(double share, double[] sum) {
+    for (int c = 0; c < 3; c++) {
+      sum[c] += share * sample.light[c];
+    }
+  }
+
   /** The share of light that arrives from the last place aimed at: one ray. */
   public double passed(double[] point, int version) {
     ray.from(point, sample.towards);

@@ -17,9 +17,6 @@ import org.selectiverenderer.radiosity.work.WorkProgress;
  * distributed, the rest is estimated and added, as Cohen et al. do by an ambient term.
  */
 public final class Solver {
-  /** With a larger share of its rays inside of solids a patch counts as buried. */
-  private static final double BURIED = 7.0 / 8;
-
   private final LightScene scene;
   private final Transport transport;
   private final LightPatches patches;
@@ -71,7 +68,7 @@ public final class Solver {
     int count = patches.count();
     boolean[] buried = new boolean[count];
     for (int patch = 0; patch < count; patch++) {
-      buried[patch] = inside[patch] > BURIED * transport.rays();
+      buried[patch] = inside[patch] > Transport.BURIED * transport.rays();
     }
     float[] before = new float[3 * count];
     RestOfLight rest = new RestOfLight();

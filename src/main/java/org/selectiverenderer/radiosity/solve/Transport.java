@@ -17,8 +17,17 @@ public final class Transport {
   /** The ray left the scene. */
   public static final int OUTSIDE = -1;
 
-  /** The ray met a surface from behind: its start lies inside of something. */
+  /**
+   * The ray does not count: it met a surface from behind, so its start lies inside of something; or
+   * its start is covered closely by something else, as behind a cupboard, while others are open.
+   */
   public static final int INSIDE = -2;
+
+  /** With a larger share of its rays inside of solids a patch counts as buried. */
+  static final double BURIED = 7.0 / 8;
+
+  /** What is nearer covers a place, as a share of the side of the patch. */
+  private static final double CLOSE = 0.25;
 
   private final LightPatches patches;
   private final int rays;
@@ -68,17 +77,35 @@ public final class Transport {
         (from, to) -> {
           Ray ray = new Ray();
           Caster caster = new Caster(scene, patches, ray);
+          PatchLamps lamps = new PatchLamps(scene, patches, ray, starts, lampSet);
+          boolean[] covered = new boolean[rays];
           for (int patch = from; patch < to; patch++) {
             // Each patch has its own shift of the sets: errors of neighbours must not agree.
             float shift = (PointSet.hash(patch + 31 * seed) >>> 8) * 0x1p-24f;
             for (int i = 0; i < rays; i++) {
               seen[patch * rays + i] = caster.see(patch, i, directions, places, others, shift);
+              covered[i] = caster.covered();
             }
-            lampsOf[patch] = caster.light(patch, starts, lampSet, shift, direct);
+            leaveOut(covered, seen, patch * rays);
+            lampsOf[patch] = lamps.light(patch, shift, direct);
           }
           cast.add(ray.cast());
         });
     return new Transport(patches, rays, seen, direct, lampsOf, cast.sum());
+  }
+
+  /**
+   * Light meets the open part of a patch, so this is what it throws back: what lies behind a
+   * cupboard must not darken what is seen beside it. Where hardly anything is open, all counts.
+   */
+  private static void leaveOut(boolean[] covered, int[] seen, int first) {
+    int closed = 0;
+    for (int i = 0; i < covered.length; i++) {
+      closed += covered[i] || seen[first + i] == INSIDE ? 1 : 0;
+    }
+    for (int i = 0; i < covered.length && closed <= BURIED * covered.length; i++) {
+      seen[first + i] = covered[i] ? INSIDE : seen[first + i];
+    }
   }
 
   /** One thread's work. */
@@ -87,18 +114,16 @@ public final class Transport {
     private final LightPatches patches;
     private final SceneTriangles triangles;
     private final Ray ray;
-    private final DirectLight shadows;
     private final double[] point = new double[3];
     private final double[] normal = new double[3];
     private final double[] direction = new double[3];
-    private final double[] sum = new double[3];
+    private boolean covered;
 
     Caster(LightScene scene, LightPatches patches, Ray ray) {
       this.scene = scene;
       this.patches = patches;
       this.triangles = scene.triangles();
       this.ray = ray;
-      this.shadows = new DirectLight(scene, ray);
     }
 
     private int start(int patch, double pick, double s, double t) {
@@ -111,11 +136,17 @@ public final class Transport {
 
     int see(
         int patch, int i, Directions directions, PointSet places, PointSet others, float shift) {
-      int triangle = start(patch, turn(others.x(i), shift), turn(places.x(i), shift), places.y(i));
+      int triangle =
+          start(
+              patch,
+              PointSet.turned(others.x(i), shift),
+              PointSet.turned(places.x(i), shift),
+              places.y(i));
+      covered = false;
       directions.about(normal, i, direction);
       ray.from(point, direction);
       ray.length = Double.POSITIVE_INFINITY;
-      ray.pass = turn(others.y(i), shift);
+      ray.pass = PointSet.turned(others.y(i), shift);
       scene.visibility().nearest(ray, triangles.version()[triangle]);
       if (ray.triangle == Ray.NOTHING) {
         return OUTSIDE;
@@ -123,34 +154,26 @@ public final class Transport {
       if (ray.behind && !triangles.twoSided()[ray.triangle]) {
         return INSIDE;
       }
-      return patches.at(ray.triangle, ray.u, ray.v, ray.behind);
+      int met = patches.at(ray.triangle, ray.u, ray.v, ray.behind);
+      double close = CLOSE * Math.sqrt(patches.area(patch));
+      covered = ray.length < close && other(triangle) && facesOther(triangle, close);
+      return met;
     }
 
-    long light(int patch, PointSet starts, PointSet lampSet, float shift, float[] direct) {
-      java.util.Arrays.fill(sum, 0);
-      long lit = 0;
-      for (int i = 0; i < starts.size(); i++) {
-        int triangle =
-            start(patch, turn(lampSet.y(i), shift), turn(starts.x(i), shift), starts.y(i));
-        lit |=
-            shadows.add(
-                point,
-                normal,
-                triangles.version()[triangle],
-                turn(lampSet.x(i), shift),
-                lampSet.y(i),
-                DirectLight.ALL,
-                sum);
-      }
-      for (int c = 0; c < 3; c++) {
-        direct[3 * patch + c] = (float) (sum[c] / starts.size());
-      }
-      return lit;
+    /** Whether the start of the last ray is covered closely by another body. */
+    boolean covered() {
+      return covered;
     }
 
-    private static double turn(double value, double shift) {
-      double sum = value + shift;
-      return sum >= 1 ? sum - 1 : sum;
+    private boolean other(int triangle) {
+      return scene.bodyOf()[ray.triangle] != scene.bodyOf()[triangle];
+    }
+
+    private boolean facesOther(int triangle, double close) {
+      ray.from(point, normal);
+      ray.length = close;
+      scene.visibility().nearest(ray, triangles.version()[triangle]);
+      return ray.triangle != Ray.NOTHING && other(triangle);
     }
   }
 

@@ -1,0 +1,127 @@
+package org.selectiverenderer.radiosity.solve;
+
+import java.util.Arrays;
+import java.util.List;
+import org.selectiverenderer.radiosity.light.Lamp;
+import org.selectiverenderer.radiosity.sampling.PointSet;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.trace.Ray;
+
+/**
+ * Light that comes straight from the lamps to a patch: the mean over some places of it, each of
+ * which tries another place of every lamp. Of a lamp that is near compared to its size these tries
+ * tell only the share that nothing is in the way of; the light itself has a closed form. One per
+ * thread.
+ */
+final class PatchLamps {
+  private final LightScene scene;
+  private final LightPatches patches;
+  private final PointSet starts;
+  private final PointSet onLamps;
+  private final DirectLight shadows;
+
+  // Of the places of the patch looked at.
+  private final double[][] points;
+  private final double[][] normals;
+  private final int[] versions;
+
+  private final double[] all = new double[3];
+  private final double[] one = new double[3];
+  private final double[] open = new double[3];
+
+  /**
+   * @param starts on a patch
+   * @param onLamps on a lamp, one for each start
+   */
+  PatchLamps(LightScene scene, LightPatches patches, Ray ray, PointSet starts, PointSet onLamps) {
+    this.scene = scene;
+    this.patches = patches;
+    this.starts = starts;
+    this.onLamps = onLamps;
+    shadows = new DirectLight(scene, ray);
+    points = new double[starts.size()][3];
+    normals = new double[starts.size()][3];
+    versions = new int[starts.size()];
+  }
+
+  /**
+   * Finds the light on a patch.
+   *
+   * @param shift of the point sets, from 0 to 1
+   * @param direct irradiance r, g, b by patch, lx; gets this patch's
+   * @return bit i: whether light came from lamp i
+   */
+  long light(int patch, float shift, float[] direct) {
+    place(patch, shift);
+    Arrays.fill(all, 0);
+    long lit = 0;
+    List<Lamp> lamps = scene.lamps();
+    for (int i = 0; i < lamps.size(); i++) {
+      if (add(i, lamps.get(i), shift)) {
+        lit |= i < Long.SIZE ? 1L << i : 0;
+      }
+    }
+    for (int c = 0; c < 3; c++) {
+      direct[3 * patch + c] = (float) (all[c] / starts.size());
+    }
+    return lit;
+  }
+
+  private void place(int patch, float shift) {
+    for (int i = 0; i < versions.length; i++) {
+      int triangle =
+          patches.place(
+              patch,
+              PointSet.turned(onLamps.y(i), shift),
+              PointSet.turned(starts.x(i), shift),
+              starts.y(i),
+              points[i],
+              normals[i]);
+      for (int axis = 0; axis < 3; axis++) {
+        points[i][axis] += scene.offset() * normals[i][axis];
+      }
+      versions[i] = scene.triangles().version()[triangle];
+    }
+  }
+
+  /** Adds a lamp's light at all places; whether there is any. */
+  private boolean add(int number, Lamp lamp, float shift) {
+    double tried = 0;
+    double passed = 0;
+    boolean near = false;
+    Arrays.fill(one, 0);
+    for (int i = 0; i < versions.length; i++) {
+      // Lamps take different places of theirs.
+      double s = PointSet.turned(onLamps.x(i), shift) + number * 0.618034;
+      double cosine = shadows.aim(number, points[i], normals[i], s - Math.floor(s), onLamps.y(i));
+      near |= shadows.distance() < lamp.near();
+      if (cosine > 0) {
+        double share = shadows.passed(points[i], versions[i]);
+        double light = cosine * shadows.aimed();
+        tried += light;
+        passed += share * light;
+        shadows.addAimed(share * cosine, one);
+      }
+    }
+    if (!(passed > 0)) {
+      return false;
+    }
+    if (near) {
+      unshadowed(lamp, passed / tried);
+    }
+    for (int c = 0; c < 3; c++) {
+      all[c] += one[c];
+    }
+    return true;
+  }
+
+  private void unshadowed(Lamp lamp, double share) {
+    Arrays.fill(one, 0);
+    for (int i = 0; i < versions.length; i++) {
+      lamp.unshadowed(points[i], normals[i], open);
+      for (int c = 0; c < 3; c++) {
+        one[c] += share * open[c];
+      }
+    }
+  }
+}
