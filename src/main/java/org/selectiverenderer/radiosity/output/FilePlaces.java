@@ -12,7 +12,7 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
  * The files that bodies are written to: one for each place of an Inline that holds some, and the
  * scene's own, by numbers in the order of their first bodies.
  */
-public final class FilePlaces {
+final class FilePlaces {
   /** What has no number: no body is in that file itself. */
   static final int NONE = -1;
 
