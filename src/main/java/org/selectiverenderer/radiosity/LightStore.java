@@ -32,7 +32,9 @@ public record LightStore(
 
   private static final double DENSEST = 10_000;
   private static final double SMALLEST = 0.01;
-  private static final double LARGEST = 4_000;
+
+  /** Three numbers a texel of all pictures must be as many as an array has. */
+  private static final double LARGEST = 2_000;
 
   public LightStore {
     texelsPerMetre.ifPresent(
@@ -42,7 +44,7 @@ public record LightStore(
                 "the texels per metre must be above 0 and at most 10000"));
     require(
         megabytes >= SMALLEST && megabytes <= LARGEST,
-        "the texture budget must be from 0.01 to 4000 megabytes");
+        "the texture budget must be from 0.01 to 2000 megabytes");
   }
 
   /** Whether light is stored in pictures. */

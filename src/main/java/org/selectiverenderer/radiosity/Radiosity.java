@@ -22,6 +22,7 @@ import org.selectiverenderer.radiosity.work.WorkProgress;
 final class Radiosity {
   /** Rays per vertex while it is decided where to divide. */
   private static final int ROUGH_RAYS = 32;
+
   private static final int ROUGH_LAMP_EVERY = 2;
 
   /** Of so many rays gathered at a vertex one is accompanied by shadow rays to the lamps. */

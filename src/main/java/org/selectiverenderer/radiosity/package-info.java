@@ -11,11 +11,11 @@
  * </pre>
  *
  * <p>The instance tree of a scene that does not run is read, so that every path is a place with a
- * light of its own, and that tree is written back as files: lit shapes have pictures or
- * colours and no diffuse material, every place of an Inline has a file of its own. Visibility knows versions: one of each
- * object stands for it, any other is lit in its place. Form factors are found once per patch and
- * kept as the patches that rays met; iterations are sums over them. Vertices gather over the facets
- * around them, all with the same directions.
+ * light of its own, and that tree is written back as files: lit shapes have pictures or colours and
+ * no diffuse material, every place of an Inline has a file of its own. Visibility knows versions:
+ * one of each object stands for it, any other is lit in its place. Form factors are found once per
+ * patch and kept as the patches that rays met; iterations are sums over them. Vertices gather over
+ * the facets around them, all with the same directions.
  *
  * <p>The same scene, settings and seed give the same bytes on every machine with any number of
  * processors: every patch and vertex has its own place to write to and takes its points from sets

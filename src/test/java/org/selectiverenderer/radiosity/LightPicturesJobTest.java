@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Base64;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
@@ -87,9 +88,13 @@ class LightPicturesJobTest {
   }
 
   private InstanceTree lit() throws IOException {
+    return lit(scenes.resolve("room-lit.x3d"));
+  }
+
+  private InstanceTree lit(Path file) throws IOException {
     try (SceneLoader loader =
         new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
-      LoadedScene loaded = loader.load(scenes.resolve("room-lit.x3d"));
+      LoadedScene loaded = loader.load(file);
       return new InstanceTree((GroupingNode) loaded.scene().root(), loaded.assets());
     }
   }
@@ -218,6 +223,41 @@ class LightPicturesJobTest {
   }
 
   @Test
+  void filesWhoseNamesWouldMeetHaveOneEach() throws Exception {
+    String cup =
+        SmallScene.x3d("<Shape><Appearance><Material/></Appearance><Box size='.3 .3 .3'/></Shape>");
+    StringBuilder inlines = new StringBuilder();
+    for (String name : List.of("cup", "cup-2", "Cup", "cup")) {
+      Files.writeString(folder.resolve("inlineNodes/" + name + ".x3d"), cup);
+      inlines.append("<Inline url='\"../inlineNodes/" + name + ".x3d\"'/>");
+    }
+    light(room(0, 0, 0, 4, GREY) + LAMP + inlines, QUICK);
+    List<String> names =
+        written().keySet().stream()
+            .filter(name -> name.startsWith("inlineNodes/room-lit/") && name.endsWith(".x3d"))
+            .map(name -> name.toLowerCase(Locale.ROOT))
+            .distinct()
+            .toList();
+    assertThat(names).hasSize(4);
+    assertThat(lit().shapes()).hasSize(5);
+    assertThat(problems.list()).isEmpty();
+  }
+
+  /** Signs that mean something else in a url. */
+  @Test
+  void aNameOfAnyLettersLeadsToItsPictures() throws Exception {
+    Path scene =
+        Files.writeString(
+            scenes.resolve("my room #1%41.x3d"), SmallScene.x3d(room(0, 0, 0, 4, GREY) + LAMP));
+    Path output = RadiosityJob.outputOf(scene);
+    new RadiosityJob(scene, output, RadiosityJob.inlinesOf(output), null, QUICK)
+        .run(problems, WorkProgress.NONE, (balance, quality) -> {});
+    assertThat(written().keySet()).contains("scenes/my room #1%41-lit-light.png");
+    picture(lit(output).shapes().get(0));
+    assertThat(problems.list()).isEmpty();
+  }
+
+  @Test
   void theNumberOfPolygonsAskedForIsKeptAndLightGoesOnOverThem() throws Exception {
     String budget =
         "<MetadataSet containerField='metadata' name='radiosity'>"
@@ -320,12 +360,14 @@ class LightPicturesJobTest {
       stripes[i] = (byte) (i / 3 % 2 == 0 ? 100 : 180);
     }
     Files.write(scenes.resolve("stripes.png"), PngFile.of(16, 1, stripes));
+    Path own = Files.writeString(scenes.resolve("stripes-bright.png"), "the author's");
     RadiosityJob.Report report = light(room(0, 0, 0, 4, GREY) + LAMP + tiled("stripes.png"), QUICK);
     assertThat(report.pictures().multiplied()).isEqualTo(1);
     assertThat(litText())
         .contains("<MultiTexture mode='\"MODULATE\" \"MODULATE\"'", "url='\"stripes")
         .contains("<MultiTextureCoordinate")
         .doesNotContain("TextureTransform");
+    assertThat(own).hasContent("the author's");
     ShapeInstance floor = lit().shapes().get(1);
     assertThat(floor.mesh().orElseThrow().texCoords()).contains(40f);
     assertThat(problems.list()).isEmpty();
@@ -333,7 +375,7 @@ class LightPicturesJobTest {
     // At the mean of the texture the product is the colour that a plain floor of that mean has.
     double mean = (Photometry.linear(100 / 255.0) + Photometry.linear(180 / 255.0)) / 2;
     double display = Photometry.display(mean);
-    double factor = litText().contains("stripes-bright.png") ? 255.0 / 180 : 1;
+    double factor = litText().contains("room-lit-stripes-bright.png") ? 255.0 / 180 : 1;
     int[] product = light(floor, 1);
     String plain = "diffuseColor='%1$s %1$s %1$s'".formatted(display);
     light(room(0, 0, 0, 4, GREY) + LAMP + quad("0 .1 0, 0 .1 4, 4 .1 4, 4 .1 0", plain), QUICK);

@@ -124,7 +124,8 @@ public final class RadiosityCommand extends CliCommand {
 
   @Option(
       names = "--no-global-subdivision",
-      description = "keeps the polygons of all surfaces, also where the scene asks for a number of them")
+      description =
+          "keeps the polygons of all surfaces, also where the scene asks for a number of them")
   private boolean noSubdivision;
 
   @Option(
@@ -140,7 +141,8 @@ public final class RadiosityCommand extends CliCommand {
   @Option(
       names = "--rays",
       paramLabel = "N",
-      description = "number of rays gathered at each vertex, or at each place between which the light at texels is "
+      description =
+          "number of rays gathered at each vertex, or at each place between which the light at texels is "
               + "interpolated (default: ${DEFAULT-VALUE})")
   private int rays = RadiositySettings.DEFAULT.rays();
 
@@ -296,7 +298,7 @@ public final class RadiosityCommand extends CliCommand {
             report.facets(),
             pictures == null
                 ? "at %d vertices".formatted(report.vertices())
-                : "in %d pictures".formatted(pictures.files()),
+                : "in %d picture%s".formatted(pictures.files(), pictures.files() == 1 ? "" : "s"),
             report.lamps(),
             report.lumens(),
             report.rays() / 1e6,

@@ -23,14 +23,22 @@ public final class Urls {
     String path = fragment < 0 ? address : address.substring(0, fragment);
     String rest = fragment < 0 ? "" : address.substring(fragment);
     try {
-      return between(to, from.resolve(path.replace('\\', '/'))) + rest;
+      return relative(to, from.resolve(path.replace('\\', '/'))) + rest;
     } catch (InvalidPathException e) {
       return url;
     }
   }
 
-  /** The relative url of a file as seen from a folder; slashes on every system. */
+  /**
+   * The relative url of a file as seen from a folder; slashes on every system. What would end the
+   * path of a url, or begin a code in it, is percent-encoded (RFC 3986, 2.1); blanks stay, which
+   * browsers read.
+   */
   public static String between(Path folder, Path file) {
+    return relative(folder, file).replace("%", "%25").replace("#", "%23").replace("?", "%3F");
+  }
+
+  private static String relative(Path folder, Path file) {
     Path start = folder.toAbsolutePath().normalize();
     Path end = file.toAbsolutePath().normalize();
     Path relative = Objects.equals(start.getRoot(), end.getRoot()) ? start.relativize(end) : end;

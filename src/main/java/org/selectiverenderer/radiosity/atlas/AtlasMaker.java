@@ -67,7 +67,7 @@ public final class AtlasMaker {
     for (int i = 0; i < count; i++) {
       if (groupOf[i] >= 0) {
         groups.computeIfAbsent(groupOf[i], key -> new ArrayList<>()).add(i);
-        bounded[i] = bound(i, boxes, planner, densities);
+        bounded[i] = bound(scene.bodies().get(i), i, boxes, planner, densities);
       }
     }
     List<PagePlanner.Page> pages = withinBudget(groups, boxes, planner, densities);
@@ -83,11 +83,18 @@ public final class AtlasMaker {
     return draw(scene, charts, boxes, pages);
   }
 
-  /** Lowers a body's density until it fits on one page. */
+  /** Lowers a body's density until it fits on one page; whether that was needed. */
   private static boolean bound(
-      int body, TexelBoxes boxes, PagePlanner planner, double[] densities) {
+      Body of, int body, TexelBoxes boxes, PagePlanner planner, double[] densities)
+      throws UnlitSceneException {
     boolean bounded = false;
     while (!planner.fits(body, boxes.size(body, densities[body]))) {
+      if (boxes.least(body)) {
+        throw new UnlitSceneException(
+            ("%s: the shape falls into %d pieces, more than one picture of light holds; divide it"
+                    + " into several shapes, or take --store vertices")
+                .formatted(of.shape().node().location(), boxes.end(body) - boxes.first(body)));
+      }
       densities[body] *= LOWER;
       bounded = true;
     }
@@ -113,18 +120,32 @@ public final class AtlasMaker {
       }
       boolean last = scale <= least;
       if (sum / FILLED <= most || last && sum <= most) {
-        List<PagePlanner.Page> pages = new ArrayList<>();
-        groups.values().forEach(bodies -> pages.addAll(planner.plan(bodies, texels)));
-        sum = pages.stream().mapToLong(PagePlanner.Page::texels).sum();
-        if (sum <= most) {
+        List<PagePlanner.Page> pages = pages(groups, planner, texels);
+        long planned = pages == null ? 0 : pages.stream().mapToLong(PagePlanner.Page::texels).sum();
+        if (pages != null && planned <= most) {
           return pages;
         }
+        sum = Math.max(sum, planned);
       }
       if (last) {
         throw new UnlitSceneException(tooSmall(sum));
       }
       scale = Math.max(least, scale * LOWER);
     }
+  }
+
+  /** Null if something does not lie on a page. */
+  private static @Nullable List<PagePlanner.Page> pages(
+      Map<Integer, List<Integer>> groups, PagePlanner planner, long[] texels) {
+    List<PagePlanner.Page> pages = new ArrayList<>();
+    for (List<Integer> bodies : groups.values()) {
+      List<PagePlanner.Page> own = planner.plan(bodies, texels);
+      if (own == null) {
+        return null;
+      }
+      pages.addAll(own);
+    }
+    return pages;
   }
 
   private String tooSmall(long texels) {

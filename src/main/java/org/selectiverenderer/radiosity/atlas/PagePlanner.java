@@ -3,6 +3,7 @@ package org.selectiverenderer.radiosity.atlas;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Puts the bodies of each file on pages, a body on one page, and makes pages no larger than needed.
@@ -20,6 +21,12 @@ final class PagePlanner {
   /** Of a page's area: more is not hoped for at first. */
   private static final double HOPE = 0.92;
 
+  /**
+   * Boxes with sides of at most half of a page's and this share of its area lie on it in any case:
+   * put in rows by their heights they are no higher than the highest and twice their area.
+   */
+  private static final double SURE = 0.2;
+
   private final TexelBoxes boxes;
   private final int largest;
 
@@ -35,19 +42,25 @@ final class PagePlanner {
     this.largest = largest;
   }
 
-  /** Whether a body alone can lie on a page. */
+  /**
+   * Whether a body alone can lie on a page.
+   *
+   * @param texels that it takes
+   */
   boolean fits(int body, long texels) {
-    return boxes.longest(body) + TexelBoxes.GUTTER < largest
-        && (texels < 0.7 * largest * largest
-            || texels < (double) largest * largest && page(List.of(body), texels) != null);
+    int longest = boxes.longest(body) + TexelBoxes.GUTTER;
+    double area = (double) largest * largest;
+    return longest < largest
+        && texels < area
+        && (longest <= largest / 2 && texels < SURE * area || page(List.of(body), texels) != null);
   }
 
   /**
-   * The pages of bodies that each fit alone.
+   * The pages of bodies; null if one of them does not lie on a page.
    *
    * @param texels by body
    */
-  List<Page> plan(List<Integer> bodies, long[] texels) {
+  @Nullable List<Page> plan(List<Integer> bodies, long[] texels) {
     List<Page> pages = new ArrayList<>();
     int from = 0;
     while (from < bodies.size()) {
@@ -58,13 +71,16 @@ final class PagePlanner {
         sum += texels[bodies.get(to++)];
       }
       Page page = page(bodies.subList(from, to), sum);
-      while (page == null) {
+      while (page == null && to > from + 1) {
         to = Math.max(from + 1, to - 1 - (to - from) / 10);
         sum = 0;
         for (int i = from; i < to; i++) {
           sum += texels[bodies.get(i)];
         }
         page = page(bodies.subList(from, to), sum);
+      }
+      if (page == null) {
+        return null;
       }
       pages.add(page);
       from = to;
@@ -73,7 +89,7 @@ final class PagePlanner {
   }
 
   /** The smallest page that holds these bodies; null if the largest does not. */
-  private @org.jspecify.annotations.Nullable Page page(List<Integer> bodies, long texels) {
+  private @Nullable Page page(List<Integer> bodies, long texels) {
     int count = 0;
     int widest = 0;
     for (int body : bodies) {

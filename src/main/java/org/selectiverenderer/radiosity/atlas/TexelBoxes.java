@@ -59,6 +59,11 @@ final class TexelBoxes {
     return sum;
   }
 
+  /** Whether a body's boxes are of one texel each, as small as can be. */
+  boolean least(int body) {
+    return longest(body) <= 1;
+  }
+
   /** The longest side of a body's boxes. */
   int longest(int body) {
     return first[body] == first[body + 1]

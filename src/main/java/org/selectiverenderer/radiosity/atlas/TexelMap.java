@@ -17,8 +17,7 @@ package org.selectiverenderer.radiosity.atlas;
  * @param chart per texel: a number that neighbouring texels of one chart share, {@link #NONE}
  *     outside
  */
-public record TexelMap(
-    int width, int height, int[] triangle, float[] u, float[] v, int[] chart) {
+public record TexelMap(int width, int height, int[] triangle, float[] u, float[] v, int[] chart) {
   /** No triangle, no chart. */
   public static final int NONE = -1;
 

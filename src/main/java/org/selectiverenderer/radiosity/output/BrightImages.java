@@ -1,23 +1,27 @@
 package org.selectiverenderer.radiosity.output;
 
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.selectiverenderer.base.picture.PngFile;
+import org.selectiverenderer.polygon.model.Urls;
 import org.selectiverenderer.radiosity.bake.BrightImage;
 import org.selectiverenderer.radiosity.bake.OwnTexture;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.scene.Node;
+import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
-/** Brighter copies of images beside the files that show them, one of each in a folder. */
+/**
+ * Brighter copies of images beside the files that show them, one of each in a folder. Their names
+ * begin with that of the lit file, so that no image of the author's is overwritten.
+ */
 final class BrightImages {
   private static final String BRIGHT = "-bright";
 
-  /** An image, by identity, in a folder. */
-  private record Copy(int image, Path folder) {}
-
-  private final Map<Copy, Path> known = new LinkedHashMap<>();
+  private final Map<Path, Map<Texture.Image, Path>> known = new HashMap<>();
   private final Map<Path, Texture.Image> images = new LinkedHashMap<>();
 
   /** Appends the texture of a body with a brighter copy of its image. */
@@ -25,12 +29,12 @@ final class BrightImages {
     Texture.Image image = own.texture().image();
     Node node = own.node().orElseThrow();
     Path file =
-        known.computeIfAbsent(
-            new Copy(System.identityHashCode(image), into.folder()),
-            key -> next(into.folder(), stem(node)));
+        known
+            .computeIfAbsent(into.folder(), key -> new IdentityHashMap<>())
+            .computeIfAbsent(image, key -> next(into, stem(node)));
     images.put(file, image);
     X3dWriter out = into.out();
-    out.open("ImageTexture", "url", "\"" + file.getFileName() + "\"");
+    out.open("ImageTexture", "url", ValueText.strings(Urls.between(into.folder(), file)));
     if (!own.texture().repeatS()) {
       out.attribute("repeatS", "false");
     }
@@ -49,10 +53,11 @@ final class BrightImages {
     return (stem.isEmpty() ? "image" : stem) + BRIGHT;
   }
 
-  private Path next(Path folder, String stem) {
-    Path path = folder.resolve(stem + ".png");
+  private Path next(LitFile into, String stem) {
+    String whole = into.stem() + "-" + stem;
+    Path path = into.folder().resolve(whole + ".png");
     for (int number = 2; images.containsKey(path); number++) {
-      path = folder.resolve(stem + "-" + number + ".png");
+      path = into.folder().resolve(whole + "-" + number + ".png");
     }
     return path;
   }

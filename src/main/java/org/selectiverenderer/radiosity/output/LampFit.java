@@ -22,8 +22,8 @@ import org.selectiverenderer.x3d.write.X3dWriter;
  * Lights that stay on for highlights, as bright as the tone curve shows what they light. X3D adds
  * highlights to display colours, so a light gets as its intensity the display colour of a white
  * surface that it lights at a distance of {@value #NEAR} m. In display colours the light of a lamp
- * falls off about with its distance (the square by the display's exponent), and so it does here.
- * No light has ambient light. A rectangle becomes a spot that shines to its front.
+ * falls off about with its distance (the square by the display's exponent), and so it does here. No
+ * light has ambient light. A rectangle becomes a spot that shines to its front.
  */
 public final class LampFit {
   /** Metres. */

@@ -24,6 +24,11 @@ record LitFile(X3dWriter out, NodeText nodes, Path file, int place, String prefi
     return Objects.requireNonNull(file.toAbsolutePath().getParent());
   }
 
+  /** Its name without the ending. */
+  String stem() {
+    return String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+  }
+
   @Override
   public String written(NodeView node, String url) {
     Path from = Path.of(node.location().file()).toAbsolutePath().getParent();

@@ -2,15 +2,22 @@ package org.selectiverenderer.radiosity.output;
 
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 
 /** The files of a lit scene and their names: one for every place of every Inline. */
 final class LitFiles {
   private final Path scene;
   private final Path folder;
   private final Map<Path, String> texts = new LinkedHashMap<>();
-  private final Map<String, Integer> names = new HashMap<>();
+
+  private final Map<String, Integer> numbers = new HashMap<>();
+
+  /** Without endings, names in small letters: some systems do not tell them from capitals. */
+  private final Set<Path> taken = new HashSet<>();
 
   /**
    * @param scene the file of the scene itself
@@ -19,6 +26,8 @@ final class LitFiles {
   LitFiles(Path scene, Path folder) {
     this.scene = scene;
     this.folder = folder;
+    String own = stem(String.valueOf(scene.getFileName())).toLowerCase(Locale.ROOT);
+    taken.add(scene.resolveSibling(own));
   }
 
   Path scene() {
@@ -29,10 +38,18 @@ final class LitFiles {
   Path next(String inlined) {
     String name =
         inlined.substring(Math.max(inlined.lastIndexOf('/'), inlined.lastIndexOf('\\')) + 1);
+    String stem = stem(name);
+    int number = numbers.merge(stem, 1, Integer::sum);
+    String file = number == 1 ? stem : stem + "-" + number;
+    while (!taken.add(folder.resolve(file.toLowerCase(Locale.ROOT)))) {
+      file = stem + "-" + numbers.merge(stem, 1, Integer::sum);
+    }
+    return folder.resolve(file + ".x3d");
+  }
+
+  private static String stem(String name) {
     int point = name.lastIndexOf('.');
-    String stem = point > 0 ? name.substring(0, point) : name;
-    int number = names.merge(stem, 1, Integer::sum);
-    return folder.resolve(stem + (number == 1 ? "" : "-" + number) + ".x3d");
+    return point > 0 ? name.substring(0, point) : name;
   }
 
   void put(Path file, String text) {

@@ -37,8 +37,7 @@ public final class LitSceneWriter {
    * @param folder for what it inlines
    * @param problems hears what could not be kept
    */
-  public LitSceneWriter(
-      LightScene scene, LitForm form, Path file, Path folder, Problems problems) {
+  public LitSceneWriter(LightScene scene, LitForm form, Path file, Path folder, Problems problems) {
     this.form = form;
     this.files = new LitFiles(file, folder);
     this.problems = problems;

@@ -52,7 +52,8 @@ final class LitShapeWriter {
         int end = key.length();
         key.append(';');
         int at = 9 * facet + 3 * corner;
-        ShapeNumbers.tuple(key, new double[] {colours[at], colours[at + 1], colours[at + 2]}, COLOUR_DECIMALS);
+        ShapeNumbers.tuple(
+            key, new double[] {colours[at], colours[at + 1], colours[at + 2]}, COLOUR_DECIMALS);
         if (translucent) {
           key.append(' ');
           ShapeNumbers.number(key, 1 - body.transmittance(), COLOUR_DECIMALS);

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.selectiverenderer.base.picture.PngFile;
+import org.selectiverenderer.polygon.model.Urls;
 import org.selectiverenderer.radiosity.atlas.AtlasMaker;
 import org.selectiverenderer.radiosity.bake.LightPicture;
 import org.selectiverenderer.radiosity.bake.LightPictures;
@@ -17,6 +18,7 @@ import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
@@ -36,6 +38,7 @@ public final class TexelForm implements LitForm {
   private final FilePlaces places;
   private final BrightImages images = new BrightImages();
   private final Map<Integer, Path> files = new LinkedHashMap<>();
+  private final Map<Path, Integer> numbers = new HashMap<>();
   private final Map<Path, Map<String, String>> appearances = new HashMap<>();
 
   /**
@@ -135,7 +138,7 @@ public final class TexelForm implements LitForm {
   private String kind(int number, Body body) {
     String image = "";
     if (painted.use().apart(number)) {
-      image = System.identityHashCode(OwnTexture.of(body).node().orElseThrow()) + " " + number;
+      image = " " + number;
     }
     return "%d %s %s %s"
         .formatted(
@@ -165,26 +168,23 @@ public final class TexelForm implements LitForm {
     X3dWriter out = into.out();
     String name = into.prefix() + "Page" + page;
     boolean first = !files.containsKey(page);
-    Path file = files.computeIfAbsent(page, key -> next(into.file()));
+    Path file = files.computeIfAbsent(page, key -> next(into));
     out.open("ImageTexture", first ? "DEF" : "USE", name);
     if (!container.isEmpty()) {
       out.attribute("containerField", container);
     }
     if (first) {
-      out.attribute("url", "\"" + file.getFileName() + "\"");
+      out.attribute("url", ValueText.strings(Urls.between(into.folder(), file)));
       out.attribute("repeatS", "false").attribute("repeatT", "false");
     }
     out.close();
   }
 
   /** A picture beside a file: named like it, numbered from the second. */
-  private Path next(Path file) {
-    String stem = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "") + "-light";
-    Path path = file.resolveSibling(stem + ".png");
-    for (int number = 2; files.containsValue(path); number++) {
-      path = file.resolveSibling(stem + "-" + number + ".png");
-    }
-    return path;
+  private Path next(LitFile into) {
+    int number = numbers.merge(into.file(), 1, Integer::sum);
+    String name = into.stem() + "-light" + (number == 1 ? "" : "-" + number);
+    return into.folder().resolve(name + ".png");
   }
 
   @Override

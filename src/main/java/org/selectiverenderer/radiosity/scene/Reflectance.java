@@ -97,8 +97,7 @@ final class Reflectance {
   }
 
   private static int places(double[] st, Texture.Image image) {
-    double cross =
-        (st[2] - st[0]) * (st[5] - st[1]) - (st[3] - st[1]) * (st[4] - st[0]);
+    double cross = (st[2] - st[0]) * (st[5] - st[1]) - (st[3] - st[1]) * (st[4] - st[0]);
     double pixels = Math.abs(cross) / 2 * image.width() * image.height();
     return (int) Math.max(LEAST_PLACES, Math.min(MOST_PLACES, pixels / PIXELS));
   }

@@ -35,8 +35,7 @@ class CancelledRadiosityTest {
   void afterTheIterationsItSaysThatItsLightIsThatOfTheLast() throws Exception {
     // Rays for half a minute: the iterations are over long before.
     Path messages =
-        cancelled(
-            "iteration  2", "--store", "vertices", "--rays", "3000", "--max-mesh", "0.15");
+        cancelled("iteration  2", "--store", "vertices", "--rays", "3000", "--max-mesh", "0.15");
     assertThat(folder.resolve("data")).content().contains("slab-lit.x3d", "cancelled");
     assertThat(folder.resolve("slab-lit.x3d")).isNotEmptyFile();
     assertThat(messages).content().doesNotContain("Exception");

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.OptionalDouble;
 import java.util.concurrent.ForkJoinPool;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.Problem;
@@ -184,6 +185,34 @@ class AtlasMakerTest {
         .isEqualTo(
             "the shape is too large for its light to be stored finer than 0.125 texels per metre");
     assertThat(told.location().toString()).startsWith("test.x3d:1:");
+  }
+
+  @Test
+  @Timeout(60)
+  void aSlabBothOfWhoseSidesAreMoreThanHalfOfAPageIsBounded() throws Exception {
+    LightScene scene = SmallScene.read(Shapes.lit(Shapes.shape("<Box size='26 0.2 26'/>")));
+    Atlas atlas = make(scene, new AtlasSettings(OptionalDouble.of(6), 1 << 20, 256));
+    AtlasLaws.check(scene, atlas);
+    assertThat(atlas.pages()).hasSize(1);
+  }
+
+  @Test
+  @Timeout(60)
+  void aShapeInMorePiecesThanAPageHoldsIsTold() throws Exception {
+    StringBuilder points = new StringBuilder();
+    StringBuilder indices = new StringBuilder();
+    for (int i = 0; i < 600; i++) {
+      points.append("0 0 %d, 1 0 %d, 0 1 %d, ".formatted(i, i, i));
+      indices.append("%d %d %d ".formatted(3 * i, 3 * i + 1, 3 * i + 2));
+    }
+    LightScene scene =
+        SmallScene.read(Shapes.lit(Shapes.triangles(points.toString(), indices.toString())));
+    AtlasSettings small = new AtlasSettings(OptionalDouble.empty(), 24 << 20, 64);
+    assertThatThrownBy(() -> make(scene, small))
+        .isInstanceOf(UnlitSceneException.class)
+        .hasMessageMatching(
+            "test.x3d:1:\\d+: the shape falls into 600 pieces, more than one picture of light holds;"
+                + " divide it into several shapes, or take --store vertices");
   }
 
   @Test

@@ -11,8 +11,8 @@ import org.selectiverenderer.apartment.facts.Expectancies;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.frame.RoomModels;
 import org.selectiverenderer.apartment.frame.SoftShadow;
-import org.selectiverenderer.apartment.pictures.Picture;
 import org.selectiverenderer.apartment.pictures.Pictures;
+import org.selectiverenderer.apartment.pictures.SurfacePicture;
 import org.selectiverenderer.apartment.plan.FloorShadows;
 import org.selectiverenderer.apartment.plan.FurniturePlan;
 import org.selectiverenderer.apartment.plan.PlacedObject;
@@ -41,7 +41,7 @@ record Apartment(
     List<PlacedObject> placed,
     List<RecipeFile> models,
     Map<String, String> texts,
-    Map<String, Picture> pictures) {
+    Map<String, SurfacePicture> pictures) {
 
   static Apartment make(ObjectFiles files, PolygonCounts counts) {
     List<PlannedObject> placements = FurniturePlan.all();
@@ -76,7 +76,7 @@ record Apartment(
     texts.put("scenes/apartment-unlit.x3d", scene.unlit(placed, "apartment-unlit.x3d", shares));
     texts.put("scenes/practice.x3d", PracticeScene.text());
     texts.put("scenes/paths/apartment-tour.csv", ApartmentTour.text());
-    Map<String, Picture> pictures = new TreeMap<>();
+    Map<String, SurfacePicture> pictures = new TreeMap<>();
     Pictures.all().forEach((name, made) -> pictures.put("inlineNodes/" + name, made.get()));
     return new Apartment(placed, inlineNodes, texts, pictures);
   }

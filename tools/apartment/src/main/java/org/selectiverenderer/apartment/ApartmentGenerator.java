@@ -13,8 +13,8 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
-import org.selectiverenderer.apartment.pictures.Picture;
 import org.selectiverenderer.apartment.pictures.Pictures;
+import org.selectiverenderer.apartment.pictures.SurfacePicture;
 import org.selectiverenderer.apartment.versions.MadeObject;
 import org.selectiverenderer.apartment.versions.RecipeFile;
 import org.selectiverenderer.base.files.FileTransaction;
@@ -32,7 +32,7 @@ public final class ApartmentGenerator {
 
   private final PolygonCounts counts = PolygonCounts.load();
   private final Map<String, Supplier<ParametricModel>> recipes = Recipes.all();
-  private final Map<String, Supplier<Picture>> pictures = Pictures.all();
+  private final Map<String, Supplier<SurfacePicture>> pictures = Pictures.all();
   private final ObjectFiles files = new ObjectFiles(recipes, counts);
 
   /**

@@ -24,7 +24,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.selectiverenderer.apartment.facts.PolygonCounts;
 import org.selectiverenderer.apartment.facts.PolygonCounts.Counts;
 import org.selectiverenderer.apartment.frame.SoftShadow;
-import org.selectiverenderer.apartment.pictures.Picture;
+import org.selectiverenderer.apartment.pictures.SurfacePicture;
 import org.selectiverenderer.apartment.plan.FloorShadows;
 import org.selectiverenderer.apartment.plan.Footprint;
 import org.selectiverenderer.apartment.plan.PlacedObject;
@@ -62,7 +62,7 @@ class ApartmentTest {
   /** Pixels, since how far a file is compressed is up to the Java that writes it. */
   @Test
   void thePicturesThatAreKeptAreWhatTheGeneratorMakes() throws Exception {
-    for (Map.Entry<String, Picture> made : apartment.pictures().entrySet()) {
+    for (Map.Entry<String, SurfacePicture> made : apartment.pictures().entrySet()) {
       BufferedImage kept = ImageIO.read(Path.of(made.getKey()).toFile());
       BufferedImage now = ImageIO.read(new ByteArrayInputStream(made.getValue().png()));
       assertThat(kept.getWidth()).isEqualTo(now.getWidth());
@@ -87,7 +87,7 @@ class ApartmentTest {
   @Test
   void picturesAreNoLargerThanOneSees() {
     int bytes = 0;
-    for (Picture picture : apartment.pictures().values()) {
+    for (SurfacePicture picture : apartment.pictures().values()) {
       assertThat(picture.width()).isLessThanOrEqualTo(512);
       assertThat(picture.height()).isLessThanOrEqualTo(1024);
       bytes += picture.png().length;

@@ -38,7 +38,7 @@ final class CarpetPattern {
 
   private CarpetPattern() {}
 
-  static Picture picture() {
+  static SurfacePicture picture() {
     double[] meanLight = new double[3];
     for (int dye = TEAL; dye <= DARK; dye++) {
       for (int c = 0; c < 3; c++) {

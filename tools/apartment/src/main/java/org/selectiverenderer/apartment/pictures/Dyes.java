@@ -58,7 +58,8 @@ final class Dyes {
    * @param across metres that it covers to the right, {@code up} likewise
    * @param meanLight share of light that it throws back on the whole, as the surface did before
    */
-  Picture paint(int width, int height, double across, double up, double[] meanLight, Paint paint) {
+  SurfacePicture paint(
+      int width, int height, double across, double up, double[] meanLight, Paint paint) {
     byte[] pixels = new byte[width * height];
     long[] used = new long[COLOURS];
     for (int y = 0; y < height; y++) {
@@ -70,7 +71,7 @@ final class Dyes {
         used[colour]++;
       }
     }
-    return new Picture(width, height, Samples.PALETTE, palette(used, meanLight), pixels);
+    return new SurfacePicture(width, height, Samples.PALETTE, palette(used, meanLight), pixels);
   }
 
   /** All colours lighter or darker by one factor for red, one for green, one for blue. */

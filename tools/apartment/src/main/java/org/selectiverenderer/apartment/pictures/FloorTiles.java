@@ -30,7 +30,7 @@ final class FloorTiles {
   /**
    * @param meanLight share of light that it throws back
    */
-  static Picture picture(double[] meanLight) {
+  static SurfacePicture picture(double[] meanLight) {
     return GLAZES.paint(512, 512, TILES, TILES, meanLight, new FloorTiles()::at);
   }
 

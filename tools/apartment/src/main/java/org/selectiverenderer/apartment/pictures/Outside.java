@@ -30,11 +30,11 @@ record Outside(double x, double z) {
 
   private static final double BOTTOM = -0.72;
 
-  Picture picture() {
+  SurfacePicture picture() {
     Landscape land = new Landscape();
     byte[] pixels = new byte[4 * PIXELS * PIXELS];
     IntStream.range(0, PIXELS).parallel().forEach(row -> row(land, row, pixels));
-    return new Picture(PIXELS, PIXELS, Samples.RGBA, new byte[0], pixels);
+    return new SurfacePicture(PIXELS, PIXELS, Samples.RGBA, new byte[0], pixels);
   }
 
   private void row(Landscape land, int row, byte[] pixels) {

@@ -29,7 +29,7 @@ final class Parquet {
   /**
    * @param meanLight share of light that it throws back
    */
-  static Picture picture(double[] meanLight) {
+  static SurfacePicture picture(double[] meanLight) {
     return OAK.paint(512, 1024, SIZE, SIZE, meanLight, new Parquet()::at);
   }
 

@@ -40,8 +40,8 @@ public final class Pictures {
   private Pictures() {}
 
   /** What makes each. */
-  public static Map<String, Supplier<Picture>> all() {
-    Map<String, Supplier<Picture>> all = new TreeMap<>();
+  public static Map<String, Supplier<SurfacePicture>> all() {
+    Map<String, Supplier<SurfacePicture>> all = new TreeMap<>();
     // The plain colours that the same surfaces are known by.
     double[] boards =
         light(

@@ -19,7 +19,7 @@ final class Plaster {
 
   private Plaster() {}
 
-  static Picture picture() {
+  static SurfacePicture picture() {
     Plaster plaster = new Plaster();
     double[] relief = new double[PIXELS * PIXELS];
     double sum = 0;
@@ -32,7 +32,7 @@ final class Plaster {
       double light = MEAN_LIGHT * (1 + relief[i] - sum / relief.length);
       pixels[i] = (byte) Math.round(255 * Srgb.display(Math.max(0, Math.min(1, light))));
     }
-    return new Picture(PIXELS, PIXELS, Samples.GREY, new byte[0], pixels);
+    return new SurfacePicture(PIXELS, PIXELS, Samples.GREY, new byte[0], pixels);
   }
 
   /** Light from above on bumps, as a share more or less; u and v from 0 to 1 downwards. */

@@ -15,7 +15,7 @@ final class Veneer {
   /**
    * @param meanLight share of light that it throws back
    */
-  static Picture picture(double[] meanLight) {
+  static SurfacePicture picture(double[] meanLight) {
     return WOOD.paint(256, 256, 1, 1, meanLight, new Veneer()::at);
   }
 

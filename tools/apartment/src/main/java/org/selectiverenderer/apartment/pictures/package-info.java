@@ -7,8 +7,8 @@
  * bright with it as without. Frame: pixels from the upper left corner; formulas take metres of the
  * surface, x to the right and y up.
  *
- * <p>In: nothing. Out: {@link org.selectiverenderer.apartment.pictures.Picture}s by file name. Uses
- * {@code base.picture}.
+ * <p>In: nothing. Out: {@link org.selectiverenderer.apartment.pictures.SurfacePicture}s by file
+ * name. Uses {@code base.picture}.
  */
 @NullMarked
 package org.selectiverenderer.apartment.pictures;

@@ -25,14 +25,14 @@ class PicturesTest {
   private static final List<String> SURFACES =
       List.of(Pictures.PARQUET, Pictures.TILES, Pictures.PLASTER, Pictures.VENEER, Pictures.CARPET);
 
-  private final Map<String, Picture> pictures = new TreeMap<>();
+  private final Map<String, SurfacePicture> pictures = new TreeMap<>();
 
   @BeforeAll
   void make() {
     SURFACES.forEach(name -> pictures.put(name, Pictures.all().get(name).get()));
   }
 
-  private Picture picture(String name) {
+  private SurfacePicture picture(String name) {
     return pictures.get(name);
   }
 
@@ -47,7 +47,7 @@ class PicturesTest {
   @ParameterizedTest
   @ValueSource(strings = {Pictures.PARQUET, Pictures.TILES, Pictures.PLASTER, Pictures.VENEER})
   void aTileGoesOnBeyondItsEdges(String name) {
-    Picture tile = picture(name);
+    SurfacePicture tile = picture(name);
 
     goesOn(tile.width(), x -> columns(tile, x, (x + 1) % tile.width()));
     goesOn(tile.height(), y -> rows(tile, y, (y + 1) % tile.height()));
@@ -61,7 +61,7 @@ class PicturesTest {
     assertThat(toNext.applyAsDouble(count - 1)).isLessThanOrEqualTo(most);
   }
 
-  private static double columns(Picture picture, int a, int b) {
+  private static double columns(SurfacePicture picture, int a, int b) {
     double sum = 0;
     for (int y = 0; y < picture.height(); y++) {
       sum += Math.abs(picture.sample(a, y, 1) - picture.sample(b, y, 1));
@@ -69,7 +69,7 @@ class PicturesTest {
     return sum / picture.height();
   }
 
-  private static double rows(Picture picture, int a, int b) {
+  private static double rows(SurfacePicture picture, int a, int b) {
     double sum = 0;
     for (int x = 0; x < picture.width(); x++) {
       sum += Math.abs(picture.sample(x, a, 1) - picture.sample(x, b, 1));
