@@ -364,7 +364,8 @@ class LightPicturesJobTest {
     RadiosityJob.Report report = light(room(0, 0, 0, 4, GREY) + LAMP + tiled("stripes.png"), QUICK);
     assertThat(report.pictures().multiplied()).isEqualTo(1);
     assertThat(litText())
-        .contains("<MultiTexture mode='\"MODULATE\" \"MODULATE\"'", "url='\"stripes")
+        .contains(
+            "<MultiTexture mode='\"MODULATE\" \"MODULATE\"'", "url='\"room-lit-stripes-bright.png")
         .contains("<MultiTextureCoordinate")
         .doesNotContain("TextureTransform");
     assertThat(own).hasContent("the author's");

@@ -190,9 +190,7 @@ class AtlasMakerTest {
   @Test
   @Timeout(60)
   void aSlabBothOfWhoseSidesAreMoreThanHalfOfAPageIsBounded() throws Exception {
-    LightScene scene = SmallScene.read(Shapes.lit(Shapes.shape("<Box size='26 0.2 26'/>")));
-    Atlas atlas = make(scene, new AtlasSettings(OptionalDouble.of(6), 1 << 20, 256));
-    AtlasLaws.check(scene, atlas);
+    Atlas atlas = checked(Shapes.shape("<Box size='26 0.2 26'/>"));
     assertThat(atlas.pages()).hasSize(1);
   }
 
