@@ -29,7 +29,7 @@ final class Hemisphere {
   private static final double FLAT = 0.005;
 
   /** Reflections between things that are near to each other that a ray follows. */
-  private static final int MOST_BOUNCES = 1;
+  private static final int MOST_BOUNCES = 4;
 
   /** Of flat rays no more than this counts for how light turns, as a cosine. */
   private static final double LEAST_COSINE = 0.1;
@@ -183,7 +183,7 @@ final class Hemisphere {
       int patch = hits.patch(ray);
       hits.reflectance(ray, reflected);
       hits.direct(ray, patch, light);
-      boolean goesOn = bounce < MOST_BOUNCES && hits.near(ray, patch, bounce);
+      boolean goesOn = bounce < MOST_BOUNCES && hits.near(ray, patch);
       if (!goesOn) {
         hits.indirect(patch, fromSurfaces);
       }

@@ -16,9 +16,6 @@ final class HitLight {
   /** Of a patch's area: rays shorter than the root of that are near. */
   private static final double NEAR = 2.25;
 
-  /** With each reflection less of the light depends on it, and less is near. */
-  private static final double NEARER = 0.25;
-
   private final LightScene scene;
   private final Solution solution;
   private final Texels texels;
@@ -42,15 +39,9 @@ final class HitLight {
   /**
    * Whether a ray ended so near that the patch there is too coarse for what it sees: the light of a
    * patch is a mean over its area.
-   *
-   * @param bounce how often the ray was reflected before
    */
-  boolean near(Ray ray, int patch, int bounce) {
-    double most = NEAR * solution.patches().area(patch);
-    for (int i = 0; i < bounce; i++) {
-      most *= NEARER;
-    }
-    return ray.length * ray.length < most;
+  boolean near(Ray ray, int patch) {
+    return ray.length * ray.length < NEAR * solution.patches().area(patch);
   }
 
   /**
