@@ -13,7 +13,10 @@ import org.selectiverenderer.polygon.count.PolygonStatistics;
 import org.selectiverenderer.polygon.count.SceneStatistics;
 import org.selectiverenderer.polygon.count.StatisticsCsv;
 
-/** The committed lit apartment, as {@code radiosity scenes/apartment-unlit.x3d} writes it. */
+/**
+ * The committed lit apartment, as {@code radiosity scenes/apartment-unlit.x3d --rays 256} writes
+ * it.
+ */
 class LitApartmentTest {
   private static final Path SCENES = Path.of("scenes");
   private static final Path INLINED = Path.of("inlineNodes", "apartment-lit");

@@ -11,7 +11,8 @@ import org.selectiverenderer.base.picture.Srgb;
  * @param palette red, green and blue of each colour, where pixels are numbers of colours
  * @param pixels rows from the top
  */
-public record SurfacePicture(int width, int height, Samples samples, byte[] palette, byte[] pixels) {
+public record SurfacePicture(
+    int width, int height, Samples samples, byte[] palette, byte[] pixels) {
 
   /** The bytes of a PNG file. */
   public byte[] png() {
