@@ -51,12 +51,8 @@ class EnrichCommandTest {
   @Test
   void theApartmentOfTheRatingsBehavesAsTheCommittedOne() throws IOException {
     Path scenes = Files.createDirectory(folder.resolve("scenes"));
-    Path objects = Files.createDirectory(folder.resolve("inlineNodes"));
-    try (var files = Files.list(Path.of("inlineNodes"))) {
-      for (Path file : files.toList()) {
-        Files.copy(file, objects.resolve(file.getFileName()));
-      }
-    }
+    copy(Path.of("inlineNodes"));
+    copy(Path.of("inlineNodes", "textures"));
     Path enriched = scenes.resolve("apartment.x3d");
     run("enrich", PLAIN, "--ratings", RATINGS, "--output", enriched.toString());
     String path = "scenes/paths/apartment-tour.csv";
@@ -64,6 +60,16 @@ class EnrichCommandTest {
     String ours = out;
     run("simulate", "scenes/apartment.x3d", "--path", path, "--format", "json");
     assertThat(ours).isEqualTo(out).contains("\"event\":\"switch\"");
+  }
+
+  /** Copies the files of a folder of the project to the same place below the test's own. */
+  private void copy(Path from) throws IOException {
+    Path to = Files.createDirectories(folder.resolve(from));
+    try (var files = Files.list(from)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        Files.copy(file, to.resolve(file.getFileName()));
+      }
+    }
   }
 
   private Path scene() throws IOException {

@@ -86,6 +86,12 @@ class AuthorsDayTest {
                         ? "<Inline DEF='%s' %s/>".formatted(found.group(1), found.group(2))
                         : "");
     assertThat(flat).doesNotContain("<Switch").doesNotContain("Sensor");
+    Path pictures = Files.createDirectories(models.resolve("textures"));
+    try (Stream<Path> all = Files.list(MODELS.resolve("textures"))) {
+      for (Path picture : all.toList()) {
+        Files.copy(picture, pictures.resolve(picture.getFileName()));
+      }
+    }
     Matcher url = Pattern.compile("\\.\\./inlineNodes/([^\"]*)").matcher(flat);
     while (url.find()) {
       Path model = models.resolve(url.group(1));
