@@ -21,6 +21,7 @@ public record AreaAnalysis(
     Design design,
     Optional<Anova> anova,
     List<String> notes) {
+  /** Keeps copies, so that it stays as it is. */
   public AreaAnalysis {
     notes = List.copyOf(notes);
   }
