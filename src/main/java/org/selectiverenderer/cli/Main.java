@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import org.selectiverenderer.cli.base.LibraryProperties;
+import org.selectiverenderer.cli.bundle.DesktopStart;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.StandardOutput;
 import org.selectiverenderer.runtime.render.context.GlStart;
@@ -14,11 +15,16 @@ import picocli.CommandLine.Help.Ansi;
 
 /** The program's entry: arguments to a command, and its end to an exit status. */
 public final class Main {
+  /** Set by launchers of desktops that give files only: {@code run} or {@code enrich}. */
+  private static final String DESKTOP = "selective-renderer.desktop";
+
   private Main() {}
 
   /** Runs one command and ends the process, whatever windows or threads are left. */
-  public static void main(String[] args) {
+  public static void main(String[] typed) {
     LibraryProperties.set();
+    String desktop = System.getProperty(DESKTOP);
+    String[] args = desktop == null ? typed : DesktopStart.arguments(typed, desktop);
     // Programs read messages and reports too: no digits and decimal signs of the machine's
     // language.
     Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
