@@ -12,8 +12,8 @@ import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
 
 /**
- * Copies the application's jar without the native parts of other platforms, and lays JOGL's beside it as
- * the program would at its first start, since a package's folder cannot be written then:
+ * Copies the application's jar without the native parts of other platforms, and lays JOGL's beside
+ * it as the program would at its first start, since a package's folder cannot be written then:
  *
  * <pre>java packaging/SlimJar.java target/selective-renderer.jar FOLDER PLATFORM SECONDS</pre>
  *
@@ -33,13 +33,26 @@ public final class SlimJar {
           "linux-x64",
           List.of("natives/linux-amd64/", "linux/x64/", "Linux/x86_64/", "libflatlaf-linux-x86_64"),
           "linux-arm64",
-          List.of("natives/linux-aarch64/", "linux/arm64/", "Linux/armv8_64/", "libflatlaf-linux-arm64"),
+          List.of(
+              "natives/linux-aarch64/",
+              "linux/arm64/",
+              "Linux/armv8_64/",
+              "libflatlaf-linux-arm64"),
           "windows-x64",
-          List.of("natives/windows-amd64/", "windows/x64/", "Windows/x86_64/", "flatlaf-windows-x86_64"),
+          List.of(
+              "natives/windows-amd64/",
+              "windows/x64/",
+              "Windows/x86_64/",
+              "flatlaf-windows-x86_64"),
           "macos-x64",
-          List.of("natives/macosx-universal/", "macos/x64/", "OSX/x86_64/", "libflatlaf-macos-x86_64"),
+          List.of(
+              "natives/macosx-universal/", "macos/x64/", "OSX/x86_64/", "libflatlaf-macos-x86_64"),
           "macos-arm64",
-          List.of("natives/macosx-universal/", "macos/arm64/", "OSX/aarch64/", "libflatlaf-macos-arm64"));
+          List.of(
+              "natives/macosx-universal/",
+              "macos/arm64/",
+              "OSX/aarch64/",
+              "libflatlaf-macos-arm64"));
 
   private SlimJar() {}
 
@@ -60,8 +73,10 @@ public final class SlimJar {
         ZipOutputStream out = new ZipOutputStream(file)) {
       for (ZipEntry entry : (Iterable<ZipEntry>) in.stream().map(ZipEntry.class::cast)::iterator) {
         String name = entry.getName();
-        if (entry.isDirectory()
-            || NATIVE.matcher(name).matches() && kept.stream().noneMatch(name::contains)) {
+        // Folders stay: where JOGL has to unpack its libraries, it finds them by their folder, or
+        // else
+        // by each of its parts in turn, and then overwrites libraries that are loaded.
+        if (NATIVE.matcher(name).matches() && kept.stream().noneMatch(name::contains)) {
           continue;
         }
         byte[] content;
@@ -73,7 +88,7 @@ public final class SlimJar {
         out.putNextEntry(copy);
         out.write(content);
         out.closeEntry();
-        if (name.startsWith(kept.get(0))) {
+        if (!entry.isDirectory() && name.startsWith(kept.get(0))) {
           Files.write(natives.resolve(name.substring(kept.get(0).length())), content);
         }
       }

@@ -15,16 +15,13 @@ import picocli.CommandLine.Help.Ansi;
 
 /** The program's entry: arguments to a command, and its end to an exit status. */
 public final class Main {
-  /** Set by launchers of desktops that give files only: {@code run} or {@code enrich}. */
-  private static final String DESKTOP = "selective-renderer.desktop";
-
   private Main() {}
 
   /** Runs one command and ends the process, whatever windows or threads are left. */
   public static void main(String[] typed) {
     LibraryProperties.set();
-    String desktop = System.getProperty(DESKTOP);
-    String[] args = desktop == null ? typed : DesktopStart.arguments(typed, desktop);
+    DesktopStart desktop = DesktopStart.ofProcess();
+    String[] args = desktop.arguments(typed);
     // Programs read messages and reports too: no digits and decimal signs of the machine's
     // language.
     Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
@@ -37,11 +34,15 @@ public final class Main {
             colours,
             StandardCharsets.UTF_8);
     PrintStream err =
-        new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
+        new PrintStream(
+            desktop.messages(new FileOutputStream(FileDescriptor.err)),
+            true,
+            StandardCharsets.UTF_8);
     LibraryNoise.silence(args, err);
     GlStart start = GlStart.begin(CommandCatalogue.draws(args));
     int status = execute(args, new Console(out, err, colours));
     start.await();
+    desktop.tell(status);
     System.exit(status);
   }
 

@@ -91,17 +91,6 @@ class BundleFilesCommandTest {
         .containsExactly("icp4 16", "icp5 32", "icp6 64", "ic07 128", "ic08 256", "ic09 512");
   }
 
-  @Test
-  void aFileThatADesktopOpensIsShown() {
-    assertThat(DesktopStart.arguments(new String[] {"a.x3d"}, "run"))
-        .containsExactly("run", "a.x3d");
-  }
-
-  @Test
-  void withoutAFileTheEnricherOpens() {
-    assertThat(DesktopStart.arguments(new String[] {}, "run")).containsExactly("enrich");
-  }
-
   private static ByteBuffer content(String name) throws IOException {
     return ByteBuffer.wrap(Files.readAllBytes(folder.resolve(name)));
   }
