@@ -18,7 +18,7 @@ def difference(one, other):
     """Nothing if two files have the same bytes; else where they differ, in a few words."""
     if one.read_bytes() == other.read_bytes():
         return None
-    if one.suffix != ".jar":
+    if one.suffix not in (".jar", ".zip"):
         return f"{one.name} differs"
     with zipfile.ZipFile(one) as first, zipfile.ZipFile(other) as second:
         names, others = first.namelist(), second.namelist()

@@ -53,7 +53,7 @@ class ThirdPartyTest {
   void theTextsThatItPointsToAreThere() throws IOException {
     String page = page();
     List<String> files = new ArrayList<>();
-    Matcher name = Pattern.compile("(META-INF|org)/[\\w./-]*\\w").matcher(page);
+    Matcher name = Pattern.compile("(?<![\\w.])(META-INF|org)/[\\w./-]*\\w").matcher(page);
     while (name.find()) {
       files.add(name.group());
     }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -52,6 +53,16 @@ class ReleaseCommandTest {
     scripts.write("CITATION.cff", "title: Doors\nversion: 1.1.0\ndate-released: 2025-02-03\n");
     scripts.write("pom.xml", "<project>\n  <version>1.2.0-SNAPSHOT</version>\n</project>\n");
     scripts.write("LICENSE", "MIT\n");
+    scripts.write(
+        "packaging/libraries/build",
+        """
+        #!/bin/sh
+        v=$(sed -n 's|^  <version>\\(.*\\)</version>$|\\1|p' pom.xml)
+        cp target/x3d-sai.jar "target/selective-renderer-libraries-$v.zip"
+        """);
+    Files.setPosixFilePermissions(
+        scripts.home.resolve("packaging/libraries/build"),
+        PosixFilePermissions.fromString("rwxr-xr-x"));
     scripts.write(".gitignore", "target/\n__pycache__/\n");
     // Jars that hold the POM, and with $DIFFERENT the folder that they are built in.
     scripts.tool(
@@ -181,6 +192,7 @@ class ReleaseCommandTest {
           .containsExactlyInAnyOrder(
               "selective-renderer.jar",
               "x3d-sai.jar",
+              "selective-renderer-libraries-1.2.0.zip",
               "selective-renderer-1.2.0.cdx.json",
               "THIRD-PARTY.txt",
               "LICENSE",
