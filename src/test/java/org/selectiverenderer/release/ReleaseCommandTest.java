@@ -247,12 +247,12 @@ class ReleaseCommandTest {
   }
 
   private void refused(String why, String version) throws Exception {
-    String before = state();
+    String before = scripts.git("for-each-ref");
     Run run = release(version, "--dry-run");
     assertThat(run.status()).as(why).isEqualTo(2);
     assertThat(run.out()).isEmpty();
     assertThat(run.err()).startsWith("packaging/release: ").contains(why).hasLineCount(1);
-    assertThat(state()).isEqualTo(before);
+    assertThat(scripts.git("for-each-ref")).isEqualTo(before);
   }
 
   /** Whatever a release changes in the repository. */
