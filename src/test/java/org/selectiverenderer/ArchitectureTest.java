@@ -23,6 +23,7 @@ import com.tngtech.archunit.core.domain.JavaPackage;
 import com.tngtech.archunit.core.importer.ImportOption.DoNotIncludeTests;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.junit.ArchTests;
 import com.tngtech.archunit.lang.ArchRule;
 import java.io.IOException;
 import java.util.Map;
@@ -356,6 +357,8 @@ class ArchitectureTest {
             .map(JavaPackage::getName);
     assertThat(undescribed).as("packages without a @NullMarked package-info").isEmpty();
   }
+
+  @ArchTest static final ArchTests librariesAreWhole = ArchTests.in(LibraryRules.class);
 
   private static boolean isUsedFromOutside(JavaClass found) {
     return found.getDirectDependenciesToSelf().stream()
