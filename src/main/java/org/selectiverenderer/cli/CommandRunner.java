@@ -39,6 +39,11 @@ final class CommandRunner {
     }
   }
 
+  /** The commands as picocli knows them, for what is written about them. */
+  CommandLine model(List<? extends CliCommand> commands) {
+    return commandLine(commands, new StringWriter());
+  }
+
   private CommandLine commandLine(List<? extends CliCommand> commands, StringWriter help) {
     CommandLine line = new CommandLine(root);
     commands.forEach(command -> add(line, command));
