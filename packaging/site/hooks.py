@@ -10,6 +10,7 @@ from pathlib import Path
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).resolve().parent
@@ -20,6 +21,8 @@ PAGES = ["README.md", "scenes/README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", 
 
 # [words](target), ![words](target) and [label]: target, without what stands behind # in the target.
 LINK = re.compile(r"(?:\]\(|^\[[^\]^]+\]: +)(?![a-z]+:)([^)#\s]+)", re.MULTILINE)
+FILE_NAME = re.compile(r'(<a href="[^"]*">)([\w./-]+\.md)(</a>)')
+CELL_CODE = re.compile(r"(?<=<code>)[^<]*\\\|[^<]*(?=</code>)")
 PICTURE = re.compile(r'<p>(<img alt="[^"]*" src="([^"]+)" ?/?>)</p>')
 
 
@@ -56,6 +59,23 @@ def site_file(config: MkDocsConfig, name: str, path: Path) -> File:
     return file
 
 
-def on_page_content(html: str, **_: object) -> str:
-    """A picture that stands alone opens in its own size."""
+def on_page_content(html: str, page: Page, **_: object) -> str:
+    """Links that are called by a file have the title of its page; pictures open in their own size."""
+    here = (ROOT / page.file.src_uri).parent
+
+    def titled(link: re.Match[str]) -> str:
+        return link[1] + title(here / link[2]) + link[3]
+
+    html = FILE_NAME.sub(titled, html)
+    # In a cell's code GitHub reads \| as |, as there is no other way to write it.
+    html = CELL_CODE.sub(lambda code: code[0].replace("\\|", "|"), html)
     return PICTURE.sub(r'<p><a class="picture" href="\2">\1</a></p>', html)
+
+
+def title(path: Path) -> str:
+    """The first heading of a page; its name where there is no such page."""
+    if path.is_file():
+        for line in path.read_text("utf-8").splitlines():
+            if line.startswith("# "):
+                return line[2:].replace("`", "")
+    return path.name
