@@ -130,6 +130,58 @@ class LauncherTest {
   }
 
   @Test
+  void inAPackageTheJavaAndTheJarBesideItRun() throws Exception {
+    Path runtime = aPackage();
+    environment.put("JAVA_HOME", "/no/such/java");
+    Run run = launch("validate", "a.x3d");
+    assertThat(run.err()).isEmpty();
+    assertThat(run.status()).isZero();
+    assertThat(notes())
+        .contains("packaged " + runtime.getParent().resolve("app/selective-renderer.jar"))
+        .noneMatch(note -> note.startsWith("mvn"))
+        .noneMatch(note -> note.startsWith("java "));
+  }
+
+  @Test
+  void aPackageMakesItsArchiveOfTheClassesThatItLists() throws Exception {
+    aPackage();
+    Files.writeString(home.resolve("app/classes.list"), "java/lang/Object");
+    launch("--version");
+    launch("--version");
+    assertThat(notes()).filteredOn("packaged -Xshare:dump"::equals).hasSize(1);
+    assertThat(notes()).filteredOn("listed java/lang/Object"::equals).hasSize(1);
+    assertThat(notes()).noneMatch(note -> note.contains("DumpLoadedClassList"));
+    try (Stream<Path> files = Files.list(home.resolve("app"))) {
+      assertThat(files.map(file -> file.getFileName().toString()))
+          .containsExactlyInAnyOrder(
+              "selective-renderer.jar",
+              "x3d-sai.jar",
+              "classes.list",
+              "selective-renderer-17.0.2.jsa");
+    }
+  }
+
+  /** Makes of the repository what a package installs; returns the folder of its Java. */
+  private Path aPackage() throws IOException {
+    Files.delete(home.resolve("pom.xml"));
+    Files.move(home.resolve("target"), home.resolve("app"));
+    tool(
+        "runtime/bin/java",
+        """
+        for word in "$@"; do
+          echo "packaged $word" >>"$NOTES"
+          case $word in
+            -XX:SharedClassListFile=*) echo "listed $(cat "${word#*=}")" >>"$NOTES" ;;
+          esac
+        done
+        """);
+    Path runtime = home.resolve("runtime");
+    Files.move(tools.resolve("runtime"), runtime);
+    Files.writeString(runtime.resolve("release"), "JAVA_VERSION=\"17.0.2\"\n");
+    return runtime;
+  }
+
+  @Test
   void anEditedSourceIsBuiltAgain() throws Exception {
     touchLater(home.resolve("src/main/A.java"));
     launch("--version");

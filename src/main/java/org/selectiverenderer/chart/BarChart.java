@@ -18,6 +18,7 @@ public record BarChart(String title, String subtitle, String unit, double least,
    */
   public record Bar(String label, double value, String figure, ChartColour colour) {}
 
+  /** Keeps copies, so that it stays as it is. */
   public BarChart {
     bars = List.copyOf(bars);
   }

@@ -16,6 +16,7 @@ import org.selectiverenderer.cli.author.ValidateCommand;
 import org.selectiverenderer.cli.author.VersionsCommand;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.LibraryProperties;
+import org.selectiverenderer.cli.bundle.BundleFilesCommand;
 import org.selectiverenderer.cli.experiment.ExperimentCommand;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
@@ -26,6 +27,7 @@ import org.selectiverenderer.cli.view.SaiCommand;
 import org.selectiverenderer.cli.view.SimulateCommand;
 import org.selectiverenderer.cli.view.TrackCommand;
 import org.selectiverenderer.enricher.EnricherApp;
+import org.selectiverenderer.enricher.WindowIcon;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /** The commands, in the order of {@code --help}. */
@@ -48,7 +50,8 @@ final class CommandCatalogue {
           "radiosity",
           "bench",
           "doctor",
-          "sai");
+          "sai",
+          BundleFilesCommand.NAME);
 
   /** All commands. */
   static List<CliCommand> commands(Console console) {
@@ -90,6 +93,11 @@ final class CommandCatalogue {
           case "bench" -> new BenchCommand(console, Main.class.getName());
           case "doctor" -> new DoctorCommand(console, Main.class.getName());
           case "sai" -> new SaiCommand(console, System.in);
+          case BundleFilesCommand.NAME ->
+              new BundleFilesCommand(
+                  console,
+                  () -> new CommandRunner(console).model(commands(console)),
+                  WindowIcon::image);
           default -> null;
         });
   }

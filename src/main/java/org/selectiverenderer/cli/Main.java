@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import org.selectiverenderer.cli.base.LibraryProperties;
+import org.selectiverenderer.cli.bundle.DesktopStart;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.StandardOutput;
 import org.selectiverenderer.runtime.render.context.GlStart;
@@ -17,8 +18,10 @@ public final class Main {
   private Main() {}
 
   /** Runs one command and ends the process, whatever windows or threads are left. */
-  public static void main(String[] args) {
+  public static void main(String[] typed) {
     LibraryProperties.set();
+    DesktopStart desktop = DesktopStart.ofProcess();
+    String[] args = desktop.arguments(typed);
     // Programs read messages and reports too: no digits and decimal signs of the machine's
     // language.
     Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
@@ -31,11 +34,15 @@ public final class Main {
             colours,
             StandardCharsets.UTF_8);
     PrintStream err =
-        new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
+        new PrintStream(
+            desktop.messages(new FileOutputStream(FileDescriptor.err)),
+            true,
+            StandardCharsets.UTF_8);
     LibraryNoise.silence(args, err);
     GlStart start = GlStart.begin(CommandCatalogue.draws(args));
     int status = execute(args, new Console(out, err, colours));
     start.await();
+    desktop.tell(status);
     System.exit(status);
   }
 

@@ -10,6 +10,7 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
   public static final Bounds EMPTY =
       of(new Vector3d(Double.POSITIVE_INFINITY), new Vector3d(Double.NEGATIVE_INFINITY));
 
+  /** A box between two corners. */
   public static Bounds of(Vector3dc min, Vector3dc max) {
     return new Bounds(min.x(), min.y(), min.z(), max.x(), max.y(), max.z());
   }
@@ -39,10 +40,12 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
     return new double[] {minX, minY, minZ, maxX, maxY, maxZ};
   }
 
+  /** The corner with the least coordinates. */
   public Vector3d min() {
     return new Vector3d(minX, minY, minZ);
   }
 
+  /** The corner with the greatest coordinates. */
   public Vector3d max() {
     return new Vector3d(maxX, maxY, maxZ);
   }
@@ -55,14 +58,17 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         (number & 4) == 0 ? minZ : maxZ);
   }
 
+  /** Its extent along x. */
   public double width() {
     return maxX - minX;
   }
 
+  /** Its extent along y. */
   public double height() {
     return maxY - minY;
   }
 
+  /** Its extent along z. */
   public double depth() {
     return maxZ - minZ;
   }
@@ -72,6 +78,7 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
     return Math.max(width(), Math.max(height(), depth()));
   }
 
+  /** What it holds. */
   public double volume() {
     return isEmpty() ? 0 : width() * height() * depth();
   }

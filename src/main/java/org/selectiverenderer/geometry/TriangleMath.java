@@ -75,6 +75,7 @@ public final class TriangleMath {
     out[2] = z;
   }
 
+  /** The length of a vector. */
   public static double length(double[] v) {
     return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   }

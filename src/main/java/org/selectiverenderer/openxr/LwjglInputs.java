@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.joml.Vector2d;
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.PointerBuffer;
@@ -132,43 +133,64 @@ final class LwjglInputs implements XrInputs {
     }
   }
 
-  private XrActionStateGetInfo of(long action, MemoryStack stack) {
-    return XrActionStateGetInfo.calloc(stack).type$Default().action(actions.get(action));
+  /** Asks the runtime for the state of an action. */
+  private interface Asked<S> {
+    int get(org.lwjgl.openxr.XrSession session, XrActionStateGetInfo info, S state);
+  }
+
+  /**
+   * The state of an action.
+   *
+   * @param name of the call, for messages
+   * @param empty makes what the runtime fills in
+   * @param found what there is in it, read before its memory goes
+   */
+  private <S, T> T state(
+      String name,
+      long action,
+      Function<MemoryStack, S> empty,
+      Asked<S> asked,
+      Function<S, T> found) {
+    try (MemoryStack stack = MemoryStack.stackPush()) {
+      S state = empty.apply(stack);
+      XrActionStateGetInfo info =
+          XrActionStateGetInfo.calloc(stack).type$Default().action(actions.get(action));
+      check(name, asked.get(session().handle(), info, state));
+      return found.apply(state);
+    }
   }
 
   @Override
   public boolean button(long action) {
-    try (MemoryStack stack = MemoryStack.stackPush()) {
-      XrActionStateBoolean state = XrActionStateBoolean.calloc(stack).type$Default();
-      check(
-          "GetActionStateBoolean",
-          XR10.xrGetActionStateBoolean(session().handle(), of(action, stack), state));
-      return state.isActive() && state.currentState();
-    }
+    return state(
+        "GetActionStateBoolean",
+        action,
+        stack -> XrActionStateBoolean.calloc(stack).type$Default(),
+        XR10::xrGetActionStateBoolean,
+        state -> state.isActive() && state.currentState());
   }
 
   @Override
   public Vector2d stick(long action) {
-    try (MemoryStack stack = MemoryStack.stackPush()) {
-      XrActionStateVector2f state = XrActionStateVector2f.calloc(stack).type$Default();
-      check(
-          "GetActionStateVector2f",
-          XR10.xrGetActionStateVector2f(session().handle(), of(action, stack), state));
-      return state.isActive()
-          ? new Vector2d(state.currentState().x(), state.currentState().y())
-          : new Vector2d();
-    }
+    return state(
+        "GetActionStateVector2f",
+        action,
+        stack -> XrActionStateVector2f.calloc(stack).type$Default(),
+        XR10::xrGetActionStateVector2f,
+        state ->
+            state.isActive()
+                ? new Vector2d(state.currentState().x(), state.currentState().y())
+                : new Vector2d());
   }
 
   @Override
   public boolean active(long action) {
-    try (MemoryStack stack = MemoryStack.stackPush()) {
-      XrActionStatePose state = XrActionStatePose.calloc(stack).type$Default();
-      check(
-          "GetActionStatePose",
-          XR10.xrGetActionStatePose(session().handle(), of(action, stack), state));
-      return state.isActive();
-    }
+    return state(
+        "GetActionStatePose",
+        action,
+        stack -> XrActionStatePose.calloc(stack).type$Default(),
+        XR10::xrGetActionStatePose,
+        XrActionStatePose::isActive);
   }
 
   @Override

@@ -24,6 +24,11 @@ record Iterations(Solution solution, long rays) {
   private static final int PATCH_LAMP_PLACES = 8;
 
   /**
+   * The share of them where texels take their light from elsewhere: see {@link Transport.Effort}.
+   */
+  private static final int FEWER = 4;
+
+  /**
    * Passes light on until the wanted share of the energy is distributed. If it is cancelled, the
    * last complete iteration is the result.
    *
@@ -39,8 +44,10 @@ record Iterations(Solution solution, long rays) {
       Consumer<Solution> each)
       throws UnlitSceneException {
     LightPatches patches = new LightPatches(scene, PATCH * plan.maxMesh());
-    Transport transport =
-        Transport.find(scene, patches, PATCH_RAYS, PATCH_LAMP_PLACES, settings.seed(), progress);
+    boolean shared = settings.regather() && settings.store().inTextures();
+    Transport.Effort effort =
+        new Transport.Effort(PATCH_RAYS, PATCH_LAMP_PLACES, shared ? FEWER : 1);
+    Transport transport = Transport.find(scene, patches, effort, settings.seed(), progress);
     Solution solution =
         new Solver(scene, transport)
             .solve(settings.iterations(), settings.quality(), progress, each);

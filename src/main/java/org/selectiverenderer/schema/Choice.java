@@ -13,6 +13,7 @@ import java.util.Optional;
  */
 public record Choice(
     int index, Optional<ConsistencyType> type, Optional<Degree> degree, List<String> schemas) {
+  /** Keeps copies, so that it stays as it is. */
   public Choice {
     schemas = List.copyOf(schemas);
   }

@@ -17,6 +17,7 @@ public record Degree(double value) implements Comparable<Degree> {
   /** Fully expected: the fewest polygons. */
   public static final Degree HIGH = new Degree(1);
 
+  /** Refuses what is not from 0 to 1. */
   public Degree {
     if (!(value >= 0 && value <= 1)) {
       throw new IllegalArgumentException(

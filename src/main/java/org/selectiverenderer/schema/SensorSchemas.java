@@ -10,6 +10,7 @@ import java.util.List;
  * @param exit activated on leaving
  */
 public record SensorSchemas(List<String> enter, List<String> exit) {
+  /** Keeps copies, so that it stays as it is. */
   public SensorSchemas {
     enter = List.copyOf(enter);
     exit = List.copyOf(exit);

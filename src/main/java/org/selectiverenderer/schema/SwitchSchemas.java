@@ -13,6 +13,7 @@ import java.util.Map;
  *     least one, at most as many as there are children
  */
 public record SwitchSchemas(List<Choice> choices) {
+  /** Refuses choices that do not stand at the places of their indices. */
   public SwitchSchemas {
     choices = List.copyOf(choices);
     for (int i = 0; i < choices.size(); i++) {

@@ -8,8 +8,8 @@
  * <p>In: metadata nodes, seen through {@link org.selectiverenderer.schema.MetadataSource}. Out:
  * {@link org.selectiverenderer.schema.SensorSchemas}, {@link
  * org.selectiverenderer.schema.SwitchSchemas}, changes of choices, and problems. Uses {@code
- * base.problem}, and {@code x3d.catalogue} for the one adapter {@link
- * org.selectiverenderer.schema.NodeMetadata}; knows nothing of a running scene, the SAI, AWT or GL.
+ * base.problem} for names that are nearly alike; knows no files, nothing of a running scene, the
+ * SAI, AWT or GL.
  */
 @NullMarked
 package org.selectiverenderer.schema;

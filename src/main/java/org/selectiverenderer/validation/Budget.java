@@ -11,6 +11,7 @@ import java.util.List;
  * @param polygons at most
  */
 public record Budget(String scope, List<String> schemas, long polygons) {
+  /** Keeps copies, so that it stays as it is. */
   public Budget {
     schemas = List.copyOf(schemas);
   }

@@ -13,6 +13,7 @@ import org.selectiverenderer.base.problem.Problem.Severity;
  * @param dropped how many more there are, beyond {@link Findings#LIMIT} of a rule and a file
  */
 public record Report(List<SourceFile> files, List<Finding> findings, int dropped) {
+  /** Keeps copies, so that it stays as it is. */
   public Report {
     files = List.copyOf(files);
     findings = List.copyOf(findings);

@@ -14,6 +14,7 @@ public record RuleGroup(
     List<FileCheck> fileChecks,
     List<SceneCheck> sceneChecks,
     List<RunCheck> runChecks) {
+  /** Keeps copies, so that it stays as it is. */
   public RuleGroup {
     rules = List.copyOf(rules);
     fileChecks = List.copyOf(fileChecks);

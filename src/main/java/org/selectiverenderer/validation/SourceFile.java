@@ -38,10 +38,20 @@ public record SourceFile(Path path, String name, @Nullable Content inMemory) {
         .orElseGet(() -> new SourceFile(base, content.name(), content));
   }
 
+  /**
+   * Opens it.
+   *
+   * @throws IOException if it cannot be read
+   */
   public InputStream open() throws IOException {
     return inMemory == null ? Files.newInputStream(path) : inMemory.open();
   }
 
+  /**
+   * Its length in bytes.
+   *
+   * @throws IOException if it cannot be read
+   */
   public long size() throws IOException {
     return inMemory == null ? Files.size(path) : inMemory.size();
   }

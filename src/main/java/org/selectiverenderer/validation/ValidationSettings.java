@@ -25,6 +25,7 @@ public record ValidationSettings(
     double megabytes,
     ContentAccess access,
     @Nullable Path file) {
+  /** Keeps copies, so that it stays as it is. */
   public ValidationSettings {
     ignored = Set.copyOf(ignored);
     severities = Map.copyOf(severities);

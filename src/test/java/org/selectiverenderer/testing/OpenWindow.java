@@ -24,7 +24,10 @@ public final class OpenWindow {
   private static final int PATIENCE = 60;
   private static final int SETTLING = 400;
   private static final int CLICKS = 6;
-  private static final int WAITS = 8;
+  private static final int WAITS = 64;
+
+  /** Milliseconds between two looks at whether a click has had its effect. */
+  private static final int LOOK = 50;
 
   private OpenWindow() {}
 
@@ -107,7 +110,7 @@ public final class OpenWindow {
       raise(component);
       hands.click(component);
       for (int wait = 0; wait < WAITS && !Hands.onEdt(effect::getAsBoolean); wait++) {
-        settle();
+        hands.rest(LOOK);
       }
     }
     hands.await("the effect of a click", effect);

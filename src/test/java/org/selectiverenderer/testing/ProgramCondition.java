@@ -18,7 +18,8 @@ final class ProgramCondition implements ExecutionCondition {
   private static final Map<String, String> REQUIRED =
       Map.of(
           "Rscript", "SELECTIVE_RENDERER_REQUIRE_R",
-          "bids-validator-deno", "SELECTIVE_RENDERER_REQUIRE_BIDS");
+          "bids-validator-deno", "SELECTIVE_RENDERER_REQUIRE_BIDS",
+          "python3", "SELECTIVE_RENDERER_REQUIRE_PYTHON");
 
   @Override
   public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {

@@ -1,12 +1,8 @@
 package org.selectiverenderer.app.run;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.clock.Pace;
@@ -16,16 +12,10 @@ import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.app.head.FrameMoment;
 import org.selectiverenderer.app.head.HeadSession;
 import org.selectiverenderer.app.headset.HeadsetLink;
-import org.selectiverenderer.app.headset.RoomTeleport;
-import org.selectiverenderer.app.operator.OperatorConsole;
-import org.selectiverenderer.app.operator.OverlayText;
 import org.selectiverenderer.app.settings.RunSettings;
-import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.walk.Viewpoints;
 import org.selectiverenderer.app.walk.Walking;
 import org.selectiverenderer.app.walk.Walkthrough;
-import org.selectiverenderer.openxr.HeadsetButton;
-import org.selectiverenderer.openxr.HeadsetNews;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.render.Drawn;
@@ -33,7 +23,6 @@ import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.show.OperatorPage;
 import org.selectiverenderer.runtime.render.show.WorldHost;
 import org.selectiverenderer.runtime.render.window.InputEvent;
-import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.runtime.walk.Controls;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
@@ -53,23 +42,16 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private final Pace pace;
   private final RunStop stop;
   private final Controls controls;
-  private final WindowInput windowInput;
-  private final SceneKeys sceneKeys = new SceneKeys();
-  private final DragClaim drags = new DragClaim();
-  private final Set<KeyboardKey> held = EnumSet.noneOf(KeyboardKey.class);
-  private final OverlayText overlay = new OverlayText();
-  private final OperatorConsole console;
+  private final RunInput input;
+  private final RunText text;
   private final FigureKeeper keeper = new FigureKeeper();
   private final Stopwatch time;
   private final SceneOpening opening;
   private final SceneSound sound;
-  private final RunListener listener;
-  private final Optional<HeadsetLink> headset;
+  private final RunEyes eyes;
   private RunState state = RunState.LOADING;
   private @Nullable LiveScene scene;
   private @Nullable IOException failure;
-  private boolean unseen;
-  private boolean begun;
   private boolean unreadable;
 
   /**
@@ -115,13 +97,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
     this.guide = guide;
     this.pace = pace;
     this.stop = stop;
-    this.listener = listener;
-    this.headset = headset;
-    unseen = headset.isPresent();
     this.time = time;
     controls = new Controls(settings.motion().mouse());
-    windowInput = new WindowInput(controls);
-    console = new OperatorConsole(settings, head);
+    input = new RunInput(controls, guide);
+    text = new RunText(settings, head, guide, headset.isPresent());
+    eyes = new RunEyes(headset, guide, listener);
     sound = new SceneSound(pace.audible() && !settings.scene().muted());
     opening = new SceneOpening(settings.scene(), listener);
   }
@@ -142,38 +122,12 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   @Override
   public void input(InputEvent event) {
-    LiveScene live = scene;
-    if (live == null || !claimed(event, live.walk().world())) {
-      windowInput.accept(event);
-    }
-    operatorKey(event, true);
-  }
-
-  /** Whether the scene has something of its own to do with it, so that the viewer does not move. */
-  private boolean claimed(InputEvent event, World world) {
-    return sceneKeys.accept(event, world) || drags.takes(event, world);
+    input.participant(event, Optional.ofNullable(scene).map(live -> live.walk().world()));
   }
 
   @Override
   public void operatorInput(InputEvent event) {
-    if (operatorKey(event, false)) {
-      windowInput.command(event);
-    }
-  }
-
-  /** Whether a key went down that was not down before: one that is held is told again and again. */
-  private boolean operatorKey(InputEvent event, boolean participants) {
-    if (event instanceof InputEvent.FocusLost) {
-      held.clear();
-    }
-    if (!(event instanceof InputEvent.KeyInput key)) {
-      return false;
-    }
-    boolean first = key.pressed() ? held.add(key.key()) : held.remove(key.key());
-    if (key.pressed() && first) {
-      guide.operatorKey(key.key(), participants);
-    }
-    return key.pressed() && first;
+    input.operator(event);
   }
 
   @Override
@@ -183,13 +137,12 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   @Override
   public void presented(boolean seen) {
-    unseen = !seen;
-    begun |= seen;
+    eyes.presented(seen);
   }
 
   /** Whether time stands still: somebody says so, or nobody wears the headset. */
   private boolean paused() {
-    return guide.paused() || unseen;
+    return guide.paused() || eyes.closed();
   }
 
   @Override
@@ -197,11 +150,11 @@ final class SceneRun implements WorldHost, AutoCloseable {
     List<NavigationCommand> commands =
         Stream.concat(
                 controls.takeCommands().stream().filter(guide::hears),
-                straightened() ? Stream.of(NavigationCommand.RESET_HEADING) : Stream.empty())
+                eyes.straightened() ? Stream.of(NavigationCommand.RESET_HEADING) : Stream.empty())
             .toList();
-    headset.ifPresent(this::tell);
+    eyes.tell(Optional.ofNullable(scene).map(LiveScene::walk));
     // In a headset the scene begins when somebody sees it.
-    if (state == RunState.LOADING && opening.done() && (begun || headset.isEmpty())) {
+    if (state == RunState.LOADING && opening.done() && eyes.begun()) {
       open();
     }
     if (stop.asked() || commands.contains(NavigationCommand.LEAVE)) {
@@ -213,41 +166,12 @@ final class SceneRun implements WorldHost, AutoCloseable {
     }
     commands.forEach(command -> obey(command, live.walking()));
     controls.looking(!head.steering());
-    headset.ifPresent(worn -> hands(worn, live.walk().world()));
+    eyes.hands(controls, live.walk().world(), paused());
     time.tick(paused());
     advance(live, time.seconds());
     sound.hear(live.walk().world(), paused());
-    drags.decided(live.walk().world(), windowInput::accept);
+    input.decided(live.walk().world());
     return Optional.of(live.walk().world());
-  }
-
-  /** Whether somebody asked for straight ahead to be set anew: who leads, or who wears it. */
-  private boolean straightened() {
-    boolean asked = guide.takeHeadingReset();
-    return headset.map(worn -> worn.hands().take(HeadsetButton.RECENTRE)).orElse(false) || asked;
-  }
-
-  /** Tells what became of the headset. */
-  private void tell(HeadsetLink worn) {
-    for (HeadsetNews news : worn.takeNews()) {
-      listener.headset(news);
-      LiveScene live = scene;
-      if (live != null && live.walk().frames() > 0) {
-        listener.happened(
-            new TimelineEvent.Headset(
-                live.walk().world().time(), news.kind().name().toLowerCase(Locale.ROOT)));
-      }
-    }
-  }
-
-  /** Does what the controllers ask for. */
-  private void hands(HeadsetLink worn, World world) {
-    worn.hands().drive(controls);
-    guide.pointed(worn.hands().aim());
-    worn.hands().takeAnswers().forEach(guide::answered);
-    if (worn.hands().take(HeadsetButton.TELEPORT) && guide.walks() && !paused()) {
-      RoomTeleport.go(world);
-    }
   }
 
   /** Takes the scene over. */
@@ -280,7 +204,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   /** What moves the viewer. A head whose place is tracked is above a body that is led. */
   private ViewerMotion motion(Walkthrough walk, Walking walking) throws IOException {
     ViewerMotion moving = pace.motion(settings, walking);
-    if (headset.isEmpty() && !settings.tracker().placed()) {
+    if (!eyes.worn() && !settings.tracker().placed()) {
       return guide.motion(head.begin(walk, moving, null));
     }
     boolean follows = guide.walks() && moving == walking;
@@ -291,7 +215,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     guide.heard(command);
     switch (command) {
       case RESET_HEADING -> head.resetHeading();
-      case TOGGLE_OVERLAY -> overlay.toggle();
+      case TOGGLE_OVERLAY -> text.toggle();
       default -> walking.command(command);
     }
   }
@@ -330,7 +254,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
         time.restart(); // What the first picture took to come to the graphics card.
       }
     }
-    overlay.frame(drawn);
+    text.frame(drawn);
     keeper.frame(walk().polygons(), drawn);
   }
 
@@ -342,7 +266,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   /** Whether the participant sees what is drawn. */
   private boolean seen() {
-    return !unseen && guide.darkness(time.seconds()) <= HALF;
+    return !eyes.closed() && guide.darkness(time.seconds()) <= HALF;
   }
 
   @Override
@@ -357,33 +281,14 @@ final class SceneRun implements WorldHost, AutoCloseable {
 
   @Override
   public List<String> overlay() {
-    List<String> lines = new ArrayList<>();
-    // In a display the participant would see it: there the operator's window says so.
-    if (headset.isPresent()) {
-      head.described().ifPresent(lines::add);
-    } else if (!settings.display().presentation().stereo() && head.health().stale()) {
-      lines.add(OperatorConsole.alarm(settings.tracker(), head.health()));
-    }
-    boolean walked = settings.motion().path().isEmpty();
-    lines.addAll(overlay.lines(walk(), walked ? scene.walking().describe() : ""));
-    lines.addAll(walk().world().descriptions());
-    return lines;
+    return text.overlay(scene);
   }
 
   @Override
   public OperatorPage operatorPage(int width, int height, int pictureWidth, int pictureHeight) {
     List<String> told = guide.operatorLines(time.seconds());
-    return scene == null
-        ? OperatorConsole.waiting(told)
-        : console.page(
-            walk(),
-            overlay.interval(),
-            told,
-            guide.blind(),
-            width,
-            height,
-            pictureWidth,
-            pictureHeight);
+    return text.operatorPage(
+        Optional.ofNullable(scene), told, width, height, pictureWidth, pictureHeight);
   }
 
   private Walkthrough walk() {
@@ -405,11 +310,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
       throw failure;
     }
     return keeper.figures(
-        gl,
-        settings.display().shading(),
-        head.latency(),
-        head.longestSilence(),
-        headset.map(HeadsetLink::figures));
+        gl, settings.display().shading(), head.latency(), head.longestSilence(), eyes.figures());
   }
 
   /**

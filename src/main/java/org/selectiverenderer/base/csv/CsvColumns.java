@@ -16,6 +16,7 @@ public record CsvColumns(List<String> needed, boolean filledUp, boolean lastCoun
   /** Nothing is known of the header; every row must be as long as it. */
   static final CsvColumns ANY = of(List.of());
 
+  /** Keeps copies, so that it stays as it is. */
   public CsvColumns {
     needed = List.copyOf(needed);
   }

@@ -22,6 +22,7 @@ public record TableForm(
     boolean strict,
     boolean torn,
     boolean gaps) {
+  /** Keeps copies, so that it stays as it is. */
   public TableForm {
     needed = List.copyOf(needed);
     together = List.copyOf(together);

@@ -15,6 +15,7 @@ public interface FileActions {
   /** The file system's own. */
   FileActions REAL = new FileActions() {};
 
+  /** Makes a folder in one that is there. */
   default void createFolder(Path folder) throws IOException {
     Files.createDirectory(folder);
   }
@@ -63,6 +64,7 @@ public interface FileActions {
     Disk.forceFolder(folder);
   }
 
+  /** Deletes a file or an empty folder. */
   default void delete(Path fileOrFolder) throws IOException {
     Files.deleteIfExists(fileOrFolder);
   }

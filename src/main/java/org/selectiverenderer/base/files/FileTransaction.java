@@ -53,6 +53,7 @@ public final class FileTransaction {
     this(FileActions.REAL);
   }
 
+  /** A transaction in which nothing is written yet. */
   public FileTransaction(FileActions actions) {
     this.actions = actions;
   }

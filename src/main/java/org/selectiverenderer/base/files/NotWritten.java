@@ -10,6 +10,7 @@ import java.nio.file.Path;
 public final class NotWritten extends IOException {
   private static final long serialVersionUID = 1L;
 
+  /** Why, in words. */
   private final String reason;
 
   NotWritten(Path file, Exception cause, String outcome) {

@@ -72,6 +72,7 @@ public final class JsonMembers {
     return List.copyOf(members.keySet());
   }
 
+  /** Whether there is a member of that name. */
   public boolean has(String key) {
     return find(key).isPresent();
   }

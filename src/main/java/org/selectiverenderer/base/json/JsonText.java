@@ -18,6 +18,7 @@ public final class JsonText {
 
   /** Something that is written. */
   public interface Content {
+    /** Writes one value. */
     void write(JsonGenerator json) throws IOException;
   }
 

@@ -1,36 +1,57 @@
 package org.selectiverenderer.base.machine;
 
 import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The command line that starts the program a second time, as this process was started. */
 public final class ProgramCommand {
-  /** Set by the launchers that jpackage makes: a bundle has its own Java, but no command for it. */
-  private static final String BUNDLE = "jpackage.app-path";
+  /**
+   * Set by launchers that a desktop starts with files and nothing else: the program's command for
+   * them. What is started here names its own.
+   */
+  public static final String DESKTOP = "selective-renderer.desktop";
+
+  /** Flags that two processes cannot share, such as a debugger's port. */
+  private static final List<String> OWN =
+      List.of("-agentlib:jdwp", "-Xrunjdwp", "-javaagent", "-D" + DESKTOP + "=");
 
   private ProgramCommand() {}
 
   /**
-   * The same Java, flags and class path; in a bundle, its launcher.
+   * The same Java, flags and class path.
    *
    * @param mainClass of the program
-   * @param flags further flags for Java; a bundle's launcher takes none
+   * @param flags further flags for Java
    * @param arguments of the program
    */
   public static List<String> of(String mainClass, List<String> flags, List<String> arguments) {
     List<String> command = new ArrayList<>();
-    Optional<String> bundle = Optional.ofNullable(System.getProperty(BUNDLE));
-    if (bundle.isPresent()) {
-      command.add(bundle.get());
-    } else {
-      command.add(ProcessHandle.current().info().command().orElse("java"));
-      command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
-      command.addAll(flags);
-      command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
-    }
+    command.add(java());
+    command.addAll(shared(ManagementFactory.getRuntimeMXBean().getInputArguments()));
+    command.addAll(flags);
+    command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
     command.addAll(arguments);
     return command;
+  }
+
+  /** Those of a process's flags that one which it starts may have too. */
+  static List<String> shared(List<String> flags) {
+    return flags.stream().filter(flag -> OWN.stream().noneMatch(flag::startsWith)).toList();
+  }
+
+  /** In a bundle of jpackage this process is its launcher, and Java's own command lies inside. */
+  private static String java() {
+    Path folder = Path.of(System.getProperty("java.home"), "bin");
+    return Stream.of("java", "java.exe")
+        .map(folder::resolve)
+        .filter(Files::isExecutable)
+        .map(Path::toString)
+        .findFirst()
+        .or(() -> ProcessHandle.current().info().command())
+        .orElse("java");
   }
 }

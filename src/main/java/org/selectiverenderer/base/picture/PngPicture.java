@@ -12,10 +12,13 @@ public final class PngPicture {
 
   /** What a pixel's samples are. */
   public enum Samples {
+    /** One byte: grey. */
     GREY(0, 1),
+    /** Three bytes: red, green, blue. */
     RGB(2, 3),
     /** A number of the palette. */
     PALETTE(3, 1),
+    /** Four bytes: red, green, blue, opacity. */
     RGBA(6, 4);
 
     private final int type;

@@ -9,13 +9,20 @@ package org.selectiverenderer.base.problem;
 public record Problem(Severity severity, Location location, String message) {
   /** ERROR and WARNING make a command end with status 1; INFO does not. */
   public enum Severity {
+    /** Something is wrong, and the result lacks it. */
     ERROR,
+    /** Something is probably not as it is meant. */
     WARNING,
+    /** Something worth knowing. */
     INFO
   }
 
   private static final int MESSAGE_LENGTH = 500;
 
+  /**
+   * Puts question marks in the place of control characters, and shortens a message that is too
+   * long.
+   */
   public Problem {
     message = printable(message);
   }

@@ -18,26 +18,32 @@ public final class Problems {
   private final java.util.Map<String, Integer> perFile = new java.util.HashMap<>();
   private boolean errors;
 
+  /** Problems that are kept. */
   public Problems() {
     this(problem -> {});
   }
 
+  /** Problems that are kept, and told as they are found. */
   public Problems(Consumer<Problem> listener) {
     this.listener = listener;
   }
 
+  /** Adds something that is wrong. */
   public void error(Location location, String message) {
     add(new Problem(Problem.Severity.ERROR, location, message));
   }
 
+  /** Adds something that is probably wrong. */
   public void warning(Location location, String message) {
     add(new Problem(Problem.Severity.WARNING, location, message));
   }
 
+  /** Adds something worth knowing. */
   public void info(Location location, String message) {
     add(new Problem(Problem.Severity.INFO, location, message));
   }
 
+  /** Adds a problem. */
   public synchronized void add(Problem problem) {
     int count = perFile.merge(problem.location().file(), 1, Integer::sum);
     if (problem.severity() != Problem.Severity.INFO) {

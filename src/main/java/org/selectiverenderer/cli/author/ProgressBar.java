@@ -1,5 +1,6 @@
 package org.selectiverenderer.cli.author;
 
+import java.time.Duration;
 import java.util.Locale;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -13,36 +14,51 @@ import org.selectiverenderer.radiosity.work.WorkProgress;
 final class ProgressBar implements WorkProgress, AutoCloseable {
   private static final int CELLS = 30;
 
-  /** How long the program waits for the work to end after Ctrl-C, s. */
-  private static final int PATIENCE = 60;
+  /** How long the program waits after Ctrl-C for a sign that the work goes on or has ended. */
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
 
   private static final long TICK = 200_000_000L;
 
   private final Console console;
   private final boolean terminal;
+  private final Duration patience;
   private final long start = System.nanoTime();
   private final CountDownLatch ended = new CountDownLatch(1);
   private final Thread hook = new Thread(this::cancel, "radiosity-cancel");
   private volatile boolean cancelled;
+  private volatile boolean moved;
   private long shown;
   private double most;
   private String last = "";
 
-  private ProgressBar(Console console, boolean terminal) {
+  /**
+   * @param patience how long it waits after Ctrl-C for a sign of the work
+   */
+  ProgressBar(Console console, boolean terminal, Duration patience) {
     this.console = console;
     this.terminal = terminal;
+    this.patience = patience;
     Runtime.getRuntime().addShutdownHook(hook);
   }
 
   /** A bar that is drawn only on a terminal; elsewhere whole lines are printed alone. */
   static ProgressBar on(Console console) {
-    return new ProgressBar(console, System.console() != null);
+    return new ProgressBar(console, System.console() != null, PATIENCE);
   }
 
-  private void cancel() {
+  /**
+   * Asks the work to end and waits for it. On a busy machine writing takes long: it is given up
+   * only when nothing moves any more.
+   */
+  void cancel() {
     cancelled = true;
     try {
-      if (!ended.await(PATIENCE, TimeUnit.SECONDS)) {
+      boolean end;
+      do {
+        moved = false;
+        end = ended.await(patience.toMillis(), TimeUnit.MILLISECONDS);
+      } while (!end && moved);
+      if (!end) {
         console.message("the work did not end in time; nothing is written");
       }
     } catch (InterruptedException e) {
@@ -57,6 +73,7 @@ final class ProgressBar implements WorkProgress, AutoCloseable {
 
   @Override
   public synchronized void at(Stage stage, double share) {
+    moved = true;
     long now = System.nanoTime();
     most = Math.max(most, stage.overall(share));
     if (terminal && now - shown > TICK) {

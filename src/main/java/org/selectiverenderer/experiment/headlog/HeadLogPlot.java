@@ -154,21 +154,9 @@ public final class HeadLogPlot {
       List<double[]> corners =
           area.outline().stream().map(corner -> scale.at(corner[0], corner[1])).toList();
       path(svg, corners, true, "fill", "#eef4fa", "stroke", "#0072b2", "stroke-dasharray", "6 4");
-      text(svg, area.name(), corners.get(0)[0] + 5, corners.get(0)[1] + 15, 12, "#0072b2", "start");
     }
-    for (int i = 0; i < map.rooms().size(); i++) {
-      SceneMap.Box room = map.rooms().get(i);
+    for (SceneMap.Box room : map.rooms()) {
       path(svg, outline(room, scale), true, "fill", "none", "stroke", "#555555", "stroke-width", 2);
-      double[] corner = scale.at(room.bounds()[0], room.bounds()[5]);
-      text(
-          svg,
-          String.format(
-              Locale.ROOT, "%s: %.0f %% seen", room.name(), 100 * analysis.rooms().get(i).seen()),
-          corner[0] + 5,
-          corner[1] - 7,
-          13,
-          INK,
-          "start");
     }
     for (SceneMap.Box object : map.objects()) {
       String colour = colours.get(object.name());
@@ -182,6 +170,46 @@ public final class HeadLogPlot {
           colour == null ? "#bbbbbb" : "none");
     }
     way(svg, scale);
+    names(svg, scale);
+  }
+
+  /** Of areas and rooms, over all that is drawn where they stand. */
+  private void names(SvgDrawing svg, Scale scale) {
+    SceneMap map = analysis.log().description().map();
+    for (SceneMap.Area area : map.areas()) {
+      double[] corner = scale.at(area.outline().get(0)[0], area.outline().get(0)[1]);
+      name(svg, area.name(), corner[0] + 5, corner[1] + 15, 12, "#0072b2");
+    }
+    for (int i = 0; i < map.rooms().size(); i++) {
+      SceneMap.Box room = map.rooms().get(i);
+      double[] corner = scale.at(room.bounds()[0], room.bounds()[5]);
+      double seen = 100 * analysis.rooms().get(i).seen();
+      String name = String.format(Locale.ROOT, "%s: %.0f %% seen", room.name(), seen);
+      name(svg, name, corner[0] + 5, corner[1] - 7, 13, INK);
+    }
+  }
+
+  /** A name with a white rim, so that it can be read over lines of any colour. */
+  private static void name(
+      SvgDrawing svg, String words, double x, double y, int size, String fill) {
+    String white = "#ffffff";
+    svg.text(
+        words,
+        x,
+        y,
+        "font-size",
+        size,
+        "fill",
+        white,
+        "stroke",
+        white,
+        "stroke-width",
+        4,
+        "stroke-linejoin",
+        "round",
+        "aria-hidden",
+        "true");
+    text(svg, words, x, y, size, fill, "start");
   }
 
   /** Where the eyes looked, as a ring. */

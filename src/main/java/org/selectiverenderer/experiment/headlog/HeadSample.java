@@ -68,28 +68,6 @@ public record HeadSample(
     schemas = List.copyOf(schemas);
   }
 
-  /** Where nothing tracks the eyes. */
-  public HeadSample(
-      double t,
-      double x,
-      double y,
-      double z,
-      double yaw,
-      double pitch,
-      double roll,
-      boolean moved,
-      String object,
-      double distance,
-      int version,
-      List<String> cone,
-      List<String> schemas,
-      double frameMs,
-      Moment moment) {
-    this(
-        t, x, y, z, yaw, pitch, roll, moved, object, distance, version, cone, schemas, frameMs,
-        moment, null);
-  }
-
   /** The same with what the eyes do. */
   public HeadSample looking(@Nullable EyeSample looked) {
     return new HeadSample(

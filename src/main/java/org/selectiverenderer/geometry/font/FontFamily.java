@@ -2,8 +2,11 @@ package org.selectiverenderer.geometry.font;
 
 /** The font families that every browser has (X3D 4.0, 15.2.2.2). */
 public enum FontFamily {
+  /** Letters with feet. */
   SERIF("Serif", "Italic"),
+  /** Letters without. */
   SANS("Sans", "Oblique"),
+  /** Letters of one width. */
   TYPEWRITER("SansMono", "Oblique");
 
   private final String fileName;

@@ -4,9 +4,13 @@ import java.util.Optional;
 
 /** The values of the field {@code style} of the FontStyle node (X3D 4.0, 15.4.1). */
 public enum FontStyle {
+  /** Upright, of common weight. */
   PLAIN,
+  /** Heavier. */
   BOLD,
+  /** Slanted. */
   ITALIC,
+  /** Heavier and slanted. */
   BOLDITALIC;
 
   /** The style of that name, the empty name being PLAIN's. */

@@ -56,6 +56,7 @@ public final class GeoFrame {
         -cosLat);
   }
 
+  /** The system that its coordinates are in. */
   public GeoSystem system() {
     return system;
   }

@@ -62,6 +62,7 @@ public final class EdgeSplitter {
     }
   }
 
+  /** How many triangles there are now. */
   public int triangles() {
     return triangles;
   }

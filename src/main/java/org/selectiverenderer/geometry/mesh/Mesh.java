@@ -94,11 +94,15 @@ public record Mesh(
 
   /** What the indices make. */
   public enum Primitive {
+    /** Three indices for each. */
     TRIANGLES,
+    /** Two indices for each. */
     LINES,
+    /** One index for each. */
     POINTS
   }
 
+  /** How many vertices it has. */
   public int vertexCount() {
     return positions.length / 3;
   }
@@ -108,6 +112,7 @@ public record Mesh(
     return primitive == Primitive.TRIANGLES ? indices.length / 3 : 0;
   }
 
+  /** Whether it has nothing to draw. */
   public boolean isEmpty() {
     return indices.length == 0;
   }

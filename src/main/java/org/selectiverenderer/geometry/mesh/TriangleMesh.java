@@ -19,18 +19,22 @@ public record TriangleMesh(float[] positions, int[] triangles) {
   /** No triangles. */
   public static final TriangleMesh EMPTY = new TriangleMesh(new float[0], new int[0]);
 
+  /** How many triangles it has. */
   public int triangleCount() {
     return triangles.length / 3;
   }
 
+  /** How many points it has. */
   public int pointCount() {
     return positions.length / 3;
   }
 
+  /** A point, by its index. */
   public Vector3d point(int index) {
     return new Vector3d(positions[3 * index], positions[3 * index + 1], positions[3 * index + 2]);
   }
 
+  /** The box around its points. */
   public Bounds bounds() {
     return Bounds.around(positions);
   }
@@ -56,6 +60,7 @@ public record TriangleMesh(float[] positions, int[] triangles) {
     return new TriangleMesh(positions, triangles);
   }
 
+  /** This one and another, side by side. */
   public TriangleMesh append(TriangleMesh other) {
     return of(this, other);
   }
@@ -72,10 +77,12 @@ public record TriangleMesh(float[] positions, int[] triangles) {
     return new TriangleMesh(moved, triangles);
   }
 
+  /** The same elsewhere. */
   public TriangleMesh move(double x, double y, double z) {
     return deform(p -> p.add(x, y, z));
   }
 
+  /** The same, larger or smaller. */
   public TriangleMesh scale(double factor) {
     return scale(factor, factor, factor);
   }
@@ -107,10 +114,12 @@ public record TriangleMesh(float[] positions, int[] triangles) {
     return deform(p -> p.set(c * p.x - s * p.y, s * p.x + c * p.y, p.z));
   }
 
+  /** Its image in the plane x = 0, its faces still outwards. */
   public TriangleMesh mirrorX() {
     return scale(-1, 1, 1);
   }
 
+  /** Its image in the plane z = 0, its faces still outwards. */
   public TriangleMesh mirrorZ() {
     return scale(1, 1, -1);
   }

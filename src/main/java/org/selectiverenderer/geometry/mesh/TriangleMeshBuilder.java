@@ -21,6 +21,7 @@ public final class TriangleMeshBuilder {
     return points++;
   }
 
+  /** Adds a point, and gives its index. */
   public int point(Vector3dc p) {
     return point(p.x(), p.y(), p.z());
   }
@@ -41,6 +42,7 @@ public final class TriangleMeshBuilder {
     triangle(a, c, d);
   }
 
+  /** What has been built. */
   public TriangleMesh mesh() {
     return new TriangleMesh(
         Arrays.copyOf(positions, 3 * points), Arrays.copyOf(triangles, corners));

@@ -18,6 +18,7 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
 public final class Tessellator {
   private final Map<String, GeometryKind> kinds = new HashMap<>();
 
+  /** A tessellator with the usual limits. */
   public Tessellator() {
     this(new TextMesher());
   }

@@ -11,6 +11,7 @@ import org.selectiverenderer.x3d.read.X3dFile;
  * identity: a file that is inlined several times is one object.
  */
 public interface CountedFile {
+  /** The file. */
   X3dFile file();
 
   /** What a geometry node of this file comes to; {@link Size#NOTHING} for one that is not drawn. */

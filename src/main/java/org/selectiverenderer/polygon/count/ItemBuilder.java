@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.tessellate.InstancePlaces;
 import org.selectiverenderer.geometry.tessellate.NodeContent;
-import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.nodes.NodeMetadata;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**

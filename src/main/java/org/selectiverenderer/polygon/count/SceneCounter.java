@@ -24,6 +24,7 @@ public final class SceneCounter {
    */
   public record Counted(
       SceneStatistics statistics, List<StateShares> states, SceneModel model, int filesRead) {
+    /** Keeps copies, so that it stays as it is. */
     public Counted {
       states = List.copyOf(states);
     }

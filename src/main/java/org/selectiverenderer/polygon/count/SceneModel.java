@@ -36,6 +36,7 @@ public final class SceneModel {
    * @param versions one for each child
    */
   public record VersionedSwitch(ParsedNode node, SwitchSchemas schemas, List<Version> versions) {
+    /** Keeps copies, so that it stays as it is. */
     public VersionedSwitch {
       versions = List.copyOf(versions);
     }
@@ -53,6 +54,7 @@ public final class SceneModel {
    */
   public record SensedArea(
       ParsedNode sensor, String name, SensorSchemas schemas, List<SensorBox> boxes) {
+    /** Keeps copies, so that it stays as it is. */
     public SensedArea {
       boxes = List.copyOf(boxes);
     }
@@ -77,6 +79,7 @@ public final class SceneModel {
    * @param schemas of the areas that the viewer is in; empty for none
    */
   public record State(List<String> schemas, long polygons) {
+    /** Keeps copies, so that it stays as it is. */
     public State {
       schemas = List.copyOf(schemas);
     }

@@ -16,6 +16,7 @@ public record SceneStatistics(
   /** What stands for the scope when the whole scene is one. */
   public static final String WHOLE_SCENE = "scene";
 
+  /** Keeps copies, so that it stays as it is. */
   public SceneStatistics {
     objects = List.copyOf(objects);
     scopes = List.copyOf(scopes);
@@ -31,6 +32,7 @@ public record SceneStatistics(
    */
   public record ObjectCount(
       String switchName, Optional<String> scope, List<Long> versions, int original) {
+    /** Keeps copies, so that it stays as it is. */
     public ObjectCount {
       versions = List.copyOf(versions);
     }
@@ -49,6 +51,7 @@ public record SceneStatistics(
    * @param states as loaded, in each area, and in each set of overlapping areas
    */
   public record ScopeCount(String scope, long high, List<StateCount> states) {
+    /** Keeps copies, so that it stays as it is. */
     public ScopeCount {
       states = List.copyOf(states);
     }
@@ -62,6 +65,7 @@ public record SceneStatistics(
    * @param percent of {@link ScopeCount#high}; 0 if that is 0
    */
   public record StateCount(List<String> schemas, long polygons, double percent) {
+    /** Keeps copies, so that it stays as it is. */
     public StateCount {
       schemas = List.copyOf(schemas);
     }

@@ -19,6 +19,7 @@ public record StateShares(
     double percent,
     long fixed,
     List<ObjectShare> objects) {
+  /** Keeps copies, so that it stays as it is. */
   public StateShares {
     schemas = List.copyOf(schemas);
     objects = List.copyOf(objects);
@@ -35,6 +36,7 @@ public record StateShares(
    */
   public record ObjectShare(
       String name, int version, List<Long> versions, int places, long polygons) {
+    /** Keeps copies, so that it stays as it is. */
     public ObjectShare {
       versions = List.copyOf(versions);
     }

@@ -21,6 +21,7 @@ public final class StatisticsCharts {
 
   private StatisticsCharts() {}
 
+  /** The charts of a count. */
   public static List<BarChart> of(SceneStatistics statistics) {
     List<BarChart> charts = new ArrayList<>();
     for (ScopeCount scope : statistics.scopes()) {

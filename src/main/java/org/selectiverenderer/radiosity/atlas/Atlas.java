@@ -19,7 +19,28 @@ public record Atlas(List<TexelMap> pages, List<Layout> layouts) {
    *     triangle of the body in the order of {@link
    *     org.selectiverenderer.radiosity.scene.Body#vertex}, six numbers per triangle
    */
-  public record Layout(int page, float[] st) {}
+  public record Layout(int page, float[] st) {
+
+    /**
+     * How far to the right on its page a place of a triangle lies, 0 .. 1.
+     *
+     * @param triangle of the body
+     * @param u weight of its second corner
+     * @param v weight of its third corner
+     */
+    public double s(int triangle, double u, double v) {
+      return between(6 * triangle, u, v);
+    }
+
+    /** How far up it lies, 0 .. 1. */
+    public double t(int triangle, double u, double v) {
+      return between(6 * triangle + 1, u, v);
+    }
+
+    private double between(int at, double u, double v) {
+      return (1 - u - v) * st[at] + u * st[at + 2] + v * st[at + 4];
+    }
+  }
 
   /** All texels of all pages, gutters among them. */
   public long texels() {

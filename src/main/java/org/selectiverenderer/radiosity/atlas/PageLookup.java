@@ -29,11 +29,9 @@ public final class PageLookup {
     int body = scene.bodyOf()[triangle];
     Atlas.Layout layout = atlas.layouts().get(body);
     TexelMap map = atlas.pages().get(layout.page());
-    float[] st = layout.st();
-    int at = 6 * (triangle - scene.bodies().get(body).firstTriangle());
-    double w = 1 - u - v;
-    double x = (w * st[at] + u * st[at + 2] + v * st[at + 4]) * map.width();
-    double y = (w * st[at + 1] + u * st[at + 3] + v * st[at + 5]) * map.height();
+    int own = triangle - scene.bodies().get(body).firstTriangle();
+    double x = layout.s(own, u, v) * map.width();
+    double y = layout.t(own, u, v) * map.height();
     int chart = chart(map, x, y);
     int left = (int) Math.floor(x - 0.5);
     int bottom = (int) Math.floor(y - 0.5);

@@ -22,6 +22,9 @@ import org.selectiverenderer.radiosity.work.WorkProgress;
  * of its neighbours.
  */
 public final class VertexGatherer {
+  /** Vertices that are begun together: few, so that after Ctrl-C none is waited for long. */
+  private static final int CHUNK = 32;
+
   /** Facets looked at around one vertex. */
   private static final int MOST_FACETS = 16;
 
@@ -91,7 +94,7 @@ public final class VertexGatherer {
     boolean complete =
         ParallelWork.run(
             facets.vertices(),
-            512,
+            CHUNK,
             progress,
             stage,
             (from, to) -> {

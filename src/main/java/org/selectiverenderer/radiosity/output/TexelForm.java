@@ -213,7 +213,10 @@ public final class TexelForm implements LitForm {
     return made;
   }
 
-  private static byte[] png(LightPicture picture) {
-    return PngFile.small(picture.width(), picture.height(), picture.rgb());
+  /** As small as can be; quickly when it was cancelled, since somebody waits for the end. */
+  private byte[] png(LightPicture picture) {
+    return lit.complete()
+        ? PngFile.small(picture.width(), picture.height(), picture.rgb())
+        : PngFile.of(picture.width(), picture.height(), picture.rgb());
   }
 }

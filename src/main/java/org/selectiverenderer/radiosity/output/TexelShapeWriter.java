@@ -181,12 +181,7 @@ final class TexelShapeWriter {
    */
   private record Corner(int triangle, double u, double v, double[] local) {
     double[] light(Atlas.Layout layout) {
-      float[] st = layout.st();
-      int at = 6 * triangle;
-      return new double[] {
-        (1 - u - v) * st[at] + u * st[at + 2] + v * st[at + 4],
-        (1 - u - v) * st[at + 1] + u * st[at + 3] + v * st[at + 5]
-      };
+      return new double[] {layout.s(triangle, u, v), layout.t(triangle, u, v)};
     }
 
     double[] own(OwnTexture texture) {

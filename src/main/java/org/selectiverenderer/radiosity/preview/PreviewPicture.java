@@ -111,13 +111,11 @@ public final class PreviewPicture {
           Atlas.Layout layout = light.atlas().layouts().get(scene.bodyOf()[source]);
           double[] arriving = new double[3];
           if (layout.page() >= 0) {
-            float[] st = layout.st();
-            int at = 6 * (source - body.firstTriangle());
-            double w = 1 - u[pixel] - v[pixel];
+            int own = source - body.firstTriangle();
             light.at(
                 layout.page(),
-                w * st[at] + u[pixel] * st[at + 2] + v[pixel] * st[at + 4],
-                w * st[at + 1] + u[pixel] * st[at + 3] + v[pixel] * st[at + 5],
+                layout.s(own, u[pixel], v[pixel]),
+                layout.t(own, u[pixel], v[pixel]),
                 arriving);
           }
           int rho = body.reflectanceAt(source - body.firstTriangle());

@@ -33,6 +33,11 @@ public record LightScene(
     return bodies.get(bodyOf[triangle]);
   }
 
+  /** Whether a triangle gives light to others: all do but those of versions that do not stand. */
+  public boolean stands(int triangle) {
+    return versions.isReference(triangles.version()[triangle]);
+  }
+
   /** The same scene with only some bodies to be lit; all triangles stay where they are. */
   public LightScene only(List<Integer> numbers) {
     return new LightScene(

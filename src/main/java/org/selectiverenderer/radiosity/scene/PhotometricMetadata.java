@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.SortedSet;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.Problems;
-import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.schema.nodes.NodeMetadata;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**

@@ -45,12 +45,12 @@ public final class Solver {
         glow[3 * patch + c] = sampled ? 0 : body.emission()[c] / opaque;
       }
       int outside = 0;
-      for (int i = 0; i < transport.rays(); i++) {
+      for (int i = 0; i < transport.rays(patch); i++) {
         int met = transport.seen(patch, i);
         outside += met == Transport.OUTSIDE ? 1 : 0;
         inside[patch] += met == Transport.INSIDE ? 1 : 0;
       }
-      int valid = transport.rays() - inside[patch];
+      int valid = transport.rays(patch) - inside[patch];
       outsideShare[patch] = valid == 0 ? 0 : (double) outside / valid;
     }
   }
@@ -68,7 +68,7 @@ public final class Solver {
     int count = patches.count();
     boolean[] buried = new boolean[count];
     for (int patch = 0; patch < count; patch++) {
-      buried[patch] = inside[patch] > Transport.BURIED * transport.rays();
+      buried[patch] = inside[patch] > Transport.BURIED * transport.rays(patch);
     }
     float[] before = new float[3 * count];
     RestOfLight rest = new RestOfLight();
@@ -147,7 +147,7 @@ public final class Solver {
     double r = 0;
     double g = 0;
     double b = 0;
-    int rays = transport.rays();
+    int rays = transport.rays(patch);
     for (int i = 0; i < rays; i++) {
       int other = transport.seen(patch, i);
       if (other >= 0) {
@@ -182,7 +182,7 @@ public final class Solver {
     double reflected = 0;
     for (int patch = 0; patch < patches.count(); patch++) {
       // Versions that only stand for a reference take light but give none to others.
-      if (buried[patch] || !stands(patch)) {
+      if (buried[patch] || !scene.stands(patches.triangle(patch))) {
         continue;
       }
       // Light that fell on what lies outside of solids arrived there only: see open().
@@ -211,11 +211,7 @@ public final class Solver {
    * the rest got none; a patch that is not buried is open by an eighth at least.
    */
   private double open(int patch) {
-    return 1 - (double) inside[patch] / transport.rays();
-  }
-
-  private boolean stands(int patch) {
-    return scene.versions().isReference(scene.triangles().version()[patches.triangle(patch)]);
+    return 1 - (double) inside[patch] / transport.rays(patch);
   }
 
   /** What is still to come, as a geometric series of the last two iterations. */

@@ -1,5 +1,7 @@
 package org.selectiverenderer.radiosity.solve;
 
+import java.util.Arrays;
+import java.util.concurrent.atomic.LongAdder;
 import org.selectiverenderer.radiosity.sampling.Directions;
 import org.selectiverenderer.radiosity.sampling.PointSet;
 import org.selectiverenderer.radiosity.scene.LightScene;
@@ -30,27 +32,33 @@ public final class Transport {
   private static final double CLOSE = 0.25;
 
   private final LightPatches patches;
-  private final int rays;
+  private final int[] first;
   private final int[] seen;
   private final float[] direct;
   private final long[] lampsOf;
   private final long cast;
 
+  /**
+   * How much is done.
+   *
+   * @param rays per patch
+   * @param lampPlaces per patch and lamp
+   * @param fewer the share of both for patches of versions that do not stand for their object, and
+   *     so give no light to any other: 1 for all, 4 for a quarter and so on
+   */
+  public record Effort(int rays, int lampPlaces, int fewer) {}
+
   private Transport(
-      LightPatches patches, int rays, int[] seen, float[] direct, long[] lampsOf, long cast) {
+      LightPatches patches, int[] first, int[] seen, float[] direct, long[] lampsOf, long cast) {
     this.patches = patches;
-    this.rays = rays;
+    this.first = first;
     this.seen = seen;
     this.direct = direct;
     this.lampsOf = lampsOf;
     this.cast = cast;
   }
 
-  /**
-   * @param rays per patch
-   * @param lampPlaces per patch and lamp
-   * @return what the patches see; if cancelled, what was found so far, the rest being dark
-   */
+  /** Likewise, with as many rays for all patches. */
   public static Transport find(
       LightScene scene,
       LightPatches patches,
@@ -58,17 +66,31 @@ public final class Transport {
       int lampPlaces,
       int seed,
       WorkProgress progress) {
+    return find(scene, patches, new Effort(rays, lampPlaces, 1), seed, progress);
+  }
+
+  /**
+   * @return what the patches see; if cancelled, what was found so far, the rest being dark
+   */
+  public static Transport find(
+      LightScene scene, LightPatches patches, Effort effort, int seed, WorkProgress progress) {
+    int rays = effort.rays();
+    int few = Math.max(1, rays / effort.fewer());
     int count = patches.count();
-    int[] seen = new int[Math.multiplyExact(count, rays)];
-    java.util.Arrays.fill(seen, INSIDE);
+    int[] first = new int[count + 1];
+    for (int patch = 0; patch < count; patch++) {
+      boolean stands = scene.stands(patches.triangle(patch));
+      first[patch + 1] = Math.addExact(first[patch], stands ? rays : few);
+    }
+    int[] seen = new int[first[count]];
+    Arrays.fill(seen, INSIDE);
     float[] direct = new float[3 * count];
     long[] lampsOf = new long[count];
     Directions directions = new Directions(new PointSet(rays, seed, 0));
     PointSet places = new PointSet(rays, seed, 1);
     PointSet others = new PointSet(rays, seed, 2);
-    PointSet lampSet = new PointSet(lampPlaces, seed, 3);
-    PointSet starts = new PointSet(lampPlaces, seed, 4);
-    java.util.concurrent.atomic.LongAdder cast = new java.util.concurrent.atomic.LongAdder();
+    int fewPlaces = Math.max(1, effort.lampPlaces() / effort.fewer());
+    LongAdder cast = new LongAdder();
     ParallelWork.run(
         count,
         256,
@@ -77,33 +99,42 @@ public final class Transport {
         (from, to) -> {
           Ray ray = new Ray();
           Caster caster = new Caster(scene, patches, ray);
-          PatchLamps lamps = new PatchLamps(scene, patches, ray, starts, lampSet);
+          PatchLamps lamps = lamps(scene, patches, ray, effort.lampPlaces(), seed);
+          PatchLamps fewLamps = lamps(scene, patches, ray, fewPlaces, seed);
           boolean[] covered = new boolean[rays];
           for (int patch = from; patch < to; patch++) {
             // Each patch has its own shift of the sets: errors of neighbours must not agree.
             float shift = (PointSet.hash(patch + 31 * seed) >>> 8) * 0x1p-24f;
-            for (int i = 0; i < rays; i++) {
-              seen[patch * rays + i] = caster.see(patch, i, directions, places, others, shift);
+            int own = first[patch + 1] - first[patch];
+            for (int i = 0; i < own; i++) {
+              seen[first[patch] + i] = caster.see(patch, i, directions, places, others, shift);
               covered[i] = caster.covered();
             }
-            leaveOut(covered, seen, patch * rays);
-            lampsOf[patch] = lamps.light(patch, shift, direct);
+            leaveOut(covered, own, seen, first[patch]);
+            PatchLamps light = scene.stands(patches.triangle(patch)) ? lamps : fewLamps;
+            lampsOf[patch] = light.light(patch, shift, direct);
           }
           cast.add(ray.cast());
         });
-    return new Transport(patches, rays, seen, direct, lampsOf, cast.sum());
+    return new Transport(patches, first, seen, direct, lampsOf, cast.sum());
+  }
+
+  private static PatchLamps lamps(
+      LightScene scene, LightPatches patches, Ray ray, int places, int seed) {
+    return new PatchLamps(
+        scene, patches, ray, new PointSet(places, seed, 4), new PointSet(places, seed, 3));
   }
 
   /**
    * Light meets the open part of a patch, so this is what it throws back: what lies behind a
    * cupboard must not darken what is seen beside it. Where hardly anything is open, all counts.
    */
-  private static void leaveOut(boolean[] covered, int[] seen, int first) {
+  private static void leaveOut(boolean[] covered, int rays, int[] seen, int first) {
     int closed = 0;
-    for (int i = 0; i < covered.length; i++) {
+    for (int i = 0; i < rays; i++) {
       closed += covered[i] || seen[first + i] == INSIDE ? 1 : 0;
     }
-    for (int i = 0; i < covered.length && closed <= BURIED * covered.length; i++) {
+    for (int i = 0; i < rays && closed <= BURIED * rays; i++) {
       seen[first + i] = covered[i] ? INSIDE : seen[first + i];
     }
   }
@@ -181,13 +212,14 @@ public final class Transport {
     return patches;
   }
 
-  public int rays() {
-    return rays;
+  /** The number of a patch's rays. */
+  public int rays(int patch) {
+    return first[patch + 1] - first[patch];
   }
 
   /** The patch that the i-th ray of a patch met, {@link #OUTSIDE} or {@link #INSIDE}. */
   public int seen(int patch, int i) {
-    return seen[patch * rays + i];
+    return seen[first[patch] + i];
   }
 
   /** Irradiance from the lamps, r, g, b per patch, lx. */
@@ -203,10 +235,10 @@ public final class Transport {
   /** The share of light that leaves one patch and arrives at another. */
   public double formFactor(int patch, int other) {
     int met = 0;
-    for (int i = 0; i < rays; i++) {
+    for (int i = 0; i < rays(patch); i++) {
       met += seen(patch, i) == other ? 1 : 0;
     }
-    return (double) met / rays;
+    return (double) met / rays(patch);
   }
 
   /** Rays cast. */

@@ -84,13 +84,9 @@ final class HitLight {
       return -1;
     }
     TexelMap map = texels.map(layout.page());
-    int at = 6 * (ray.triangle - scene.bodies().get(body).firstTriangle());
-    float[] st = layout.st();
-    double w = 1 - ray.u - ray.v;
-    double s = w * st[at] + ray.u * st[at + 2] + ray.v * st[at + 4];
-    double t = w * st[at + 1] + ray.u * st[at + 3] + ray.v * st[at + 5];
-    int x = (int) Math.floor(s * map.width());
-    int y = (int) Math.floor(t * map.height());
+    int own = ray.triangle - scene.bodies().get(body).firstTriangle();
+    int x = (int) Math.floor(layout.s(own, ray.u, ray.v) * map.width());
+    int y = (int) Math.floor(layout.t(own, ray.u, ray.v) * map.height());
     if (x < 0 || y < 0 || x >= map.width() || y >= map.height()) {
       return -1;
     }

@@ -38,8 +38,11 @@ public final class Ray {
   /** Whether the triangle was met from behind. */
   public boolean behind;
 
+  /** Boxes that wait for the ray: links of a tree. */
   final int[] stack = new int[BoxTree.MAX_DEPTH];
-  final double[] entered = new double[BoxTree.MAX_DEPTH];
+
+  /** Per entry of the stack: where the ray enters its box, as the bits of a float. */
+  final int[] entered = new int[BoxTree.MAX_DEPTH];
 
   /** What last stopped a shadow ray: the next one often meets it, too. An item of a tree. */
   int blocker;

@@ -20,10 +20,17 @@ final class TriangleTree {
   /** Light below this share counts as none. */
   private static final double DARK = 0.01;
 
+  /** Components of directions nearer to 0 count as this. */
+  private static final double FLAT = 1e-30;
+
+  /**
+   * Floats between two distances that may be one: each comes of three operations and so is within
+   * three of what it should be.
+   */
+  private static final int SLACK = 8;
+
   private final int[] ids;
-  private final float[] boxes;
-  private final int[] first;
-  private final int[] count;
+  private final BoxPairs pairs;
   private final float[] data;
   private final SceneTriangles triangles;
   private final int[] objectOf;
@@ -50,10 +57,8 @@ final class TriangleTree {
                 box[axis + 3] = Math.max(a, Math.max(b, c));
               }
             });
-    boxes = tree.boxes();
-    touch = members.length == 0 ? 0 : TOUCH * extent(boxes);
-    first = tree.first();
-    count = tree.count();
+    pairs = BoxPairs.of(tree);
+    touch = members.length == 0 ? 0 : TOUCH * extent(tree.boxes());
     int[] order = tree.order();
     ids = new int[order.length];
     data = new float[9 * order.length];
@@ -92,52 +97,74 @@ final class TriangleTree {
     if (shadow && ray.blockerTree == this && through(ray.blocker, ray, without) == 0) {
       return 0;
     }
+    float[] nodes = pairs.nodes();
     int[] stack = ray.stack;
-    double[] entered = ray.entered;
-    double ox = ray.ox;
-    double oy = ray.oy;
-    double oz = ray.oz;
-    double ix = 1 / ray.dx;
-    double iy = 1 / ray.dy;
-    double iz = 1 / ray.dz;
-    double most = ray.length + touch;
+    int[] entered = ray.entered;
+    float ix = inverse(ray.dx);
+    float iy = inverse(ray.dy);
+    float iz = inverse(ray.dz);
+    // Which numbers of a box are those of the planes that the ray meets first, and last.
+    int nearX = ix < 0 ? 3 : 0;
+    int nearY = iy < 0 ? 4 : 1;
+    int nearZ = iz < 0 ? 5 : 2;
+    int farX = 3 - nearX;
+    int farY = 5 - nearY;
+    int farZ = 7 - nearZ;
+    // Rounded so that the ray enters boxes too early and leaves them too late.
+    float nearOx = above(ray.ox, ix);
+    float nearOy = above(ray.oy, iy);
+    float nearOz = above(ray.oz, iz);
+    float farOx = above(ray.ox, -ix);
+    float farOy = above(ray.oy, -iy);
+    float farOz = above(ray.oz, -iz);
+    int most = reach(ray);
     double light = 1;
-    int size = 1;
-    stack[0] = 0;
-    entered[0] = enter(0, ox, oy, oz, ix, iy, iz, most);
-    while (size > 0) {
-      int node = stack[--size];
-      if (!(entered[size] <= most)) {
-        continue;
-      }
-      int items = count[node];
-      // Down to the nearest leaf; what is farther waits.
-      while (items == 0) {
-        int near = first[node];
-        int far = near + 1;
-        double toNear = enter(6 * near, ox, oy, oz, ix, iy, iz, most);
-        double toFar = enter(6 * far, ox, oy, oz, ix, iy, iz, most);
-        if (toFar < toNear) {
-          near = far;
-          far = first[node];
-          double swap = toNear;
-          toNear = toFar;
-          toFar = swap;
-        }
-        if (toNear <= most) {
-          if (toFar <= most) {
-            entered[size] = toFar;
-            stack[size++] = far;
+    int size = 0;
+    int link = pairs.root();
+    while (true) {
+      // Down to the nearest leaf; what is farther waits (Kay and Kajiya 1986).
+      while (link >= 0) {
+        int right = link + BoxPairs.RIGHT;
+        int toLeft =
+            latest(
+                (nodes[link + nearX] - nearOx) * ix,
+                (nodes[link + nearY] - nearOy) * iy,
+                (nodes[link + nearZ] - nearOz) * iz);
+        int endLeft =
+            soonest(
+                (nodes[link + farX] - farOx) * ix,
+                (nodes[link + farY] - farOy) * iy,
+                (nodes[link + farZ] - farOz) * iz,
+                most);
+        int toRight =
+            latest(
+                (nodes[right + nearX] - nearOx) * ix,
+                (nodes[right + nearY] - nearOy) * iy,
+                (nodes[right + nearZ] - nearOz) * iz);
+        int endRight =
+            soonest(
+                (nodes[right + farX] - farOx) * ix,
+                (nodes[right + farY] - farOy) * iy,
+                (nodes[right + farZ] - farOz) * iz,
+                most);
+        int leftLink = Float.floatToRawIntBits(nodes[link + BoxPairs.LINK]);
+        int rightLink = Float.floatToRawIntBits(nodes[link + BoxPairs.LINK + 1]);
+        if (toLeft <= endLeft + SLACK) {
+          if (toRight <= endRight + SLACK) {
+            boolean leftFirst = toLeft <= toRight;
+            stack[size] = leftFirst ? rightLink : leftLink;
+            entered[size++] = Math.max(toLeft, toRight);
+            link = leftFirst ? leftLink : rightLink;
+          } else {
+            link = leftLink;
           }
-          node = near;
-        } else if (toFar <= most) {
-          node = far;
+        } else if (toRight <= endRight + SLACK) {
+          link = rightLink;
         } else {
-          break;
+          link = BoxPairs.LEAF; // One without items.
         }
-        items = count[node];
       }
-      for (int i = first[node]; i < first[node] + items; i++) {
+      for (int i = BoxPairs.first(link); i < BoxPairs.end(link); i++) {
         if (shadow) {
           double passed = through(i, ray, without);
           light *= passed;
@@ -148,48 +175,57 @@ final class TriangleTree {
             }
             return 0;
           }
-        } else {
-          test(i, ray, without);
-          most = ray.length + touch;
+        } else if (test(i, ray, without)) {
+          most = reach(ray);
         }
       }
+      do {
+        if (size == 0) {
+          return light;
+        }
+        link = stack[--size];
+      } while (entered[size] > most + SLACK);
     }
-    return light;
   }
 
-  /** Where a ray enters a node's box (Kay and Kajiya 1986); NaN when it misses. */
-  private double enter(
-      int at, double ox, double oy, double oz, double ix, double iy, double iz, double most) {
-    double x0 = (boxes[at] - ox) * ix;
-    double x1 = (boxes[at + 3] - ox) * ix;
-    double y0 = (boxes[at + 1] - oy) * iy;
-    double y1 = (boxes[at + 4] - oy) * iy;
-    double z0 = (boxes[at + 2] - oz) * iz;
-    double z1 = (boxes[at + 5] - oz) * iz;
-    double from = 0;
-    double to = most;
-    // Comparisons, not Math.min: a ray parallel to a slab and on its border gives NaN, which
-    // they pass over.
-    double low = x0 < x1 ? x0 : x1;
-    double high = x0 < x1 ? x1 : x0;
-    from = low > from ? low : from;
-    to = high < to ? high : to;
-    low = y0 < y1 ? y0 : y1;
-    high = y0 < y1 ? y1 : y0;
-    from = low > from ? low : from;
-    to = high < to ? high : to;
-    low = z0 < z1 ? z0 : z1;
-    high = z0 < z1 ? z1 : z0;
-    from = low > from ? low : from;
-    to = high < to ? high : to;
-    return from <= to * (1 + 1e-12) ? from : Double.NaN;
+  /** One over a component of a direction; never infinite, so that no product is not a number. */
+  private static float inverse(double component) {
+    return Math.abs(component) < FLAT
+        ? (float) Math.copySign(1 / FLAT, component)
+        : (float) (1 / component);
+  }
+
+  /** A coordinate as a float: a larger one for an axis that is followed upwards, else a smaller. */
+  private static float above(double coordinate, float up) {
+    return up < 0 ? Math.nextDown((float) coordinate) : Math.nextUp((float) coordinate);
+  }
+
+  /** How far boxes may be, as the bits of a float. */
+  private int reach(Ray ray) {
+    return Float.floatToRawIntBits((float) (ray.length + touch));
+  }
+
+  /**
+   * The largest of three distances and 0, as the bits of a float. Bits are in the order of the
+   * floats above 0 and those of others are below theirs; they are compared without a branch.
+   */
+  private static int latest(float x, float y, float z) {
+    return Math.max(
+        Math.max(Float.floatToRawIntBits(x), Float.floatToRawIntBits(y)),
+        Math.max(Float.floatToRawIntBits(z), 0));
+  }
+
+  /** Likewise the least of three distances and the bits of a fourth; below 0 if one is. */
+  private static int soonest(float x, float y, float z, int most) {
+    return Math.min(
+        Math.min(Float.floatToRawIntBits(x), Float.floatToRawIntBits(y)),
+        Math.min(Float.floatToRawIntBits(z), most));
   }
 
   private double through(int item, Ray ray, int without) {
     double before = ray.length;
     int met = ray.triangle;
-    test(item, ray, without);
-    if (ray.length == before && ray.triangle == met) {
+    if (!test(item, ray, without)) {
       return 1;
     }
     ray.length = before;
@@ -198,8 +234,8 @@ final class TriangleTree {
     return passed;
   }
 
-  /** Möller and Trumbore 1997, in double precision. */
-  private void test(int item, Ray ray, int without) {
+  /** Whether a ray meets a triangle first (Möller and Trumbore 1997, in double precision). */
+  private boolean test(int item, Ray ray, int without) {
     int at = 9 * item;
     double ax = data[at];
     double ay = data[at + 1];
@@ -215,7 +251,7 @@ final class TriangleTree {
     double pz = ray.dx * cy - ray.dy * cx;
     double facing = bx * px + by * py + bz * pz;
     if (facing == 0) {
-      return;
+      return false;
     }
     double scale = 1 / facing;
     double sx = ray.ox - ax;
@@ -223,31 +259,32 @@ final class TriangleTree {
     double sz = ray.oz - az;
     double u = (sx * px + sy * py + sz * pz) * scale;
     if (u < -EDGE || u > 1 + EDGE) {
-      return;
+      return false;
     }
     double qx = sy * bz - sz * by;
     double qy = sz * bx - sx * bz;
     double qz = sx * by - sy * bx;
     double v = (ray.dx * qx + ray.dy * qy + ray.dz * qz) * scale;
     if (v < -EDGE || u + v > 1 + EDGE) {
-      return;
+      return false;
     }
     double distance = (cx * qx + cy * qy + cz * qz) * scale;
     int id = ids[item];
     if (!(distance > 0 && comesFirst(distance, id, facing < 0, ray))) {
-      return;
+      return false;
     }
     if (without != 0 && objectOf[triangles.version()[id]] == without) {
-      return;
+      return false;
     }
     if (triangles.transmittance()[id] > ray.pass) {
-      return;
+      return false;
     }
     ray.length = distance;
     ray.triangle = id;
     ray.u = u;
     ray.v = v;
     ray.behind = facing < 0;
+    return true;
   }
 
   private boolean comesFirst(double distance, int id, boolean behind, Ray ray) {

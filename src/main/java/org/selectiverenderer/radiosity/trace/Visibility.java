@@ -12,24 +12,27 @@ import java.util.stream.IntStream;
 public final class Visibility {
   private final TriangleTree all;
   private final TriangleTree[] own;
-  private final Versions versions;
   private final int[] objectOf;
 
+  /** By version: the tree that its triangles are in; 0 is the one that all rays meet. */
+  private final int[] treeOf;
+
   public Visibility(SceneTriangles triangles, Versions versions) {
-    this.versions = versions;
     objectOf = IntStream.range(0, versions.count()).map(versions::object).toArray();
+    treeOf =
+        IntStream.range(0, objectOf.length).map(v -> versions.isReference(v) ? 0 : v).toArray();
     int[][] members = new int[versions.count()][];
     int[] sizes = new int[versions.count()];
     for (int version : triangles.version()) {
-      sizes[place(version)]++;
+      sizes[treeOf[version]]++;
     }
     for (int i = 0; i < sizes.length; i++) {
       members[i] = new int[sizes[i]];
     }
     Arrays.fill(sizes, 0);
     for (int i = 0; i < triangles.count(); i++) {
-      int place = place(triangles.version()[i]);
-      members[place][sizes[place]++] = i;
+      int tree = treeOf[triangles.version()[i]];
+      members[tree][sizes[tree]++] = i;
     }
     TriangleTree[] trees = new TriangleTree[members.length];
     IntStream.range(0, members.length)
@@ -44,11 +47,6 @@ public final class Visibility {
     own = trees;
   }
 
-  /** The tree that a version's triangles are in: 0 is the one that all rays meet. */
-  private int place(int version) {
-    return versions.isReference(version) ? 0 : version;
-  }
-
   /**
    * Finds what a ray meets first; {@code ray.triangle} is {@link Ray#NOTHING} if that is nothing.
    *
@@ -57,7 +55,7 @@ public final class Visibility {
   public void nearest(Ray ray, int version) {
     ray.cast++;
     ray.triangle = Ray.NOTHING;
-    if (versions.isReference(version)) {
+    if (treeOf[version] == 0) {
       all.nearest(ray, 0);
     } else {
       own[version].nearest(ray, 0);
@@ -72,7 +70,7 @@ public final class Visibility {
     double pass = ray.pass;
     ray.pass = 2; // Every triangle is met; what it lets through is multiplied.
     double light;
-    if (versions.isReference(version)) {
+    if (treeOf[version] == 0) {
       light = all.transmittance(ray, 0);
     } else {
       light = own[version].transmittance(ray, 0);

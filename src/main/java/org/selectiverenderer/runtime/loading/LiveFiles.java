@@ -105,7 +105,7 @@ public final class LiveFiles {
    */
   public void open(Node node, String[] urls, Consumer<LoadedScene> arrived) {
     request(
-        loaded.loader().link(asking(node, urls), origin(node), "the viewer stays here"),
+        loaded.loader().late().link(asking(node, urls), origin(node), "the viewer stays here"),
         scene -> arrived.accept(loaded(scene)),
         () -> {});
   }
@@ -119,15 +119,15 @@ public final class LiveFiles {
    */
   public void read(Node asker, String[] urls, Consumer<LoadedScene> arrived) {
     request(
-        loaded.loader().link(asking(asker, urls), origin(asker), NOTHING_MADE),
+        loaded.loader().late().link(asking(asker, urls), origin(asker), NOTHING_MADE),
         scene -> arrived.accept(loaded(scene)),
         () -> {});
   }
 
   /** The same at once: waits for the file. Empty, with a message, when there is no scene. */
   public Optional<LoadedScene> readNow(Node asker, String[] urls) {
-    SceneLoader.Arrival<Scene> arrival =
-        loaded.loader().link(asking(asker, urls), origin(asker), NOTHING_MADE).join();
+    LateReading.Arrival<Scene> arrival =
+        loaded.loader().late().link(asking(asker, urls), origin(asker), NOTHING_MADE).join();
     arrival.problems().forEach(problems::add);
     return arrival.value().map(this::loaded);
   }
@@ -220,17 +220,17 @@ public final class LiveFiles {
 
   /** Reads the file that an Inline names now. */
   void inline(InlineNode inline, Consumer<Optional<Scene>> arrived) {
-    request(inline, loaded.loader().inline(copy(inline), origin(inline)), arrived);
+    request(inline, loaded.loader().late().inline(copy(inline), origin(inline)), arrived);
   }
 
   /** Reads the file that a texture names now. */
   void image(Node texture, Consumer<Optional<Texture.Image>> arrived) {
-    request(texture, loaded.loader().image(copy(texture), origin(texture)), arrived);
+    request(texture, loaded.loader().late().image(copy(texture), origin(texture)), arrived);
   }
 
   /** Reads the file that an AudioClip names now. */
   void sound(AudioClipNode clip, Consumer<Optional<Recording>> arrived) {
-    request(clip, loaded.loader().sound(copy(clip), origin(clip)), arrived);
+    request(clip, loaded.loader().late().sound(copy(clip), origin(clip)), arrived);
   }
 
   /** Reads the text of a part of a shader as it is now. */
@@ -238,7 +238,7 @@ public final class LiveFiles {
     ParsedNode asking = copy(part);
     asking.put(part.type().indexOf("sourceCode"), part.string("sourceCode"));
     request(
-        loaded.loader().shader(asking, origin(part)),
+        loaded.loader().late().shader(asking, origin(part)),
         text -> arrived.accept(Optional.of(text)),
         () -> arrived.accept(Optional.empty()));
   }
@@ -285,7 +285,7 @@ public final class LiveFiles {
 
   /** Reads what a node names; LoadSensors hear of it. */
   private <T> void request(
-      Node node, CompletableFuture<SceneLoader.Arrival<T>> reading, Consumer<Optional<T>> arrived) {
+      Node node, CompletableFuture<LateReading.Arrival<T>> reading, Consumer<Optional<T>> arrived) {
     loads.begins(node);
     request(
         reading,
@@ -300,7 +300,7 @@ public final class LiveFiles {
   }
 
   private <T> void request(
-      CompletableFuture<SceneLoader.Arrival<T>> reading, Consumer<T> arrived, Runnable failed) {
+      CompletableFuture<LateReading.Arrival<T>> reading, Consumer<T> arrived, Runnable failed) {
     reading.thenAccept(
         arrival ->
             arrivals.add(

@@ -5,41 +5,31 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinWorkerThread;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
-import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.joml.FrustumIntersection;
 import org.joml.Matrix4d;
 import org.joml.Matrix4f;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
-import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.geometry.tessellate.Tessellator;
 import org.selectiverenderer.runtime.instance.Assets;
-import org.selectiverenderer.runtime.instance.Texture;
-import org.selectiverenderer.runtime.loading.FileContent.Outcome;
 import org.selectiverenderer.runtime.movie.ProjectionRoom;
 import org.selectiverenderer.runtime.nodes.NodeFactory;
-import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Scene;
-import org.selectiverenderer.runtime.sound.Recording;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
-import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.PrototypeLibrary;
-import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
-import org.selectiverenderer.x3d.shader.ShaderText;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
@@ -58,6 +48,7 @@ public final class SceneLoader implements AutoCloseable {
   private final ProjectionRoom room = new ProjectionRoom();
   private final int maxNodes;
   private final ForkJoinPool threads;
+  private final LateReading late = new LateReading(this);
 
   /** A loader of scenes that may name no more than their own files and those of their project. */
   public SceneLoader(
@@ -225,9 +216,8 @@ public final class SceneLoader implements AutoCloseable {
       Problems hears)
       throws IOException {
     ContentRoot root = new ContentRoot(folder, access);
-    TaskGroup tasks = new TaskGroup(threads);
-    FileContent content =
-        new FileLoader(reader, tessellator, tasks, root, room).first(name, in, size, key, base);
+    TaskGroup tasks = tasks();
+    FileContent content = reading(tasks, root).first(name, in, size, key, base);
     TaskGroup.await(tasks.end());
     return new LoadedScene(build(content, root, List.of(), hears), this);
   }
@@ -257,20 +247,44 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   private Scene made(Function<FileLoader, FileContent> reading, UrlBase origin, Problems hears) {
-    TaskGroup tasks = new TaskGroup(threads);
-    FileContent content =
-        reading.apply(new FileLoader(reader, tessellator, tasks, origin.root(), room));
+    TaskGroup tasks = tasks();
+    FileContent content = reading.apply(reading(tasks, origin.root()));
     TaskGroup.await(tasks.end());
     return build(content, origin.root(), origin.above(), hears);
   }
 
-  private Scene build(FileContent content, ContentRoot root, List<String> above, Problems hears) {
+  /**
+   * Makes a scene of a file that has been read.
+   *
+   * @param above files that inline it, outermost first
+   */
+  Scene build(FileContent content, ContentRoot root, List<String> above, Problems hears) {
     SceneBuilder builder =
         new SceneBuilder(
             factory, catalogue.get("Group"), catalogue.get("Inline"), store, root, maxNodes);
     Scene scene = builder.build(content, above);
     builder.report(hears);
     return scene;
+  }
+
+  /** What reads a file and all that it names, as one group of tasks. */
+  FileLoader reading(TaskGroup tasks, ContentRoot root) {
+    return new FileLoader(reader, tessellator, tasks, root, room);
+  }
+
+  /** Tasks on the loader's threads. */
+  TaskGroup tasks() {
+    return new TaskGroup(threads);
+  }
+
+  /** Does something on one of the loader's threads once the tasks have ended. */
+  <T> CompletableFuture<T> after(TaskGroup tasks, Supplier<T> work) {
+    return tasks.end().thenApplyAsync(over -> work.get(), threads);
+  }
+
+  /** Reads what nodes of running scenes name. */
+  LateReading late() {
+    return late;
   }
 
   /** What scenes may name besides their own files. */
@@ -285,137 +299,6 @@ public final class SceneLoader implements AutoCloseable {
 
   SceneStore store() {
     return store;
-  }
-
-  /**
-   * What has been read in the background.
-   *
-   * @param value empty when it could not be read
-   * @param problems with it, in order
-   * @param work that it makes where it is shown, in triangles
-   */
-  record Arrival<T>(Optional<T> value, List<Problem> problems, long work) {}
-
-  /** Reads the file that an Inline names and all that it names in turn. */
-  CompletableFuture<Arrival<Scene>> inline(ParsedNode inline, UrlBase origin) {
-    return read(
-        inline,
-        origin,
-        (content, hears) -> {
-          Scene holder = build(content, origin.root(), origin.above(), hears);
-          return ((InlineNode) holder.root().nodes("children").get(0)).content();
-        });
-  }
-
-  /** Reads the image that an ImageTexture names. */
-  CompletableFuture<Arrival<Texture.Image>> image(ParsedNode texture, UrlBase origin) {
-    return read(
-        texture,
-        origin,
-        (content, hears) -> {
-          content.problems().list().forEach(hears::add);
-          return content.images().getOrDefault(texture, Optional.empty());
-        });
-  }
-
-  /** Reads the text of a part of a shader. */
-  CompletableFuture<Arrival<ShaderText>> shader(ParsedNode part, UrlBase origin) {
-    return read(
-        part,
-        origin,
-        (content, hears) -> {
-          content.problems().list().forEach(hears::add);
-          return content.shaders().getOrDefault(part, Optional.empty());
-        });
-  }
-
-  /** Reads the sound that an AudioClip names. */
-  CompletableFuture<Arrival<Recording>> sound(ParsedNode clip, UrlBase origin) {
-    return read(
-        clip,
-        origin,
-        (content, hears) -> {
-          content.problems().list().forEach(hears::add);
-          return Optional.ofNullable(content.sounds().get(clip));
-        });
-  }
-
-  /** What is made of the files read. */
-  @FunctionalInterface
-  private interface Making<T> {
-    Optional<T> make(FileContent content, Problems hears);
-  }
-
-  /** Reads what a node names, as if it were the only one of its file. */
-  private <T> CompletableFuture<Arrival<T>> read(
-      ParsedNode node, UrlBase origin, Making<T> making) {
-    TaskGroup tasks = new TaskGroup(threads);
-    FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root(), room);
-    FileContent content =
-        new FileContent(origin.file(), origin.base(), X3dFile.of(node, origin.unitLength()));
-    tasks.start(() -> loader.follow(content));
-    return arrival(tasks, node, hears -> making.make(content, hears), content::work);
-  }
-
-  /**
-   * Reads the scene that an Anchor links to, or that another node asks for; it may name what the
-   * scene with that node may.
-   *
-   * @param consequence what is done when there is none
-   */
-  CompletableFuture<Arrival<Scene>> link(ParsedNode anchor, UrlBase origin, String consequence) {
-    TaskGroup tasks = new TaskGroup(threads);
-    FileLoader loader = new FileLoader(reader, tessellator, tasks, origin.root(), room);
-    AtomicReference<Function<Problems, Optional<Scene>>> making =
-        new AtomicReference<>(hears -> Optional.empty());
-    tasks.start(
-        () -> {
-          UrlChoice choice = UrlChoice.of(anchor, origin.root(), origin.base(), consequence);
-          if (choice instanceof UrlChoice.Found file) {
-            CompletableFuture<Outcome> outcome = loader.file(file.content());
-            making.set(hears -> scene(outcome.join(), anchor, origin.root(), consequence, hears));
-          } else {
-            making.set(
-                hears -> {
-                  hears.add(((UrlChoice.None) choice).problem());
-                  return Optional.empty();
-                });
-          }
-        });
-    return arrival(tasks, anchor, hears -> making.get().apply(hears), () -> 0);
-  }
-
-  private Optional<Scene> scene(
-      Outcome outcome, ParsedNode anchor, ContentRoot root, String consequence, Problems hears) {
-    if (outcome instanceof Outcome.Read read) {
-      return Optional.of(build(read.content(), root, List.of(), hears));
-    }
-    hears.error(anchor.location(), ((Outcome.Failed) outcome).sentence() + "; " + consequence);
-    return Optional.empty();
-  }
-
-  private <T> CompletableFuture<Arrival<T>> arrival(
-      TaskGroup tasks, ParsedNode node, Function<Problems, Optional<T>> making, LongSupplier work) {
-    return tasks
-        .end()
-        .thenApplyAsync(
-            over -> {
-              Problems hears = new Problems();
-              Optional<T> made = making.apply(hears);
-              return new Arrival<>(made, hears.list(), work.getAsLong());
-            },
-            threads)
-        .exceptionally(
-            failure -> {
-              Throwable cause = failure.getCause() == null ? failure : failure.getCause();
-              Problem problem =
-                  new Problem(
-                      Problem.Severity.ERROR,
-                      node.location(),
-                      "what the %s names could not be read (%s); it is left out"
-                          .formatted(node.type().name(), cause));
-              return new Arrival<>(Optional.empty(), List.of(problem), 0);
-            });
   }
 
   @Override

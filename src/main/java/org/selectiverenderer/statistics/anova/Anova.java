@@ -20,6 +20,7 @@ public record Anova(
     List<MarginalMean> means,
     List<Comparison> comparisons,
     double bound) {
+  /** Keeps copies, so that it stays as it is. */
   public Anova {
     effects = List.copyOf(effects);
     descriptives = List.copyOf(descriptives);

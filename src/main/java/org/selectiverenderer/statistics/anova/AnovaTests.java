@@ -12,6 +12,7 @@ import java.util.Optional;
  *     level
  */
 public record AnovaTests(List<EffectTest> effects, List<Comparison> groups) {
+  /** Keeps copies, so that it stays as it is. */
   public AnovaTests {
     effects = List.copyOf(effects);
     groups = List.copyOf(groups);

@@ -22,6 +22,7 @@ public record Design(
     List<Factor> betweenFactors,
     List<String> covariates,
     List<Subject> subjects) {
+  /** Refuses subjects whose values do not fit the factors, or are not finite. */
   public Design {
     withinFactors = List.copyOf(withinFactors);
     betweenFactors = List.copyOf(betweenFactors);

@@ -42,6 +42,7 @@ public record Effect(
     List<MultivariateTest> multivariate,
     OmnibusEquivalence equivalence,
     Optional<String> flaw) {
+  /** Keeps copies, so that it stays as it is. */
   public Effect {
     multivariate = List.copyOf(multivariate);
   }

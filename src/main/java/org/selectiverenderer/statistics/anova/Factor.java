@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
  * @param levels in the order of reports; one level means that the design lacks the factor
  */
 public record Factor(String name, List<String> levels) {
+  /** Keeps copies, so that it stays as it is. */
   public Factor {
     levels = List.copyOf(levels);
   }

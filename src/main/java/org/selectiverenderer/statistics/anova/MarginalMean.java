@@ -24,10 +24,12 @@ public record MarginalMean(
     double df,
     double low,
     double high) {
+  /** Keeps the order of the levels. */
   public MarginalMean {
     levels = new LinkedHashMap<>(levels); // Map.copyOf forgets their order
   }
 
+  /** The level of each factor, in the order of the factors. */
   @Override
   public Map<String, String> levels() {
     return new LinkedHashMap<>(levels);

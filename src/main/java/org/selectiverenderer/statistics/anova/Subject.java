@@ -10,6 +10,7 @@ import java.util.List;
  * @param covariates finite, one for each of the design
  */
 public record Subject(String id, int group, List<Double> values, List<Double> covariates) {
+  /** Keeps copies, so that it stays as it is. */
   public Subject {
     values = List.copyOf(values);
     covariates = List.copyOf(covariates);

@@ -16,6 +16,7 @@ public record Term(List<Factor> within, List<Factor> between, Optional<String> c
   /** The mean of all. */
   static final Term INTERCEPT = new Term(List.of(), List.of(), Optional.empty());
 
+  /** Keeps copies, so that it stays as it is. */
   public Term {
     within = List.copyOf(within);
     between = List.copyOf(between);

@@ -3,7 +3,6 @@ package org.selectiverenderer.statistics.apa;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.statistics.anova.Effect;
-import org.selectiverenderer.statistics.bayes.BayesianAnova;
 import org.selectiverenderer.statistics.bayes.EffectEvidence;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.study.AreaAnalysis;
@@ -54,11 +53,11 @@ public final class ApaSentences {
                 analysis.area(),
                 analysis.level().title(),
                 analysis.design().subjects().size());
-    if (analysis.anova().isEmpty()) {
+    if (analysis.anova().isEmpty() || analysis.evidence().isEmpty()) {
       sentences.add(where + " was not analysed: " + analysis.design().obstacle().orElse("") + ".");
       return;
     }
-    for (EffectEvidence evidence : BayesianAnova.of(analysis.anova().get())) {
+    for (EffectEvidence evidence : analysis.evidence().get().effects()) {
       Effect effect = evidence.of(analysis.anova().get());
       sentences.add(sentence(study, analysis, effect, evidence, where));
     }

@@ -26,6 +26,7 @@ public record ApaTable(
   /** Set in italics, as the Publication Manual has statistics. */
   private static final Set<String> ITALIC = Set.of("F", "p", "M", "SD", "SE", "n", "df", "t", "d");
 
+  /** Keeps copies, so that it stays as it is. */
   public ApaTable {
     header = List.copyOf(header);
     rows = List.copyOf(rows);

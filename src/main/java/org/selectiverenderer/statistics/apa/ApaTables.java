@@ -103,7 +103,10 @@ public final class ApaTables {
                     .anova()
                     .ifPresent(
                         anova ->
-                            BayesianAnova.of(anova)
+                            analysis
+                                .evidence()
+                                .map(BayesianAnova::effects)
+                                .orElse(List.of())
                                 .forEach(
                                     evidence ->
                                         rows.add(

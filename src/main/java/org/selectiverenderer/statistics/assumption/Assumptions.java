@@ -29,6 +29,7 @@ public record Assumptions(
     List<Outlier> outliers,
     Optional<Welch> welch,
     List<String> consequences) {
+  /** Keeps copies, so that it stays as it is. */
   public Assumptions {
     levene = List.copyOf(levene);
     shapiro = List.copyOf(shapiro);

@@ -6,19 +6,26 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.apache.commons.math3.stat.StatUtils;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.EffectPrior;
 import org.selectiverenderer.statistics.anova.Term;
 
-/** Bayes factors of the effects of an analysis. */
+/**
+ * Bayes factors of the effects of an analysis: computed when they are asked for, and once, since a
+ * report shows them in its tables, its sentences and its details.
+ */
 public final class BayesianAnova {
   private static final EffectEvidence.Ratio NONE = new EffectEvidence.Ratio(Double.NaN, 0);
 
   private final Anova anova;
   private final List<Term> terms;
+  private @Nullable ModelEvidence models;
+  private @Nullable List<EffectEvidence> effects;
+  private @Nullable List<EffectEvidence> robust;
 
-  private BayesianAnova(Anova anova) {
+  public BayesianAnova(Anova anova) {
     this.anova = anova;
     terms = anova.effects().stream().map(Effect::term).toList();
   }
@@ -35,13 +42,19 @@ public final class BayesianAnova {
    *
    * @return not numbers where {@link #obstacle} says why, and where there is no F
    */
-  public static List<EffectEvidence> of(Anova anova) {
-    return new BayesianAnova(anova).evidence(List.of());
+  public synchronized List<EffectEvidence> effects() {
+    if (effects == null) {
+      effects = evidence(List.of());
+    }
+    return effects;
   }
 
   /** The same, and with {@link EffectPrior#ROBUSTNESS other widths} of the prior. */
-  public static List<EffectEvidence> withRobustness(Anova anova) {
-    return new BayesianAnova(anova).evidence(EffectPrior.ROBUSTNESS);
+  public synchronized List<EffectEvidence> withRobustness() {
+    if (robust == null) {
+      robust = evidence(EffectPrior.ROBUSTNESS);
+    }
+    return robust;
   }
 
   private List<EffectEvidence> evidence(List<Double> scales) {
@@ -51,8 +64,11 @@ public final class BayesianAnova {
     if (!defined) {
       return terms.stream().map(term -> new EffectEvidence(term, NONE, NONE, List.of())).toList();
     }
-    ModelEvidence models = new ModelEvidence(anova.design(), terms, anova.options().prior());
-    return terms.stream().map(term -> of(term, models, scales)).toList();
+    if (models == null) {
+      models = new ModelEvidence(anova.design(), terms, anova.options().prior());
+    }
+    ModelEvidence shared = models;
+    return terms.stream().map(term -> of(term, shared, scales)).toList();
   }
 
   private EffectEvidence of(Term term, ModelEvidence models, List<Double> scales) {

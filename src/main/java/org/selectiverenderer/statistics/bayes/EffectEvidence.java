@@ -30,6 +30,7 @@ public record EffectEvidence(Term term, Ratio beside, Ratio alone, List<Point> r
    */
   public record Point(double scale, double bf01) {}
 
+  /** Keeps copies, so that it stays as it is. */
   public EffectEvidence {
     robustness = List.copyOf(robustness);
   }

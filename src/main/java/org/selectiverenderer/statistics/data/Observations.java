@@ -11,6 +11,7 @@ import org.selectiverenderer.statistics.anova.Design;
  * @param exclusions what is not in it
  */
 public record Observations(DataFile source, Design design, List<Exclusion> exclusions) {
+  /** Keeps copies, so that it stays as it is. */
   public Observations {
     exclusions = List.copyOf(exclusions);
   }

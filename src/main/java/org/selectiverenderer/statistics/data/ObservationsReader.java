@@ -40,6 +40,7 @@ public final class ObservationsReader {
       List<String> within,
       List<String> between,
       List<String> covariates) {
+    /** Keeps copies, so that it stays as it is. */
     public Columns {
       within = List.copyOf(within);
       between = List.copyOf(between);

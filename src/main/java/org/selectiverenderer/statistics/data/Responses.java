@@ -11,6 +11,7 @@ import org.selectiverenderer.statistics.detection.Response;
  * @param exclusions what is not among them, and what is wanting
  */
 public record Responses(DataFile source, List<Response> usable, List<Exclusion> exclusions) {
+  /** Keeps copies, so that it stays as it is. */
   public Responses {
     usable = List.copyOf(usable);
     exclusions = List.copyOf(exclusions);

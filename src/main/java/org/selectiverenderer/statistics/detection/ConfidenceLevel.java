@@ -5,8 +5,11 @@ package org.selectiverenderer.statistics.detection;
  * for guessing.
  */
 public enum ConfidenceLevel {
+  /** All answers. */
   ALL("all", "all", "all answers", 0),
+  /** Those given with a confidence of 3 to 5. */
   MODERATE("3-5", "conf. 3–5", "confidence 3–5", 3),
+  /** Those given with a confidence of 5. */
   HIGH("5", "conf. 5", "confidence 5", 5);
 
   private final String spelling;

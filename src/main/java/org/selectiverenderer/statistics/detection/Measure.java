@@ -2,8 +2,11 @@ package org.selectiverenderer.statistics.detection;
 
 /** The dependent variables of the study. */
 public enum Measure {
+  /** Sensitivity: how well present and absent objects are told apart. */
   D_PRIME("d_prime", "d′", "sensitivity"),
+  /** Bias, as the logarithm of the likelihood ratio at the criterion. */
   LOG_BETA("log_beta", "log β", "bias; above 0: towards “no”"),
+  /** Bias, as the place of the criterion. */
   CRITERION("c", "c", "criterion; above 0: towards “no”");
 
   private final String key;
@@ -26,6 +29,7 @@ public enum Measure {
     return symbol;
   }
 
+  /** What it measures, in words. */
   public String meaning() {
     return meaning;
   }

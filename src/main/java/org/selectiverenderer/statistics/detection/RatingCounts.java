@@ -16,6 +16,7 @@ public record RatingCounts(List<Integer> noise, List<Integer> signal) {
   /** Two answers with five confidences each. */
   public static final int CATEGORIES = 2 * Response.MOST_CONFIDENCE;
 
+  /** Refuses noise and signal of different numbers of categories. */
   public RatingCounts {
     noise = List.copyOf(noise);
     signal = List.copyOf(signal);

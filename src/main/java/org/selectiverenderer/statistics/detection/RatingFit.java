@@ -53,6 +53,7 @@ public record RatingFit(
    */
   public record EqualVariance(Estimate dPrime, double g2) {}
 
+  /** Keeps copies, so that it stays as it is. */
   public RatingFit {
     criteria = List.copyOf(criteria);
   }

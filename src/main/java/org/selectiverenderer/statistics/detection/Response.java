@@ -29,5 +29,6 @@ public record Response(
   /** The smallest and the largest confidence of the questionnaire. */
   public static final int LEAST_CONFIDENCE = 1;
 
+  /** The largest confidence of the questionnaire. */
   public static final int MOST_CONFIDENCE = 5;
 }

@@ -20,6 +20,7 @@ public record Roc(List<Point> points, double area, double standardError, Optiona
   /** A pair of rates. */
   public record Point(double falseAlarmRate, double hitRate) {}
 
+  /** Keeps copies, so that it stays as it is. */
   public Roc {
     points = List.copyOf(points);
   }

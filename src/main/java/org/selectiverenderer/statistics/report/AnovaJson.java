@@ -25,7 +25,7 @@ import org.selectiverenderer.statistics.data.Exclusion;
 final class AnovaJson {
   private AnovaJson() {}
 
-  static void write(Anova anova, ObjectNode json) {
+  static void write(Anova anova, BayesianAnova bayes, ObjectNode json) {
     json.put("measure", anova.design().measure());
     factor(json, "within", anova.design().within());
     factor(json, "between", anova.design().between());
@@ -39,7 +39,7 @@ final class AnovaJson {
     json.put("participants", anova.design().subjects().size());
     effect(anova.intercept(), json.putObject("intercept"));
     ArrayNode effects = json.putArray("effects");
-    List<EffectEvidence> evidence = BayesianAnova.withRobustness(anova);
+    List<EffectEvidence> evidence = bayes.withRobustness();
     for (int i = 0; i < anova.effects().size(); i++) {
       ObjectNode node = effects.addObject();
       effect(anova.effects().get(i), node);

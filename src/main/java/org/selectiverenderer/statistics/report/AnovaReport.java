@@ -23,7 +23,7 @@ public final class AnovaReport {
   public static String text(
       Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
     List<Block> blocks = new ArrayList<>(List.of(provenance.head(source)));
-    blocks.addAll(blocks(anova, BayesianAnova.withRobustness(anova), exclusions));
+    blocks.addAll(blocks(anova, new BayesianAnova(anova).withRobustness(), exclusions));
     return TextPage.of(title(anova), blocks, true);
   }
 
@@ -35,7 +35,7 @@ public final class AnovaReport {
         new Picture(
             "Estimated marginal means with 95 % intervals (pooled error), and each participant.",
             new MeansPlot().svg(anova, anova.design().measure())));
-    List<EffectEvidence> evidence = BayesianAnova.withRobustness(anova);
+    List<EffectEvidence> evidence = new BayesianAnova(anova).withRobustness();
     RobustnessPlot.svg(evidence)
         .ifPresent(
             svg ->
@@ -50,7 +50,7 @@ public final class AnovaReport {
   public static String json(
       Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
     ObjectNode json = JsonTree.object();
-    AnovaJson.write(anova, json);
+    AnovaJson.write(anova, new BayesianAnova(anova), json);
     provenance.write(source, json);
     AnovaJson.options(anova.options(), json.putObject("options"));
     AnovaJson.exclusions(exclusions, json);

@@ -14,7 +14,6 @@ import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.apa.ApaSentences;
 import org.selectiverenderer.statistics.apa.MethodsParagraph;
-import org.selectiverenderer.statistics.bayes.BayesianAnova;
 import org.selectiverenderer.statistics.bayes.EffectEvidence;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.report.Block.Items;
@@ -31,16 +30,23 @@ final class StudyBlocks {
   static final String TITLE = "Memory recognition: signal detection and analysis of variance";
 
   private final StudyAnalysis study;
+  private final boolean details;
   private final MeansPlot plot = new MeansPlot();
   private final RatingBlocks ratings;
 
-  private StudyBlocks(StudyAnalysis study) {
+  private StudyBlocks(StudyAnalysis study, boolean details) {
     this.study = study;
+    this.details = details;
     ratings = new RatingBlocks(study, new RocPlot());
   }
 
-  static List<Block> of(StudyAnalysis study, Provenance provenance) {
-    StudyBlocks blocks = new StudyBlocks(study);
+  /**
+   * All of it.
+   *
+   * @param details whether there are sections of details, which take the most time
+   */
+  static List<Block> of(StudyAnalysis study, Provenance provenance, boolean details) {
+    StudyBlocks blocks = new StudyBlocks(study, details);
     List<Block> all = new ArrayList<>();
     all.add(provenance.head(study.responses().source()));
     all.add(new Paragraph(blocks.summary()));
@@ -50,7 +56,9 @@ final class StudyBlocks {
     all.add(new Section("Methods", false, List.of(new Items(methods))));
     all.add(new Section("Exclusions and missing data", false, MissingBlocks.of(study)));
     study.areas().forEach(area -> all.add(blocks.area(area)));
-    all.add(blocks.paragraph(provenance));
+    if (details) {
+      all.add(blocks.paragraph(provenance));
+    }
     return all;
   }
 
@@ -88,14 +96,16 @@ final class StudyBlocks {
           .filter(anova -> analysis.level() == ConfidenceLevel.ALL)
           .ifPresent(anova -> blocks.add(picture(analysis, anova)));
     }
-    List<Block> others = new ArrayList<>();
-    for (AreaAnalysis analysis : analyses) {
-      analysis
-          .anova()
-          .filter(anova -> analysis.level() != ConfidenceLevel.ALL)
-          .ifPresent(anova -> others.add(picture(analysis, anova)));
-    }
     blocks.addAll(ratings.of(area));
+    if (details) {
+      blocks.addAll(details(area, analyses));
+    }
+    return new Section("Area: " + area, false, blocks);
+  }
+
+  /** What a reader may want to pass over. */
+  private List<Block> details(String area, List<AreaAnalysis> analyses) {
+    List<Block> blocks = new ArrayList<>();
     blocks.add(
         new Section(
             "Sentences to paste: " + area,
@@ -103,25 +113,33 @@ final class StudyBlocks {
             Stream.of(ConfidenceLevel.values())
                 .map(level -> (Block) new Items(ApaSentences.of(study, area, level)))
                 .toList()));
+    List<Block> others = new ArrayList<>();
+    for (AreaAnalysis analysis : analyses) {
+      analysis
+          .anova()
+          .filter(anova -> analysis.level() != ConfidenceLevel.ALL)
+          .ifPresent(anova -> others.add(picture(analysis, anova)));
+    }
     if (!others.isEmpty()) {
       blocks.add(new Section("Plots at the other confidence levels: " + area, true, others));
     }
     for (AreaAnalysis analysis : analyses) {
-      List<Block> details = new ArrayList<>();
-      if (!analysis.notes().isEmpty()) {
-        details.add(new Items(analysis.notes()));
-      }
-      analysis
-          .anova()
-          .ifPresent(
-              anova -> {
-                List<EffectEvidence> evidence = BayesianAnova.withRobustness(anova);
-                RobustnessPlot.svg(evidence).ifPresent(svg -> details.add(robustness(svg)));
-                details.addAll(AnovaBlocks.of(anova, evidence));
-              });
-      blocks.add(new Section("Details: " + title(analysis), true, details));
+      blocks.add(new Section("Details: " + title(analysis), true, details(analysis)));
     }
-    return new Section("Area: " + area, false, blocks);
+    return blocks;
+  }
+
+  private static List<Block> details(AreaAnalysis analysis) {
+    List<Block> blocks = new ArrayList<>();
+    if (!analysis.notes().isEmpty()) {
+      blocks.add(new Items(analysis.notes()));
+    }
+    if (analysis.anova().isPresent() && analysis.evidence().isPresent()) {
+      List<EffectEvidence> evidence = analysis.evidence().get().withRobustness();
+      RobustnessPlot.svg(evidence).ifPresent(svg -> blocks.add(robustness(svg)));
+      blocks.addAll(AnovaBlocks.of(analysis.anova().get(), evidence));
+    }
+    return blocks;
   }
 
   private Picture picture(AreaAnalysis analysis, Anova anova) {
@@ -149,7 +167,7 @@ final class StudyBlocks {
     List<List<String>> rows = new ArrayList<>();
     for (AreaAnalysis analysis : analyses) {
       String name = analysis.measure().symbol() + " " + analysis.level().heading();
-      if (analysis.anova().isEmpty()) {
+      if (analysis.anova().isEmpty() || analysis.evidence().isEmpty()) {
         String reason = analysis.notes().get(analysis.notes().size() - 1);
         List<String> row = new ArrayList<>();
         row.addAll(List.of(name, "", figures.dash(reason.replaceFirst("\\.$", "")), ""));
@@ -159,7 +177,7 @@ final class StudyBlocks {
         continue;
       }
       Anova anova = analysis.anova().get();
-      List<EffectEvidence> evidence = BayesianAnova.of(anova);
+      List<EffectEvidence> evidence = analysis.evidence().get().effects();
       for (int i = 0; i < anova.effects().size(); i++) {
         Effect effect = anova.effects().get(i);
         List<String> row = new ArrayList<>();

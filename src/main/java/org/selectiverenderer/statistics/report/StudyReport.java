@@ -17,12 +17,12 @@ public final class StudyReport {
 
   /** Tables for a terminal, without the details of each analysis. */
   public static String text(StudyAnalysis study, Provenance provenance) {
-    return TextPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance), false);
+    return TextPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance, false), false);
   }
 
   /** One page with everything, that loads nothing. */
   public static String html(StudyAnalysis study, Provenance provenance) {
-    return HtmlPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance));
+    return HtmlPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance, true));
   }
 
   /** Scores, one a row. */
@@ -98,8 +98,8 @@ public final class StudyReport {
     json.put("area", analysis.area()).put("confidence", analysis.level().spelling());
     json.put("measure", analysis.measure().key());
     analysis.notes().forEach(json.putArray("notes")::add);
-    if (analysis.anova().isPresent()) {
-      AnovaJson.write(analysis.anova().get(), json);
+    if (analysis.anova().isPresent() && analysis.evidence().isPresent()) {
+      AnovaJson.write(analysis.anova().get(), analysis.evidence().get(), json);
     } else {
       json.putArray("effects");
       AnovaJson.descriptives(analysis.design(), json);

@@ -28,6 +28,7 @@ public record Power(int participants, int studies, List<Finding> findings) {
     }
   }
 
+  /** Keeps copies, so that it stays as it is. */
   public Power {
     findings = List.copyOf(findings);
   }

@@ -4,9 +4,13 @@ import org.selectiverenderer.statistics.study.AreaStudy;
 
 /** What a study is to find. Spelled as users type it. */
 public enum PowerGoal {
+  /** That the conditions differ. */
   condition(AreaStudy.BETWEEN),
+  /** That the types of objects differ. */
   type(AreaStudy.WITHIN),
+  /** That the types differ by other amounts in other conditions. */
   interaction(AreaStudy.WITHIN + " x " + AreaStudy.BETWEEN),
+  /** That the conditions are equivalent. */
   equivalence(PowerAnalysis.EQUIVALENCE);
 
   private final String finding;

@@ -24,6 +24,7 @@ public record StudyModel(
     double typeSensitivity,
     double typeCriterion,
     List<ObjectList> lists) {
+  /** Refuses a condition without a d' or a c. */
   public StudyModel {
     conditions = List.copyOf(conditions);
     sensitivities = List.copyOf(sensitivities);

@@ -38,6 +38,7 @@ public record StudyAnalysis(
   private static final List<String> THESIS_ORDER =
       List.of("high", "high-low", "selective", "random");
 
+  /** Keeps copies, so that it stays as it is. */
   public StudyAnalysis {
     conditions = List.copyOf(conditions);
     areas = List.copyOf(areas);

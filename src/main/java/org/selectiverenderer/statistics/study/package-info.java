@@ -5,7 +5,8 @@
  *
  * <p>In: {@link org.selectiverenderer.statistics.data.Responses} and options. Out: {@link
  * org.selectiverenderer.statistics.study.StudyAnalysis}. Uses {@code statistics.data}, {@code
- * statistics.detection}, {@code statistics.anova} and {@code base.problem}.
+ * statistics.detection}, {@code statistics.anova}, {@code statistics.bayes} and {@code
+ * base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.statistics.study;

@@ -53,6 +53,7 @@ public final class BudgetRules {
         .formatted(scope, budget, polygons);
   }
 
+  /** The rules and their check. */
   public static RuleGroup group() {
     return new RuleGroup(
         "Budget",

@@ -35,6 +35,7 @@ public record BudgetStatus(Budget budget, String group, State worst) {
     return Math.max(0, worst.polygons() - budget.polygons());
   }
 
+  /** Whether there are more polygons than allowed. */
   public boolean broken() {
     return over() > 0;
   }

@@ -10,6 +10,7 @@ import org.selectiverenderer.validation.RuleGroup;
 public final class EnrichmentRules {
   private EnrichmentRules() {}
 
+  /** The rules and their checks. */
   public static RuleGroup group() {
     return new RuleGroup(
         "Enrichment",

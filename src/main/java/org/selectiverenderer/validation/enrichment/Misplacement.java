@@ -1,8 +1,8 @@
 package org.selectiverenderer.validation.enrichment;
 
-import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SchemaField.Owner;
+import org.selectiverenderer.schema.nodes.NodeMetadata;
 
 /** Why metadata in a place means nothing. */
 final class Misplacement {

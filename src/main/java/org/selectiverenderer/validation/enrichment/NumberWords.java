@@ -1,7 +1,7 @@
 package org.selectiverenderer.validation.enrichment;
 
 import java.util.List;
-import org.selectiverenderer.schema.NodeMetadata;
+import org.selectiverenderer.schema.nodes.NodeMetadata;
 
 /** Numbers in words. */
 final class NumberWords {

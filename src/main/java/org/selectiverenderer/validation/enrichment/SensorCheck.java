@@ -1,10 +1,10 @@
 package org.selectiverenderer.validation.enrichment;
 
-import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.schema.nodes.NodeMetadata;
 import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.read.ParsedNode;

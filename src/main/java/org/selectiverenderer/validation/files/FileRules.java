@@ -122,6 +122,7 @@ public final class FileRules {
 
   private FileRules() {}
 
+  /** The rules and their checks. */
   public static RuleGroup group() {
     return new RuleGroup(
         "Files",

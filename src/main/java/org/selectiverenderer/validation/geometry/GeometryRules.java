@@ -88,6 +88,7 @@ public final class GeometryRules {
 
   private GeometryRules() {}
 
+  /** The rules and their checks. */
   public static RuleGroup group() {
     return new RuleGroup(
         "Geometry",

@@ -9,6 +9,7 @@ import org.selectiverenderer.validation.RuleGroup;
 public final class LanguageRules {
   private LanguageRules() {}
 
+  /** The rules and their checks. */
   public static RuleGroup group() {
     List<Rule> rules =
         Stream.of(

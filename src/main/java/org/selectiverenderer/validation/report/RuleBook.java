@@ -12,6 +12,7 @@ public final class RuleBook {
 
   private final RuleCatalogue catalogue;
 
+  /** A book of all rules of a catalogue. */
   public RuleBook(RuleCatalogue catalogue) {
     this.catalogue = catalogue;
   }

@@ -15,6 +15,7 @@ import org.selectiverenderer.validation.xml.XmlRules;
 
 /** All that the validator can say, group by group. */
 public record RuleCatalogue(List<RuleGroup> groups) {
+  /** Keeps copies, so that it stays as it is. */
   public RuleCatalogue {
     groups = List.copyOf(groups);
   }

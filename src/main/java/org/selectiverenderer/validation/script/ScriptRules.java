@@ -53,6 +53,7 @@ public final class ScriptRules {
 
   private ScriptRules() {}
 
+  /** The rules and their checks. */
   public static RuleGroup group() {
     return new RuleGroup(
         "Scripts",

@@ -135,6 +135,7 @@ public final class XmlRules {
 
   private XmlRules() {}
 
+  /** The rules and their checks. */
   public static RuleGroup group() {
     return new RuleGroup(
         "XML and file",

@@ -93,6 +93,7 @@ public final class NodeType {
     return ownFrom;
   }
 
+  /** The standard's name, such as {@code Box}. */
   public String name() {
     return name;
   }
@@ -122,6 +123,7 @@ public final class NodeType {
     return ancestors;
   }
 
+  /** Its fields, in the standard's order. */
   public List<FieldDefinition> fields() {
     return fields;
   }

@@ -10,6 +10,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * scene. What works on either (tessellation, metadata, counting) is written against this.
  */
 public interface NodeView {
+  /** What sort of node it is. */
   NodeType type();
 
   /** The DEF name, or null. */
@@ -30,30 +31,37 @@ public interface NodeView {
     return value(type().indexOf(field));
   }
 
+  /** The value of a field of floats: SFVec3f, MFFloat, SFColor ... */
   default float[] floats(String field) {
     return (float[]) value(field);
   }
 
+  /** The value of an MFInt32 or an image. */
   default int[] ints(String field) {
     return (int[]) value(field);
   }
 
+  /** The value of an MFString. */
   default String[] strings(String field) {
     return (String[]) value(field);
   }
 
+  /** The value of an SFFloat. */
   default float number(String field) {
     return (Float) value(field);
   }
 
+  /** The value of an SFInt32. */
   default int integer(String field) {
     return (Integer) value(field);
   }
 
+  /** The value of an SFBool. */
   default boolean bool(String field) {
     return (Boolean) value(field);
   }
 
+  /** The value of an SFString. */
   default String string(String field) {
     return (String) value(field);
   }

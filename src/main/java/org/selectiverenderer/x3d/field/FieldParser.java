@@ -40,6 +40,10 @@ public final class FieldParser {
     return new Parsed(value, flaws.list());
   }
 
+  /**
+   * The value that a text stands for, as {@link FieldType} says; what is wrong with it goes to
+   * {@code flaws}.
+   */
   @Nullable
   public Object parse(FieldType type, String text, Flaws flaws) {
     if (type.kind() == FieldType.Kind.STRING) {

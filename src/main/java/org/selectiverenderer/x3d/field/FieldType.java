@@ -28,56 +28,104 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
  * <p>Arrays are shared, not copied: whoever is handed one must not write into it.
  */
 public enum FieldType {
+  /** True or false. */
   SFBool(Kind.BOOLEAN, 1, false),
+  /** A whole number of 32 bits. */
   SFInt32(Kind.INT, 1, false),
+  /** A number of 32 bits. */
   SFFloat(Kind.FLOAT, 1, false),
+  /** A number of 64 bits. */
   SFDouble(Kind.DOUBLE, 1, false),
+  /** Seconds. */
   SFTime(Kind.DOUBLE, 1, false),
+  /** A text. */
   SFString(Kind.STRING, 1, false),
+  /** A node or none. */
   SFNode(Kind.NODE, 1, false),
+  /** A vector of two numbers of 32 bits. */
   SFVec2f(Kind.FLOAT, 2, false),
+  /** A vector of three numbers of 32 bits. */
   SFVec3f(Kind.FLOAT, 3, false),
+  /** A vector of four numbers of 32 bits. */
   SFVec4f(Kind.FLOAT, 4, false),
+  /** A vector of two numbers of 64 bits. */
   SFVec2d(Kind.DOUBLE, 2, false),
+  /** A vector of three numbers of 64 bits. */
   SFVec3d(Kind.DOUBLE, 3, false),
+  /** A vector of four numbers of 64 bits. */
   SFVec4d(Kind.DOUBLE, 4, false),
+  /** Red, green and blue, 0 to 1. */
   SFColor(Kind.FLOAT, 3, false),
+  /** Red, green, blue and opacity, 0 to 1. */
   SFColorRGBA(Kind.FLOAT, 4, false),
+  /** An axis and an angle in radians. */
   SFRotation(Kind.FLOAT, 4, false),
+  /** A matrix of three rows, numbers of 32 bits. */
   SFMatrix3f(Kind.FLOAT, 9, false),
+  /** A matrix of four rows, numbers of 32 bits. */
   SFMatrix4f(Kind.FLOAT, 16, false),
+  /** A matrix of three rows, numbers of 64 bits. */
   SFMatrix3d(Kind.DOUBLE, 9, false),
+  /** A matrix of four rows, numbers of 64 bits. */
   SFMatrix4d(Kind.DOUBLE, 16, false),
+  /** Width, height, components, and a whole number for each pixel. */
   SFImage(Kind.INT, 0, false),
+  /** Truth values. */
   MFBool(Kind.BOOLEAN, 1, true),
+  /** Whole numbers. */
   MFInt32(Kind.INT, 1, true),
+  /** Numbers of 32 bits. */
   MFFloat(Kind.FLOAT, 1, true),
+  /** Numbers of 64 bits. */
   MFDouble(Kind.DOUBLE, 1, true),
+  /** Points in time, in seconds. */
   MFTime(Kind.DOUBLE, 1, true),
+  /** Texts. */
   MFString(Kind.STRING, 1, true),
+  /** Nodes. */
   MFNode(Kind.NODE, 1, true),
+  /** Vectors of two numbers of 32 bits. */
   MFVec2f(Kind.FLOAT, 2, true),
+  /** Vectors of three numbers of 32 bits. */
   MFVec3f(Kind.FLOAT, 3, true),
+  /** Vectors of four numbers of 32 bits. */
   MFVec4f(Kind.FLOAT, 4, true),
+  /** Vectors of two numbers of 64 bits. */
   MFVec2d(Kind.DOUBLE, 2, true),
+  /** Vectors of three numbers of 64 bits. */
   MFVec3d(Kind.DOUBLE, 3, true),
+  /** Vectors of four numbers of 64 bits. */
   MFVec4d(Kind.DOUBLE, 4, true),
+  /** Colours: red, green and blue of each. */
   MFColor(Kind.FLOAT, 3, true),
+  /** Colours: red, green, blue and opacity of each. */
   MFColorRGBA(Kind.FLOAT, 4, true),
+  /** Rotations: an axis and an angle in radians of each. */
   MFRotation(Kind.FLOAT, 4, true),
+  /** Matrices of three rows, numbers of 32 bits. */
   MFMatrix3f(Kind.FLOAT, 9, true),
+  /** Matrices of four rows, numbers of 32 bits. */
   MFMatrix4f(Kind.FLOAT, 16, true),
+  /** Matrices of three rows, numbers of 64 bits. */
   MFMatrix3d(Kind.DOUBLE, 9, true),
+  /** Matrices of four rows, numbers of 64 bits. */
   MFMatrix4d(Kind.DOUBLE, 16, true),
+  /** Images, one after the other. */
   MFImage(Kind.INT, 0, true);
 
   /** What one component of a value is. */
   public enum Kind {
+    /** True or false. */
     BOOLEAN,
+    /** A whole number of 32 bits. */
     INT,
+    /** A number of 32 bits. */
     FLOAT,
+    /** A number of 64 bits. */
     DOUBLE,
+    /** A text. */
     STRING,
+    /** A node. */
     NODE
   }
 
@@ -91,6 +139,7 @@ public enum FieldType {
     this.multiple = multiple;
   }
 
+  /** What one component is. */
   public Kind kind() {
     return kind;
   }

@@ -42,10 +42,12 @@ public final class Flaws {
     }
   }
 
+  /** Whether nothing is wrong. */
   public boolean isEmpty() {
     return list.isEmpty();
   }
 
+  /** What is wrong, in the order in which it was found. */
   public List<FieldParser.Flaw> list() {
     if (more > 0) {
       FieldParser.Flaw last = list.get(LIMIT - 1);

@@ -12,7 +12,10 @@ import org.selectiverenderer.base.json.JsonValue;
  * "allow"}, folders as seen from the file, and {@code "allowNet"}, hosts.
  */
 public final class AllowedKeys {
+  /** Names folders that scenes may read from. */
   public static final String FOLDERS = "allow";
+
+  /** Names hosts that scenes may load from. */
   public static final String HOSTS = "allowNet";
 
   private AllowedKeys() {}

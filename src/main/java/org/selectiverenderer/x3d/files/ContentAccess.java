@@ -12,6 +12,7 @@ import java.util.stream.Stream;
  *     nothing is fetched twice
  */
 public record ContentAccess(List<Path> folders, Network network) {
+  /** Keeps copies, so that it stays as it is. */
   public ContentAccess {
     folders = List.copyOf(folders);
   }

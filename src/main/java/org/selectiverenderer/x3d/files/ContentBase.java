@@ -21,6 +21,7 @@ public sealed interface ContentBase {
    */
   record FirstOf(ContentBase first, ContentBase second) implements ContentBase {}
 
+  /** Urls that start in a folder. */
   static ContentBase folder(Path path) {
     return new Folder(path);
   }

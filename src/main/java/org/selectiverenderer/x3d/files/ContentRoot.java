@@ -30,6 +30,7 @@ import java.util.regex.Pattern;
  * <p>Messages name a file relative to the scene's folder as the user wrote it. Thread-safe.
  */
 public final class ContentRoot {
+  /** The folder beside the scenes that holds what they inline. */
   public static final String INLINE_FOLDER = "inlineNodes";
 
   /** At least two letters before the colon: a single one is a drive of Windows. */
@@ -48,6 +49,7 @@ public final class ContentRoot {
     UNREACHABLE,
     /** The file is none that the scene may name. */
     OUTSIDE,
+    /** There is no such file. */
     MISSING,
     /** It is missing, but there is a file whose name differs in letter case only. */
     CASE

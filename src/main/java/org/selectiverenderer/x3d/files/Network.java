@@ -66,6 +66,7 @@ public final class Network {
     }
   }
 
+  /** A network of which some hosts may be asked. */
   public Network(List<HostPattern> hosts) {
     this(hosts, TIME, MAX_BYTES);
   }

@@ -10,6 +10,7 @@ public sealed interface UrlChoice {
   /** Characters of a url that a message shows. */
   int SHOWN = 80;
 
+  /** What a url means. */
   record Found(Content content) implements UrlChoice {}
 
   /**

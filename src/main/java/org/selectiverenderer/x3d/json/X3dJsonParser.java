@@ -14,6 +14,7 @@ import org.selectiverenderer.x3d.source.XmlFault;
 public final class X3dJsonParser implements DocumentBuilder.Parser {
   private final NodeCatalogue catalogue;
 
+  /** A parser that knows the node types of a catalogue. */
   public X3dJsonParser(NodeCatalogue catalogue) {
     this.catalogue = catalogue;
   }

@@ -29,6 +29,7 @@ public final class FileLibraries implements Libraries {
    */
   private record Read(@Nullable PrototypeLibrary library, String fault) {}
 
+  /** Prototypes of files that a reader reads and a root allows. */
   public FileLibraries(X3dReader reader, ContentRoot root) {
     this.reader = reader;
     this.root = root;

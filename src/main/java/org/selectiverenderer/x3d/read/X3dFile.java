@@ -97,8 +97,10 @@ public record X3dFile(
         null);
   }
 
+  /** A meta statement of the head. */
   public record Meta(String name, String content) {}
 
+  /** A UNIT statement. */
   public record Unit(String category, String name, double conversionFactor) {}
 
   /** A ROUTE whose ends are checked: nodes exist, fields exist, types agree. */
@@ -129,7 +131,9 @@ public record X3dFile(
   public record InstanceFields(
       Map<String, List<End.Own>> inputs, Map<String, List<End.Own>> outputs) {}
 
+  /** An IMPORT statement. */
   public record Import(String inlineDef, String importedDef, String as, Location location) {}
 
+  /** An EXPORT statement. */
   public record Export(String localDef, String as, Location location) {}
 }

@@ -44,6 +44,7 @@ public final class X3dReader {
   private final ContentBase base;
   private final boolean parts;
 
+  /** A reader with the usual limits. */
   public X3dReader(NodeCatalogue catalogue) {
     this(catalogue, ReadLimits.standard());
   }
@@ -53,6 +54,7 @@ public final class X3dReader {
     return catalogue;
   }
 
+  /** A reader with limits of your own. */
   public X3dReader(NodeCatalogue catalogue, ReadLimits limits) {
     this(catalogue, limits, Libraries.none(), ContentBase.folder(Path.of("")), false);
   }

@@ -37,6 +37,7 @@ public record ProgramSyntax(List<Fault> faults, Set<String> names) {
    */
   public record Fault(int line, String message) {}
 
+  /** The syntax of a Script's program. */
   public static ProgramSyntax of(ScriptProgram program) {
     Listing faults = new Listing();
     CompilerEnvirons settings = new CompilerEnvirons();

@@ -38,6 +38,7 @@ public final class DocumentAttribute {
     known = new Known(parsedAs, parsed, found);
   }
 
+  /** The element that it stands in. */
   public DocumentElement element() {
     return element;
   }

@@ -197,6 +197,7 @@ public final class DocumentBuilder {
     current().addText(characters, at);
   }
 
+  /** Adds a comment that begins at a place of the text. */
   public void comment(String words, int at) {
     comments.add(new XmlDocument.Comment(words, source.location(at), at, null));
   }

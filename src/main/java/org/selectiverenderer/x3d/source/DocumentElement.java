@@ -208,6 +208,7 @@ public final class DocumentElement {
     return source;
   }
 
+  /** Where it stands. */
   public ElementLocation place() {
     return content == null || content.place == null
         ? new ElementLocation(source, start, location())
@@ -234,6 +235,7 @@ public final class DocumentElement {
     content().place = found;
   }
 
+  /** Adds a child behind the others. */
   public void add(DocumentElement child) {
     if (children.isEmpty()) {
       children = new ArrayList<>(2);
@@ -242,10 +244,12 @@ public final class DocumentElement {
     child.parent = this;
   }
 
+  /** Gives it its attributes. */
   public void attributes(List<DocumentAttribute> all) {
     content().attributes = all;
   }
 
+  /** Adds text that begins at a place of the file. */
   public void addText(String more, int at) {
     Content into = content();
     if (into.text == null) {

@@ -9,6 +9,7 @@ public final class LineIndex {
   private int[] starts;
   private int count;
 
+  /** The lines of a text. */
   public LineIndex(CharSequence text) {
     this.starts = UNKNOWN;
     build(text);

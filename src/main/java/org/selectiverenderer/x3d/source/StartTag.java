@@ -80,6 +80,7 @@ public final class StartTag {
     return null;
   }
 
+  /** The attribute of a name, if it is written. */
   public Optional<WrittenAttribute> attribute(String name) {
     for (WrittenAttribute attribute : attributes) {
       if (attribute.name().equals(name)) {

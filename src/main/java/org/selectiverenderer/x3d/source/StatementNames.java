@@ -27,6 +27,7 @@ public final class StatementNames {
 
   private StatementNames() {}
 
+  /** Whether an element is a statement and no node. */
   public static boolean is(String element) {
     return NAMES.contains(element);
   }

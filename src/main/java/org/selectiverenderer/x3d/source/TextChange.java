@@ -10,16 +10,19 @@ import java.util.List;
  * @param text what comes in their place
  */
 public record TextChange(int from, int to, String text) {
+  /** Refuses an end before the beginning. */
   public TextChange {
     if (from < 0 || to < from) {
       throw new IllegalArgumentException("from " + from + " to " + to);
     }
   }
 
+  /** Puts text at a place. */
   public static TextChange insert(int at, String text) {
     return new TextChange(at, at, text);
   }
 
+  /** Takes text away. */
   public static TextChange remove(int from, int to) {
     return new TextChange(from, to, "");
   }

@@ -91,6 +91,7 @@ public final class XmlDocument {
     return Collections.unmodifiableList(elements);
   }
 
+  /** The comments, in the order of the file. */
   public List<Comment> comments() {
     return Collections.unmodifiableList(comments);
   }

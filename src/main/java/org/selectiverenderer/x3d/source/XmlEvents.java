@@ -44,6 +44,7 @@ public final class XmlEvents {
     }
   }
 
+  /** The text that is read. */
   public TextSource source() {
     return source;
   }
@@ -182,6 +183,7 @@ public final class XmlEvents {
     return foreign ? prefix + ":" + xml().getLocalName() : xml().getLocalName();
   }
 
+  /** How many attributes the element has. */
   public int attributes() {
     return xml().getAttributeCount();
   }

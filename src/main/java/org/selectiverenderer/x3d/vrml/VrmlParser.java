@@ -22,6 +22,7 @@ public final class VrmlParser implements DocumentBuilder.Parser {
   private final NodeCatalogue catalogue;
   private final Encoding encoding;
 
+  /** A parser of one encoding that knows the node types of a catalogue. */
   public VrmlParser(NodeCatalogue catalogue, Encoding encoding) {
     this.catalogue = catalogue;
     this.encoding = encoding;

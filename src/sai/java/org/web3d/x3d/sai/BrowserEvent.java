@@ -21,6 +21,7 @@ public class BrowserEvent extends EventObject {
 
   private static final long serialVersionUID = 1L;
 
+  /** What has happened: one of the constants. */
   private final int id;
 
   /**

@@ -7,6 +7,7 @@ package org.web3d.x3d.sai;
 public class ImportedNodeException extends X3DException {
   private static final long serialVersionUID = 1L;
 
+  /** An exception without a message. */
   public ImportedNodeException() {}
 
   /** An exception that says what is wrong in one sentence. */

@@ -4,6 +4,7 @@ package org.web3d.x3d.sai;
 public class InvalidFieldValueException extends X3DException {
   private static final long serialVersionUID = 1L;
 
+  /** An exception without a message. */
   public InvalidFieldValueException() {}
 
   /** An exception that says what is wrong in one sentence. */

@@ -4,6 +4,7 @@ package org.web3d.x3d.sai;
 public class InvalidWritableFieldException extends InvalidFieldException {
   private static final long serialVersionUID = 1L;
 
+  /** An exception without a message. */
   public InvalidWritableFieldException() {}
 
   /** An exception that says what is wrong in one sentence. */

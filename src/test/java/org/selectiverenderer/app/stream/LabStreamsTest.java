@@ -198,7 +198,22 @@ class LabStreamsTest {
   private static HeadSample looking(EyeSample eyes) {
     HeadSample.Moment moment = HeadSample.Moment.UNTOLD;
     return new HeadSample(
-            0, 0, 0, 0, -60, 0, 0, false, "", Double.NaN, -1, List.of(), List.of(), 10, moment)
+            0,
+            0,
+            0,
+            0,
+            -60,
+            0,
+            0,
+            false,
+            "",
+            Double.NaN,
+            -1,
+            List.of(),
+            List.of(),
+            10,
+            moment,
+            null)
         .looking(eyes);
   }
 

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,6 +40,16 @@ class CancelledRadiosityTest {
     assertThat(folder.resolve("data")).content().contains("slab-lit.x3d", "cancelled");
     assertThat(folder.resolve("slab-lit.x3d")).isNotEmptyFile();
     assertThat(messages).content().doesNotContain("Exception");
+  }
+
+  @Test
+  void soItDoesWhereTexelsAreLit() throws Exception {
+    // The iterations take a second, and a million texels much longer.
+    Path messages = cancelled("iteration  2", "--texels-per-metre", "100", "--rays", "3000");
+    assertThat(folder.resolve("data")).content().contains("slab-lit.x3d", "cancelled");
+    assertThat(folder.resolve("slab-lit.x3d")).content().contains("slab-lit-light.png");
+    assertThat(ImageIO.read(folder.resolve("slab-lit-light.png").toFile())).isNotNull();
+    assertThat(messages).content().doesNotContain("Exception", "did not end");
   }
 
   /** Cancels when the messages contain something; returns them. */

@@ -20,10 +20,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.Main;
-import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.RequiresDisplay;
 
 /** An X server with three screens: the first two are the participant's eyes. */
-@ShowsWindows
+@RequiresDisplay
 @Timeout(value = 180, unit = TimeUnit.SECONDS)
 class OperatorScreenTest {
   private static final int CORNER = 60;

@@ -17,10 +17,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.Main;
-import org.selectiverenderer.testing.ShowsWindows;
+import org.selectiverenderer.testing.RequiresDisplay;
 
 /** Both eyes on the two screens of an X server, as the ProView is wired. */
-@ShowsWindows
+@RequiresDisplay
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class DualDisplayTest {
   @TempDir private Path folder;

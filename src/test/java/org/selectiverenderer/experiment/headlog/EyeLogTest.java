@@ -66,7 +66,8 @@ class EyeLogTest {
             List.of(),
             List.of(),
             20,
-            new HeadSample.Moment(visible, null, 5 + number * 0.02))
+            new HeadSample.Moment(visible, null, 5 + number * 0.02),
+            null)
         .looking(eyes);
   }
 

@@ -63,7 +63,8 @@ class HeadLogTest {
         List.of("a", "b"),
         List.of("OfficeSchema"),
         16.6667,
-        HeadSample.Moment.UNTOLD);
+        HeadSample.Moment.UNTOLD,
+        null);
   }
 
   /** A moment of a machine that was started with the year. */
@@ -90,7 +91,8 @@ class HeadLogTest {
         like.cone(),
         like.schemas(),
         100,
-        at(t + ahead, visible));
+        at(t + ahead, visible),
+        null);
   }
 
   private Path write(List<HeadSample> samples) throws IOException {
@@ -129,7 +131,8 @@ class HeadLogTest {
                 List.of(),
                 List.of(),
                 5,
-                at(12.5, true)),
+                at(12.5, true),
+                null),
             sample(0.2, 1e-7, 0, "a \"quoted\", one"));
     HeadLog log = read(write(samples));
     assertThat(log.samples().get(0).yaw()).isEqualTo(12.345679);
@@ -204,7 +207,8 @@ class HeadLogTest {
                     List.of(),
                     List.of(),
                     16.6666,
-                    at(1234.5678901, false))));
+                    at(1234.5678901, false),
+                    null)));
     assertThat(Files.readAllLines(file).get(1))
         .isEqualTo(
             "0.666667,0.000000,0.000000,12345678.500000,-90.000000,0.000000,180.000000,moved,,4.000,,,,16.667,0,"
@@ -371,5 +375,15 @@ class HeadLogTest {
         .startsWith("<svg ")
         .contains("DeskProx", "Office: ", "Switch_Desk", "A&lt;b&gt;")
         .endsWith("</svg>\n");
+  }
+
+  @Test
+  void nothingOfThePlanIsDrawnOverTheNamesOfRoomsAndAreas() throws IOException {
+    HeadLogAnalysis analysis =
+        HeadLogAnalysis.of(
+            read(write(List.of(sample(0, 0, 0, "Switch_Desk"), sample(1, 9, 0, "")))));
+    String plan = HeadLogPlot.svg(analysis).split("In the middle of the view")[0];
+    String afterNames = plan.substring(plan.indexOf(">DeskProx<"));
+    assertThat(afterNames).contains("Office: ").doesNotContain("<path", "<circle");
   }
 }

@@ -19,7 +19,22 @@ class HeadLogWriterTest {
 
   private static HeadSample sample(double t) {
     return new HeadSample(
-        t, 0, 0, 0, 0, 0, 0, false, "A", 1, 0, List.of(), List.of(), 4, HeadSample.Moment.UNTOLD);
+        t,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        false,
+        "A",
+        1,
+        0,
+        List.of(),
+        List.of(),
+        4,
+        HeadSample.Moment.UNTOLD,
+        null);
   }
 
   private abstract static class Disk implements HeadLogWriter.Lines {

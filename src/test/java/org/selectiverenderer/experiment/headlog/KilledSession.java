@@ -32,7 +32,8 @@ final class KilledSession {
               List.of(),
               List.of(),
               4,
-              HeadSample.Moment.UNTOLD));
+              HeadSample.Moment.UNTOLD,
+              null));
       System.out.println(t);
       LockSupport.parkNanos(4_000_000);
     }

@@ -194,7 +194,7 @@ class AnovaTest {
     assertThat(anova.comparisons().get(0).d().low()).isLessThan(-1000);
     assertThat(anova.intercept().partialEta().value()).isGreaterThan(0.9999);
     assertThat(anova.intercept().partialEta().low()).isNaN();
-    assertThat(BayesianAnova.of(anova).get(0).bf01()).isBetween(0.0, 1e-10);
+    assertThat(new BayesianAnova(anova).effects().get(0).bf01()).isBetween(0.0, 1e-10);
   }
 
   /** Levels as far from sphericity as can be: the third is the first and noise. */

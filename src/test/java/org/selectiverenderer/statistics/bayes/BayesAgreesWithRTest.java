@@ -52,7 +52,8 @@ class BayesAgreesWithRTest {
     Map<String, EffectEvidence> ours = new LinkedHashMap<>();
     data.forEach(
         (set, rows) ->
-            BayesianAnova.of(Anova.of(design(rows), AnovaOptions.DEFAULT))
+            new BayesianAnova(Anova.of(design(rows), AnovaOptions.DEFAULT))
+                .effects()
                 .forEach(found -> ours.put(set + " " + found.term().name(), found)));
     List<String> differences = new ArrayList<>();
     int compared = 0;
@@ -103,7 +104,7 @@ class BayesAgreesWithRTest {
             .anova()
             .orElseThrow();
     assertThat(anova.effects().get(0).f()).isEqualTo(0.028, within(0.0005));
-    EffectEvidence condition = BayesianAnova.of(anova).get(0);
+    EffectEvidence condition = new BayesianAnova(anova).effects().get(0);
     assertThat(condition.alone().bf01()).isEqualTo(1 / 0.1222936, within(0.08));
     assertThat(condition.bf01()).isEqualTo(7.0413115 / 0.8961229, within(0.25));
   }
@@ -129,7 +130,7 @@ class BayesAgreesWithRTest {
             List.of(new Factor("A", List.of("0", "1")), new Factor("B", List.of("0", "1", "2"))),
             List.of(),
             subjects);
-    EffectEvidence a = BayesianAnova.of(Anova.of(design, AnovaOptions.DEFAULT)).get(0);
+    EffectEvidence a = new BayesianAnova(Anova.of(design, AnovaOptions.DEFAULT)).effects().get(0);
     assertThat(a.bf01()).isEqualTo(31978.118 / 54080.442, within(0.012));
     assertThat(a.alone().bf01()).isEqualTo(1 / 0.5493748, within(1e-3));
   }
@@ -150,7 +151,8 @@ class BayesAgreesWithRTest {
         assertThat(anova.effects().get(0).f())
             .isEqualTo(Double.parseDouble(parts[0]), within(1e-9));
         double theirs = Double.parseDouble(row.get("bf01"));
-        assertThat(BayesianAnova.of(anova).get(0).bf01() / theirs).isEqualTo(1, within(1e-5));
+        assertThat(new BayesianAnova(anova).effects().get(0).bf01() / theirs)
+            .isEqualTo(1, within(1e-5));
         compared++;
       }
     }
@@ -168,7 +170,8 @@ class BayesAgreesWithRTest {
     Design design = equalGroups(0.576, 18, 3);
     EffectPrior prior = EffectPrior.MEDIUM.withFixed(width);
     EffectEvidence found =
-        BayesianAnova.withRobustness(Anova.of(design, AnovaOptions.DEFAULT.withPrior(prior)))
+        new BayesianAnova(Anova.of(design, AnovaOptions.DEFAULT.withPrior(prior)))
+            .withRobustness()
             .get(0);
     assertThat(found.bf01()).isEqualTo(bf01, within(bf01 * 1e-6));
     assertThat(found.robustness())
@@ -219,12 +222,15 @@ class BayesAgreesWithRTest {
     Anova anova = Anova.of(design, AnovaOptions.DEFAULT);
     assertThat(BayesianAnova.obstacle(anova))
         .hasValueSatisfying(why -> assertThat(why).contains("covariates"));
-    assertThat(BayesianAnova.of(anova)).allSatisfy(found -> assertThat(found.bf01()).isNaN());
+    assertThat(new BayesianAnova(anova).effects())
+        .allSatisfy(found -> assertThat(found.bf01()).isNaN());
   }
 
   private static EffectEvidence interaction(Design design, long seed) {
     EffectPrior prior = new EffectPrior(0.5, 1, seed);
-    return BayesianAnova.of(Anova.of(design, AnovaOptions.DEFAULT.withPrior(prior))).get(2);
+    return new BayesianAnova(Anova.of(design, AnovaOptions.DEFAULT.withPrior(prior)))
+        .effects()
+        .get(2);
   }
 
   private static Design equalGroups(double f, int size, int groups) {

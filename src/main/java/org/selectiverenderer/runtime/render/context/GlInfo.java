@@ -13,6 +13,7 @@ public record GlInfo(String vendor, String renderer, String version) {
 
   /** The version of JOGL, by which the program calls OpenGL; loads its native parts. */
   public static String binding() {
+    JoglLibraries.use();
     GLProfile.initSingleton();
     return JoglVersion.getInstance().getImplementationVersion();
   }

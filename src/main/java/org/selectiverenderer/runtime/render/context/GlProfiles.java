@@ -20,6 +20,7 @@ public final class GlProfiles {
    * @throws GlUnavailableException which says whether it is the display or its driver
    */
   public static GLProfile core() {
+    JoglLibraries.use();
     for (int tries = 1; ; tries++) {
       try {
         return begun(() -> GLProfile.get(GLProfile.GL3));

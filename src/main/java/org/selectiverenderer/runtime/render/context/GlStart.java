@@ -1,14 +1,11 @@
 package org.selectiverenderer.runtime.render.context;
 
 import com.jogamp.opengl.GLProfile;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import org.selectiverenderer.base.files.ProgramPlace;
 
 /**
  * Begins OpenGL on a thread of its own, {@code gl-start}, while the program finds out what it is to
@@ -43,12 +40,8 @@ public final class GlStart {
     if (GlAvailability.checkNow().isPresent()) {
       return false; // Without a server that answers JOGL would find none, once and for all.
     }
-    jar().ifPresent(JoglLibraries::use);
+    JoglLibraries.use();
     return GLProfile.isAvailable(GLProfile.GL3);
-  }
-
-  private static Optional<Path> jar() {
-    return ProgramPlace.of(GlStart.class).filter(Files::isRegularFile);
   }
 
   /**

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
+import org.selectiverenderer.base.files.ProgramPlace;
 import org.selectiverenderer.base.files.WholeFile;
 
 /**
@@ -18,7 +19,7 @@ import org.selectiverenderer.base.files.WholeFile;
  * processor time. They are unpacked here when the jar is new, and loaded from the folder from then
  * on.
  */
-final class JoglLibraries {
+public final class JoglLibraries {
   private static final String FOLDER = "natives";
 
   /** Written last; holds which jar the folder was made of. */
@@ -27,10 +28,15 @@ final class JoglLibraries {
   private JoglLibraries() {}
 
   /**
-   * Has JOGL, which must not have begun, load from the folder. Where there is none and none can be
+   * Has JOGL load from the folder. To be called by whoever may be the first to touch JOGL: what it
+   * has begun with stays, and a second call does nothing. Where there is no folder and none can be
    * written, or the program does not run from a jar, JOGL unpacks them as ever.
    */
-  static void use(Path jar) {
+  public static synchronized void use() {
+    ProgramPlace.of(JoglLibraries.class).filter(Files::isRegularFile).ifPresent(JoglLibraries::use);
+  }
+
+  private static void use(Path jar) {
     if (System.getProperty("jogamp.gluegen.UseTempJarCache") != null) {
       return; // The user has decided.
     }

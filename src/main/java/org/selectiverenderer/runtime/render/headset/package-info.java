@@ -8,7 +8,7 @@
  *   headset: runtime's pace -> WorldHost.step -> both eyes -> runtime's textures
  *                 ^ input (queue)                   | every 33 ms, by a pixel buffer that is read
  *                 |                                 v when the graphics card is done with it
- *   render:  windows' input  <- mirror, operator's window, at the desktop's pace
+ *   render:  windows' input  &lt;- mirror, operator's window, at the desktop's pace
  * </pre>
  *
  * <p>The thread {@code headset} has a context of its own without a window ({@link

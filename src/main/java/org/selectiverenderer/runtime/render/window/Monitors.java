@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import jogamp.nativewindow.x11.X11Lib;
+import org.selectiverenderer.runtime.render.context.JoglLibraries;
 
 /** The monitors of the desktop. GL must be available ({@code GlAvailability}). */
 public final class Monitors {
@@ -22,6 +23,7 @@ public final class Monitors {
 
   /** How each of them is driven, in the same order. */
   public static List<MonitorMode> modes() {
+    JoglLibraries.use();
     List<MonitorMode> monitors = new ArrayList<>();
     Display display = NewtFactory.createDisplay(null);
     int screens = 1;

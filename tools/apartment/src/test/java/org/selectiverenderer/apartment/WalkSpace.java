@@ -9,10 +9,20 @@ import org.selectiverenderer.apartment.plan.Room;
 final class WalkSpace {
   private static final double SHOULDER = 0.2;
 
-  private WalkSpace() {}
+  private final List<Shadow> furniture;
 
-  static boolean isFree(double x, double z, List<PlacedObject> placed) {
-    return (inRoom(x, z) || inDoorway(x, z)) && placed.stream().allMatch(p -> apart(x, z, p));
+  WalkSpace(List<PlacedObject> placed) {
+    furniture =
+        placed.stream()
+            .map(Footprint::new)
+            .filter(box -> box.top() >= 0.03 && box.bottom() <= 1.5)
+            .map(box -> new Shadow(box.reach(true), box.reach(false)))
+            .toList();
+  }
+
+  boolean isFree(double x, double z) {
+    return (inRoom(x, z) || inDoorway(x, z))
+        && furniture.stream().allMatch(shadow -> shadow.apart(x, z));
   }
 
   private static boolean inRoom(double x, double z) {
@@ -33,10 +43,12 @@ final class WalkSpace {
     return westDoor || eastDoor;
   }
 
-  private static boolean apart(double x, double z, PlacedObject placed) {
-    Footprint box = new Footprint(placed);
-    double dx = Math.max(box.reach(true)[0] - x, x - box.reach(true)[1]);
-    double dz = Math.max(box.reach(false)[0] - z, z - box.reach(false)[1]);
-    return box.top() < 0.03 || box.bottom() > 1.5 || Math.max(dx, dz) > SHOULDER;
+  /** What a piece of furniture covers of the floor: lowest and highest x, and z. */
+  private record Shadow(double[] x, double[] z) {
+    boolean apart(double eyeX, double eyeZ) {
+      double dx = Math.max(x[0] - eyeX, eyeX - x[1]);
+      double dz = Math.max(z[0] - eyeZ, eyeZ - z[1]);
+      return Math.max(dx, dz) > SHOULDER;
+    }
   }
 }

@@ -33,6 +33,7 @@ public final class EnricherApp {
     EventQueue.invokeLater(
         () -> {
           EnricherWindow window = new EnricherWindow(settings, access, closed::countDown);
+          DesktopRequests.hear(window::open);
           window.show();
           window.begin(scene);
         });

@@ -16,9 +16,9 @@ import javax.swing.JFrame;
 
 /**
  * The picture of the program: a ball of which one half has many polygons and the other few. It is
- * drawn, for every size that desktops ask for.
+ * drawn, for every size that desktops ask for; packages of the program have it in files.
  */
-final class WindowIcon {
+public final class WindowIcon {
   private static final int[] SIZES = {16, 20, 24, 32, 40, 48, 64, 128, 256};
   private static final Color GROUND = new Color(0x1f4e79);
   private static final Color FEW = new Color(0xf2a33a);
@@ -45,7 +45,7 @@ final class WindowIcon {
   /**
    * @param size in pixels
    */
-  static BufferedImage image(int size) {
+  public static BufferedImage image(int size) {
     BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
     Graphics2D g = image.createGraphics();
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);

@@ -53,10 +53,10 @@ final class WindowMenus {
     this.window = window;
     this.dialogs = dialogs;
     this.settings = settings;
-    save = command("menu.save", "ctrl S", window::save);
-    saveAs = command("menu.saveas", "ctrl shift S", window::saveAs);
-    merge = command("merge.command", "ctrl shift D", window::merge);
-    changes = command("menu.changes", "ctrl D", window::showChanges);
+    save = command("menu.save", "ctrl S", window.saves()::save);
+    saveAs = command("menu.saveas", "ctrl shift S", window.saves()::saveAs);
+    merge = command("merge.command", "ctrl shift D", window.saves()::merge);
+    changes = command("menu.changes", "ctrl D", window.saves()::showChanges);
     undo = command("menu.undo", "ctrl Z", window::undo);
     redo = command("menu.redo", "ctrl shift Z", window::redo);
     bar.add(file());
@@ -69,10 +69,10 @@ final class WindowMenus {
 
   private JMenu file() {
     JMenu menu = menu("menu.file");
-    menu.add(command("menu.open", "ctrl O", window::chooseAndOpen));
+    menu.add(command("menu.open", "ctrl O", window.opening()::chooseAndOpen));
     recent.addMenuListener(new Opening(this::listRecent));
     menu.add(recent);
-    menu.add(command("menu.kept", "", window::askAboutKept));
+    menu.add(command("menu.kept", "", window.opening()::askAboutKept));
     menu.addSeparator();
     menu.add(save);
     menu.add(saveAs);
@@ -185,14 +185,14 @@ final class WindowMenus {
     for (Theme theme : Theme.values()) {
       JRadioButtonMenuItem item = new JRadioButtonMenuItem(command(theme.text(), "", () -> {}));
       item.setSelected(theme == Theme.of(settings.word("theme", "")));
-      item.addActionListener(event -> window.use(theme));
+      item.addActionListener(event -> window.look().use(theme));
       group.add(item);
       menu.add(item);
     }
     menu.addSeparator();
-    menu.add(command("window.larger", "ctrl PLUS", () -> window.zoom(1)));
-    menu.add(command("window.smaller", "ctrl MINUS", () -> window.zoom(-1)));
-    menu.add(command("window.usual", "ctrl 0", () -> window.zoom(0)));
+    menu.add(command("window.larger", "ctrl PLUS", () -> window.say(window.look().zoom(1))));
+    menu.add(command("window.smaller", "ctrl MINUS", () -> window.say(window.look().zoom(-1))));
+    menu.add(command("window.usual", "ctrl 0", () -> window.say(window.look().zoom(0))));
     menu.addSeparator();
     menu.add(languages());
     return menu;
@@ -207,7 +207,7 @@ final class WindowMenus {
       JRadioButtonMenuItem item = new JRadioButtonMenuItem(title);
       item.setMnemonic(KeyEvent.getExtendedKeyCodeForChar(title.charAt(0)));
       item.setSelected(language == Language.of(settings));
-      item.addActionListener(event -> window.use(language));
+      item.addActionListener(event -> window.say(window.look().use(language)));
       group.add(item);
       menu.add(item);
     }
@@ -226,7 +226,7 @@ final class WindowMenus {
     steps.forEach(
         (key, step) ->
             root.registerKeyboardAction(
-                event -> window.zoom(step),
+                event -> window.say(window.look().zoom(step)),
                 KeyStroke.getKeyStroke(key),
                 JComponent.WHEN_IN_FOCUSED_WINDOW));
   }

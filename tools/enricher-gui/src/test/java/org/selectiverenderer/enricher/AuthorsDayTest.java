@@ -324,7 +324,8 @@ class AuthorsDayTest {
         PlacedAreas.of(Sessions.open(SCENES.resolve("apartment.x3d")).enrichment()).stream()
             .collect(Collectors.toMap(PlacedArea::name, Function.identity()));
     JComponent plan = plan();
-    hands.await("the plan", () -> colours(plan) > 50);
+    hands.await("the plan", () -> plan.getAccessibleContext().getAccessibleDescription().isEmpty());
+    assertThat(Hands.onEdt(() -> colours(plan))).isGreaterThan(50);
     draw(session, areas.get("SofaProx"), 0.1, 0.42, 0.3, 0.58);
     fillArea("SofaSchema", "LoungeSchema");
     draw(session, areas.get("BookcaseProx"), 0.63, 0.42, 0.7, 0.52);

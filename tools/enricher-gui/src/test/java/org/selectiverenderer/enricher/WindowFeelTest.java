@@ -206,7 +206,7 @@ class WindowFeelTest {
     assertThat(again).isEqualTo(larger);
     Hands.onEdt(
         () -> {
-          window.zoom(0);
+          window.look().zoom(0);
           return true;
         });
     assertThat(Hands.onEdt(() -> window.frame().getJMenuBar().getFont().getSize2D()))

@@ -79,8 +79,11 @@ final class PlanHands extends MouseAdapter {
         });
   }
 
+  /** Not before the plan is there: until then nobody sees where the areas and the rooms are. */
   private boolean writable() {
-    return session.document().locked().isEmpty() && session.document().fault().isEmpty();
+    return view.picture().isPresent()
+        && session.document().locked().isEmpty()
+        && session.document().fault().isEmpty();
   }
 
   private Optional<PlacedArea> at(double x, double y) {

@@ -56,6 +56,7 @@ final class PlanView extends PaintedComponent {
     this.areas = areas;
     this.selection = selection;
     setName("Plan");
+    getAccessibleContext().setAccessibleDescription(Texts.of("area.plan.empty"));
   }
 
   void show(PlanPicture of) {
@@ -63,6 +64,7 @@ final class PlanView extends PaintedComponent {
       scale = null; // another scene or much more of it
     }
     picture = of;
+    getAccessibleContext().setAccessibleDescription("");
     repaint();
   }
 

@@ -18,9 +18,9 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.sensor.ProximitySensorNode;
 import org.selectiverenderer.runtime.render.mark.BoxMark;
 import org.selectiverenderer.runtime.scene.Node;
-import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.schema.nodes.NodeMetadata;
 
 /** The boxes of a scene's ProximitySensors: as marks, as labels, and what stands in them. */
 final class AreaBoxes {

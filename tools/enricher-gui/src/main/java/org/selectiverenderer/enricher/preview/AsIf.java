@@ -9,10 +9,10 @@ import java.util.Optional;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.schema.Activation;
-import org.selectiverenderer.schema.NodeMetadata;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
+import org.selectiverenderer.schema.nodes.NodeMetadata;
 
 /**
  * Shows a scene as if the viewer were in an area with any set of schemas. What each Switch shows is

@@ -1,35 +1,20 @@
 package org.selectiverenderer.enricher.run;
 
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import org.selectiverenderer.base.machine.ProgramCommand;
 
 /** Starts commands of the program in processes of their own. */
 public final class Launcher {
   /** By its name: the command line uses the enricher, not the other way round. */
   static final String MAIN = "org.selectiverenderer.cli.Main";
 
-  /** Flags that two processes cannot share: a debugger's port. */
-  private static final List<String> OWN = List.of("-agentlib:jdwp", "-Xrunjdwp", "-javaagent");
-
   private Launcher() {}
 
   /** The words of a command, with this process's Java, flags and class path. */
   static List<String> command(List<String> words) {
-    List<String> command = new ArrayList<>();
-    command.add(
-        ProcessHandle.current()
-            .info()
-            .command()
-            .orElse(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
-    ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
-        .filter(flag -> OWN.stream().noneMatch(flag::startsWith))
-        .forEach(command::add);
-    command.addAll(List.of("-cp", System.getProperty("java.class.path"), MAIN));
-    command.addAll(words);
-    return command;
+    return ProgramCommand.of(MAIN, List.of(), words);
   }
 
   /** Starts a command whose messages are to be read. */

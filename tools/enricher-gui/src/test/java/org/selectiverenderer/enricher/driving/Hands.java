@@ -11,6 +11,7 @@ import java.awt.Robot;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -40,7 +41,7 @@ public final class Hands {
     } catch (AWTException e) {
       throw new AssertionError(e);
     }
-    robot.setAutoDelay(15);
+    robot.setAutoDelay(5);
   }
 
   /** Does something on the event dispatch thread and gives its result. */
@@ -75,10 +76,7 @@ public final class Hands {
     settle();
   }
 
-  /**
-   * Lets what was done arrive. Robot's own waiting takes seconds beside a view that keeps drawing,
-   * in which the X server would repeat a key that is down.
-   */
+  /** Lets a window that was shown or moved arrive, of which no event tells reliably. */
   private void settle() {
     robot.delay(SETTLING);
     onEdt(() -> true);
@@ -229,36 +227,48 @@ public final class Hands {
 
   private void click(Component component, Rectangle area) {
     Point at = onEdt(component::getLocationOnScreen);
-    robot.mouseMove(at.x + area.x + area.width / 2, at.y + area.y + area.height / 2);
-    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-    settle();
+    Echo.of(
+        MouseEvent.MOUSE_RELEASED,
+        1,
+        () -> {
+          robot.mouseMove(at.x + area.x + area.width / 2, at.y + area.y + area.height / 2);
+          robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+          robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        });
   }
 
   /** Presses keys, all at once, and lets them go. */
   public void press(int... keys) {
-    for (int key : keys) {
-      robot.keyPress(key);
-    }
-    for (int i = keys.length - 1; i >= 0; i--) {
-      robot.keyRelease(keys[i]);
-    }
-    settle();
+    Echo.of(
+        KeyEvent.KEY_RELEASED,
+        keys.length,
+        () -> {
+          for (int key : keys) {
+            robot.keyPress(key);
+          }
+          for (int i = keys.length - 1; i >= 0; i--) {
+            robot.keyRelease(keys[i]);
+          }
+        });
   }
 
   /** Drags over a part of a component, from one share of its width and height to another. */
   public void drag(Component component, double fromX, double fromY, double toX, double toY) {
     Rectangle on = onEdt(() -> new Rectangle(component.getLocationOnScreen(), component.getSize()));
-    robot.mouseMove(at(on.x, on.width, fromX), at(on.y, on.height, fromY));
-    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-    for (int i = 1; i <= 4; i++) {
-      double share = i / 4.0;
-      robot.mouseMove(
-          at(on.x, on.width, fromX + share * (toX - fromX)),
-          at(on.y, on.height, fromY + share * (toY - fromY)));
-    }
-    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-    settle();
+    Echo.of(
+        MouseEvent.MOUSE_RELEASED,
+        1,
+        () -> {
+          robot.mouseMove(at(on.x, on.width, fromX), at(on.y, on.height, fromY));
+          robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+          for (int i = 1; i <= 4; i++) {
+            double share = i / 4.0;
+            robot.mouseMove(
+                at(on.x, on.width, fromX + share * (toX - fromX)),
+                at(on.y, on.height, fromY + share * (toY - fromY)));
+          }
+          robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        });
   }
 
   private static int at(int start, int length, double share) {
@@ -268,23 +278,18 @@ public final class Hands {
   /** Writes letters without accents, digits, points, minus signs and underscores. */
   public void write(String text) {
     for (char each : text.toCharArray()) {
-      boolean shift = Character.isUpperCase(each) || each == '_';
       int key =
           switch (each) {
             case '_', '-' -> KeyEvent.VK_MINUS;
             case '.' -> KeyEvent.VK_PERIOD;
             default -> Character.toUpperCase(each);
           };
-      if (shift) {
-        robot.keyPress(KeyEvent.VK_SHIFT);
-      }
-      robot.keyPress(key);
-      robot.keyRelease(key);
-      if (shift) {
-        robot.keyRelease(KeyEvent.VK_SHIFT);
+      if (Character.isUpperCase(each) || each == '_') {
+        press(KeyEvent.VK_SHIFT, key);
+      } else {
+        press(key);
       }
     }
-    settle();
   }
 
   /** Types digits and points. */

@@ -14,6 +14,7 @@ import java.awt.Point;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -28,6 +29,7 @@ import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.enricher.driving.Echo;
 import org.selectiverenderer.enricher.help.HelpPanel;
 import org.selectiverenderer.enricher.preview.VersionPictures;
 import org.selectiverenderer.enricher.problems.ProblemsPanel;
@@ -67,7 +69,7 @@ final class FormWindow implements AutoCloseable {
     problems = get(() -> new ProblemsPanel(session, List.of(validator)));
     window = get(this::window);
     robot = new Robot();
-    robot.setAutoDelay(15);
+    robot.setAutoDelay(5);
   }
 
   private static void theme(boolean dark) {
@@ -124,16 +126,17 @@ final class FormWindow implements AutoCloseable {
 
   void click(Component component) {
     Point at = get(component::getLocationOnScreen);
-    robot.mouseMove(at.x + 12, at.y + component.getHeight() / 2);
-    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-    settle();
+    Echo.of(
+        MouseEvent.MOUSE_RELEASED,
+        1,
+        () -> {
+          robot.mouseMove(at.x + 12, at.y + component.getHeight() / 2);
+          robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+          robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        });
   }
 
-  /**
-   * Lets what was done arrive. Robot's own waiting for an idle queue can wait ten seconds in vain
-   * at every step.
-   */
+  /** Lets what is done elsewhere arrive. */
   void settle() {
     robot.delay(SETTLING);
     edt(() -> {});
@@ -155,9 +158,13 @@ final class FormWindow implements AutoCloseable {
 
   /** Nothing is waited for while the key is down: the display would repeat it. */
   void press(int key) {
-    robot.keyPress(key);
-    robot.keyRelease(key);
-    settle();
+    Echo.of(
+        KeyEvent.KEY_RELEASED,
+        1,
+        () -> {
+          robot.keyPress(key);
+          robot.keyRelease(key);
+        });
   }
 
   /** Replaces what a text control has. */

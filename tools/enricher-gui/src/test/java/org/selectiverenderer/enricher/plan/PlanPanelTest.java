@@ -26,6 +26,7 @@ import org.selectiverenderer.enricher.area.SceneProbe;
 import org.selectiverenderer.enricher.driving.Sessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
+import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.testing.RequiresDisplay;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -70,6 +71,11 @@ class PlanPanelTest {
   private final List<Optional<Bounds>> whileAsked = new ArrayList<>();
 
   private void open(String nodes) throws Exception {
+    openWithoutPlan(nodes);
+    Swing.edt(() -> new Room().plan(Optional.empty(), plan -> view.show(plan.orElseThrow())));
+  }
+
+  private void openWithoutPlan(String nodes) throws Exception {
     session = Sessions.with(folder, nodes);
     NameQuestion question =
         (title, proposal, complaint) -> {
@@ -89,7 +95,6 @@ class PlanPanelTest {
               view = found;
             }
           }
-          new Room().plan(Optional.empty(), plan -> view.show(plan.orElseThrow()));
         });
   }
 
@@ -132,6 +137,23 @@ class PlanPanelTest {
                           area.name(), b.minX(), b.maxX(), b.minY(), b.maxY(), b.minZ(), b.maxZ()));
             });
     return all.toString();
+  }
+
+  @Test
+  void nothingIsDrawnBeforeThePlanIsThere() throws Exception {
+    openWithoutPlan("<Group/>\n");
+    Swing.edt(
+        () -> {
+          assertThat(view.getAccessibleContext().getAccessibleDescription())
+              .isEqualTo(Texts.of("area.plan.empty"));
+          drag(-1, -1, 1, 1);
+          assertThat(view.drawing()).isEmpty();
+          mouse(MouseEvent.MOUSE_RELEASED, 1, 1);
+          new Room().plan(Optional.empty(), plan -> view.show(plan.orElseThrow()));
+          assertThat(view.getAccessibleContext().getAccessibleDescription()).isEmpty();
+        });
+    assertThat(whileAsked).isEmpty();
+    assertThat(areas()).isEmpty();
   }
 
   @Test

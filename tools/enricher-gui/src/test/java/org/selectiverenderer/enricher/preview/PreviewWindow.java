@@ -9,6 +9,7 @@ import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -18,6 +19,7 @@ import java.util.function.Predicate;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
 import org.selectiverenderer.document.file.DocumentFile;
+import org.selectiverenderer.enricher.driving.Echo;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.Tasks;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -56,7 +58,7 @@ final class PreviewWindow implements AutoCloseable {
               return made;
             });
     robot = new Robot();
-    robot.setAutoDelay(15);
+    robot.setAutoDelay(5);
   }
 
   /** The next frame that is as wanted. */
@@ -89,10 +91,14 @@ final class PreviewWindow implements AutoCloseable {
   /** The same with a button of the mouse. */
   void click(int x, int y, int button) {
     Point origin = get(() -> panel.view().getLocationOnScreen());
-    robot.mouseMove(origin.x + x, origin.y + y);
-    robot.mousePress(button);
-    robot.mouseRelease(button);
-    settle();
+    Echo.of(
+        MouseEvent.MOUSE_RELEASED,
+        1,
+        () -> {
+          robot.mouseMove(origin.x + x, origin.y + y);
+          robot.mousePress(button);
+          robot.mouseRelease(button);
+        });
   }
 
   /** Drags from a place of the picture to another one, in its pixels, without letting go. */
@@ -100,22 +106,20 @@ final class PreviewWindow implements AutoCloseable {
     takeKeyboard(5, 5);
     Point origin = get(() -> panel.view().getLocationOnScreen());
     robot.mouseMove(origin.x + fromX, origin.y + fromY);
-    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-    robot.mouseMove(origin.x + (fromX + toX) / 2, origin.y + (fromY + toY) / 2);
-    robot.mouseMove(origin.x + toX, origin.y + toY);
-    settle();
+    Echo.of(MouseEvent.MOUSE_PRESSED, 1, () -> robot.mousePress(InputEvent.BUTTON1_DOWN_MASK));
+    for (int share = 1; share <= 2; share++) {
+      int x = origin.x + fromX + (toX - fromX) * share / 2;
+      int y = origin.y + fromY + (toY - fromY) * share / 2;
+      Echo.of(MouseEvent.MOUSE_DRAGGED, 1, () -> robot.mouseMove(x, y));
+    }
   }
 
   /** Lets go. */
   void drop() {
-    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-    settle();
+    Echo.of(MouseEvent.MOUSE_RELEASED, 1, () -> robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK));
   }
 
-  /**
-   * Lets what was done arrive. Robot's own waiting for an idle queue can wait ten seconds in vain
-   * at every step.
-   */
+  /** Lets what is done elsewhere arrive. */
   void settle() {
     robot.delay(SETTLING);
     edt(() -> {});

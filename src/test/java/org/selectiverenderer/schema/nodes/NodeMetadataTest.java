@@ -1,4 +1,4 @@
-package org.selectiverenderer.schema;
+package org.selectiverenderer.schema.nodes;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,9 +1,10 @@
-package org.selectiverenderer.schema;
+package org.selectiverenderer.schema.nodes;
 
 import java.lang.reflect.Array;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.schema.MetadataSource;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**

@@ -1,0 +1,102 @@
+package org.selectiverenderer.cli.bundle;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.function.IntFunction;
+import java.util.function.Supplier;
+import javax.imageio.ImageIO;
+import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.output.Console;
+import org.selectiverenderer.cli.output.ExitStatus;
+import picocli.AutoComplete;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Parameters;
+
+/** For {@code packaging/package}; not in the help, since a package's user has these files. */
+@Command(
+    name = BundleFilesCommand.NAME,
+    hidden = true,
+    description = "Writes the manual pages, completions for shells and icons of a package.",
+    footer = "  ./selective-renderer bundle-files target/bundle-files")
+public final class BundleFilesCommand extends CliCommand {
+  /** The command's name. */
+  public static final String NAME = "bundle-files";
+
+  /** What the desktops of Linux ask for (Icon Theme Specification), in pixels. */
+  private static final List<Integer> PNG_SIZES = List.of(16, 24, 32, 48, 64, 128, 256, 512);
+
+  private static final List<Integer> ICO_SIZES = List.of(16, 24, 32, 48, 64, 256);
+
+  @Parameters(paramLabel = "DIR", description = "folder that is written; it is made when missing")
+  private Path folder = Path.of("");
+
+  private final Supplier<CommandLine> commands;
+  private final IntFunction<BufferedImage> icon;
+
+  /**
+   * @param commands the program's commands, all of them
+   * @param icon the program's icon, of so many pixels on each side
+   */
+  public BundleFilesCommand(
+      Console console, Supplier<CommandLine> commands, IntFunction<BufferedImage> icon) {
+    super(console);
+    this.commands = commands;
+    this.icon = icon;
+  }
+
+  @Override
+  public ExitStatus run() throws IOException {
+    CommandLine root = commands.get();
+    for (var page : ManPages.of(root.getCommandSpec(), ProgramVersion.number()).entrySet()) {
+      write("man/" + page.getKey() + ".1", page.getValue().getBytes(StandardCharsets.UTF_8));
+    }
+    String bash = AutoComplete.bash(ProgramVersion.PROGRAM, root);
+    write("bash/" + ProgramVersion.PROGRAM, bash.getBytes(StandardCharsets.UTF_8));
+    write("zsh/_" + ProgramVersion.PROGRAM, zsh(bash).getBytes(StandardCharsets.UTF_8));
+    icons();
+    return ExitStatus.DONE;
+  }
+
+  /** Zsh finds a file by its first line, and runs bash's completions since its version 4.2. */
+  private static String zsh(String bash) {
+    return "#compdef "
+        + ProgramVersion.PROGRAM
+        + "\nautoload -U +X bashcompinit && bashcompinit\n"
+        + bash
+        + "\n_bash_complete -o default -F _complete_"
+        + ProgramVersion.PROGRAM
+        + "\n";
+  }
+
+  private void icons() throws IOException {
+    TreeMap<Integer, byte[]> pictures = new TreeMap<>();
+    for (int size : PNG_SIZES) {
+      pictures.put(size, png(size));
+      write("icons/" + size + ".png", pictures.get(size));
+    }
+    TreeMap<Integer, byte[]> small = new TreeMap<>(pictures);
+    small.keySet().retainAll(ICO_SIZES);
+    write("icons/" + ProgramVersion.PROGRAM + ".ico", IconFiles.ico(small));
+    write("icons/" + ProgramVersion.PROGRAM + ".icns", IconFiles.icns(pictures));
+  }
+
+  private byte[] png(int size) throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ImageIO.write(icon.apply(size), "png", out);
+    return out.toByteArray();
+  }
+
+  private void write(String name, byte[] content) throws IOException {
+    Path file = folder.resolve(name);
+    Files.createDirectories(file.getParent());
+    Files.write(file, content);
+  }
+}

@@ -1,0 +1,162 @@
+package org.selectiverenderer.runtime.loading;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+import java.util.function.LongSupplier;
+import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.loading.FileContent.Outcome;
+import org.selectiverenderer.runtime.nodes.group.InlineNode;
+import org.selectiverenderer.runtime.scene.Scene;
+import org.selectiverenderer.runtime.sound.Recording;
+import org.selectiverenderer.x3d.files.ContentRoot;
+import org.selectiverenderer.x3d.files.UrlChoice;
+import org.selectiverenderer.x3d.read.ParsedNode;
+import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.shader.ShaderText;
+
+/**
+ * Reads, on the loader's threads, what nodes of a running scene name. Whoever asks goes on; what
+ * arrives is taken over by the scene's own thread.
+ */
+final class LateReading {
+  private final SceneLoader loader;
+
+  LateReading(SceneLoader loader) {
+    this.loader = loader;
+  }
+
+  /**
+   * What has been read in the background.
+   *
+   * @param value empty when it could not be read
+   * @param problems with it, in order
+   * @param work that it makes where it is shown, in triangles
+   */
+  record Arrival<T>(Optional<T> value, List<Problem> problems, long work) {}
+
+  /** Reads the file that an Inline names and all that it names in turn. */
+  CompletableFuture<Arrival<Scene>> inline(ParsedNode inline, UrlBase origin) {
+    return read(
+        inline,
+        origin,
+        (content, hears) -> {
+          Scene holder = loader.build(content, origin.root(), origin.above(), hears);
+          return ((InlineNode) holder.root().nodes("children").get(0)).content();
+        });
+  }
+
+  /** Reads the image that an ImageTexture names. */
+  CompletableFuture<Arrival<Texture.Image>> image(ParsedNode texture, UrlBase origin) {
+    return read(
+        texture,
+        origin,
+        (content, hears) -> {
+          content.problems().list().forEach(hears::add);
+          return content.images().getOrDefault(texture, Optional.empty());
+        });
+  }
+
+  /** Reads the text of a part of a shader. */
+  CompletableFuture<Arrival<ShaderText>> shader(ParsedNode part, UrlBase origin) {
+    return read(
+        part,
+        origin,
+        (content, hears) -> {
+          content.problems().list().forEach(hears::add);
+          return content.shaders().getOrDefault(part, Optional.empty());
+        });
+  }
+
+  /** Reads the sound that an AudioClip names. */
+  CompletableFuture<Arrival<Recording>> sound(ParsedNode clip, UrlBase origin) {
+    return read(
+        clip,
+        origin,
+        (content, hears) -> {
+          content.problems().list().forEach(hears::add);
+          return Optional.ofNullable(content.sounds().get(clip));
+        });
+  }
+
+  /** What is made of the files read. */
+  @FunctionalInterface
+  private interface Making<T> {
+    Optional<T> make(FileContent content, Problems hears);
+  }
+
+  /** Reads what a node names, as if it were the only one of its file. */
+  private <T> CompletableFuture<Arrival<T>> read(
+      ParsedNode node, UrlBase origin, Making<T> making) {
+    TaskGroup tasks = loader.tasks();
+    FileLoader reading = loader.reading(tasks, origin.root());
+    FileContent content =
+        new FileContent(origin.file(), origin.base(), X3dFile.of(node, origin.unitLength()));
+    tasks.start(() -> reading.follow(content));
+    return arrival(tasks, node, hears -> making.make(content, hears), content::work);
+  }
+
+  /**
+   * Reads the scene that an Anchor links to, or that another node asks for; it may name what the
+   * scene with that node may.
+   *
+   * @param consequence what is done when there is none
+   */
+  CompletableFuture<Arrival<Scene>> link(ParsedNode anchor, UrlBase origin, String consequence) {
+    TaskGroup tasks = loader.tasks();
+    FileLoader reading = loader.reading(tasks, origin.root());
+    AtomicReference<Function<Problems, Optional<Scene>>> making =
+        new AtomicReference<>(hears -> Optional.empty());
+    tasks.start(
+        () -> {
+          UrlChoice choice = UrlChoice.of(anchor, origin.root(), origin.base(), consequence);
+          if (choice instanceof UrlChoice.Found file) {
+            CompletableFuture<Outcome> outcome = reading.file(file.content());
+            making.set(hears -> scene(outcome.join(), anchor, origin.root(), consequence, hears));
+          } else {
+            making.set(
+                hears -> {
+                  hears.add(((UrlChoice.None) choice).problem());
+                  return Optional.empty();
+                });
+          }
+        });
+    return arrival(tasks, anchor, hears -> making.get().apply(hears), () -> 0);
+  }
+
+  private Optional<Scene> scene(
+      Outcome outcome, ParsedNode anchor, ContentRoot root, String consequence, Problems hears) {
+    if (outcome instanceof Outcome.Read read) {
+      return Optional.of(loader.build(read.content(), root, List.of(), hears));
+    }
+    hears.error(anchor.location(), ((Outcome.Failed) outcome).sentence() + "; " + consequence);
+    return Optional.empty();
+  }
+
+  private <T> CompletableFuture<Arrival<T>> arrival(
+      TaskGroup tasks, ParsedNode node, Function<Problems, Optional<T>> making, LongSupplier work) {
+    return loader
+        .after(
+            tasks,
+            () -> {
+              Problems hears = new Problems();
+              Optional<T> made = making.apply(hears);
+              return new Arrival<>(made, hears.list(), work.getAsLong());
+            })
+        .exceptionally(
+            failure -> {
+              Throwable cause = failure.getCause() == null ? failure : failure.getCause();
+              Problem problem =
+                  new Problem(
+                      Problem.Severity.ERROR,
+                      node.location(),
+                      "what the %s names could not be read (%s); it is left out"
+                          .formatted(node.type().name(), cause));
+              return new Arrival<>(Optional.empty(), List.of(problem), 0);
+            });
+  }
+}

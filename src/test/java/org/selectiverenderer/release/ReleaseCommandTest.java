@@ -1,0 +1,277 @@
+package org.selectiverenderer.release;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.release.Scripts.Run;
+import org.selectiverenderer.testing.RequiresProgram;
+
+/** {@code packaging/release} in a small repository, with a Maven that makes small jars. */
+@DisabledOnOs(OS.WINDOWS)
+@RequiresProgram("python3")
+class ReleaseCommandTest {
+  private static final String CHANGELOG =
+      """
+      # Changelog
+
+      ## [1.2.0] - unreleased
+
+      Doors open; see [doors](docs/doors.md#hinges) and [Git](https://git-scm.com).
+
+      ### Added
+
+      - Hinges.
+
+      ## [1.1.0] - 2025-02-03
+
+      ### Fixed
+
+      - Windows close.
+
+      ## [1.0.0] - 2024-02-03
+
+      [1.1.0]: https://example.org/compare/v1.0.0...v1.1.0
+      """;
+
+  @TempDir private Path folder;
+  private Scripts scripts;
+
+  @BeforeEach
+  void aRepositoryWithAnOrigin() throws Exception {
+    scripts = new Scripts(folder);
+    scripts.copy("packaging/release", "packaging/releasing");
+    scripts.write("CHANGELOG.md", CHANGELOG);
+    scripts.write("CITATION.cff", "title: Doors\nversion: 1.1.0\ndate-released: 2025-02-03\n");
+    scripts.write("pom.xml", "<project>\n  <version>1.2.0-SNAPSHOT</version>\n</project>\n");
+    scripts.write("LICENSE", "MIT\n");
+    scripts.write(
+        "packaging/libraries/build",
+        """
+        #!/bin/sh
+        v=$(sed -n 's|^  <version>\\(.*\\)</version>$|\\1|p' pom.xml)
+        cp target/x3d-sai.jar "target/selective-renderer-libraries-$v.zip"
+        """);
+    Files.setPosixFilePermissions(
+        scripts.home.resolve("packaging/libraries/build"),
+        PosixFilePermissions.fromString("rwxr-xr-x"));
+    scripts.write(".gitignore", "target/\n__pycache__/\n");
+    // Jars that hold the POM, and with $DIFFERENT the folder that they are built in.
+    scripts.tool(
+        "mvn",
+        """
+        [ "$*" != "-B --version" ] || { echo "Apache Maven 3.9.9 (abc)"; exit; }
+        echo "mvn in ${PWD##*/}: $*" >>"$NOTES"
+        mkdir target && cp pom.xml target
+        echo "org.door:hinge  2.1  MIT  below" >target/table
+        [ -z "${DIFFERENT:-}" ] || pwd >>target/pom.xml
+        echo '{"components": [{"group": "org.door", "name": "hinge", "version": "'${HINGE:-2.1}'",
+          "licenses": [{"license": {"id": "MIT"}}]}]}' >target/bom.json
+        python3 - <<END
+        import zipfile
+        for name in ("selective-renderer", "x3d-sai"):
+            with zipfile.ZipFile(f"target/{name}.jar", "w") as jar:
+                for entry, file in (("pom.xml", "pom.xml"), ("META-INF/THIRD-PARTY.txt", "table")):
+                    jar.writestr(zipfile.ZipInfo(entry), open(f"target/{file}").read())
+        END
+        """);
+    scripts.tool(
+        "java",
+        """
+        sed -n 's|^  <version>\\(.*\\)</version>$|selective-renderer \\1|p' "${2%/*}/../pom.xml"
+        """);
+    scripts.git("init", "-q", "-b", "main");
+    commit("Doors");
+    scripts.git("init", "-q", "--bare", folder.resolve("origin").toString());
+    scripts.git("remote", "add", "origin", folder.resolve("origin").toString());
+  }
+
+  @Test
+  void theNotesAreTheVersionsSectionOfTheChangelog() throws Exception {
+    scripts.git("remote", "set-url", "origin", "https://example.org/doors.git");
+    assertThat(release("1.2.0", "--notes").out())
+        .isEqualTo(
+            """
+            Doors open; see [doors](https://example.org/doors/blob/v1.2.0/docs/doors.md#hinges) and \
+            [Git](https://git-scm.com).
+
+            ### Added
+
+            - Hinges.
+            """);
+    assertThat(release("1.1.0", "--notes").out()).isEqualTo("### Fixed\n\n- Windows close.\n");
+  }
+
+  @Test
+  void whatCannotBeReleasedIsRefusedInOneLine() throws Exception {
+    refused("no version of a release", "1.2");
+    refused("no version of a release", "1.2.0-SNAPSHOT");
+    refused("CHANGELOG.md has no section", "1.3.0");
+    refused("says nothing", "1.0.0");
+    scripts.write("draft.txt", "");
+    refused("draft.txt", "1.2.0");
+    Files.delete(scripts.home.resolve("draft.txt"));
+
+    scripts.git("tag", "v1.2.0");
+    refused("pom.xml says 1.2.0-SNAPSHOT at the tag v1.2.0", "1.2.0");
+    scripts.git("push", "-q", "origin", "v1.2.0");
+    commit("Later");
+    refused("v1.2.0 is at another commit", "1.2.0");
+    scripts.git("tag", "-d", "v1.2.0");
+    refused("origin has a tag v1.2.0 at another commit", "1.2.0");
+    scripts.git("push", "-q", "origin", ":v1.2.0");
+    scripts.git("tag", "v1.10.0");
+    refused("1.10.0 is released already", "1.2.0");
+    scripts.git("tag", "-d", "v1.10.0");
+
+    scripts.git("checkout", "-q", "--detach");
+    refused("no branch", "1.2.0");
+  }
+
+  @Test
+  void aDryRunSaysTheStepsAndChangesNothing() throws Exception {
+    String before = state();
+    Run run = release("1.2.0", "--dry-run");
+    assertThat(run.status()).isZero();
+    assertThat(run.out())
+        .contains(
+            "1. commit 'Release 1.2.0'",
+            "tag that commit v1.2.0",
+            "'Begin 1.2.1-SNAPSHOT' on main");
+    assertThat(state()).isEqualTo(before);
+    assertThat(scripts.notes()).isEmpty();
+  }
+
+  @Test
+  void aReleaseIsACommitATagAndFilesWithTheirSums() throws Exception {
+    String before = scripts.git("rev-parse", "HEAD");
+    Path extra = Files.createDirectories(folder.resolve("other systems"));
+    Files.writeString(extra.resolve("doors.msi"), "an installer");
+    Run run = release("1.2.0", "--add", extra.toString());
+    assertThat(run.err()).doesNotContain("failed");
+    assertThat(run.status()).isZero();
+    assertThat(run.out())
+        .contains(
+            "git push origin main v1.2.0",
+            "gh release create v1.2.0",
+            "git reset --hard " + before.substring(0, 9));
+
+    // Built twice, of the commit that is tagged; it states the version and the day everywhere.
+    assertThat(scripts.notes()).hasSize(2).allMatch(note -> note.contains("-Psbom"));
+    assertThat(scripts.git("show", "v1.2.0:pom.xml")).contains("<version>1.2.0</version>");
+    String day = scripts.git("log", "-1", "--format=%cs", "v1.2.0");
+    assertThat(scripts.git("show", "v1.2.0:CHANGELOG.md"))
+        .contains("## [1.2.0] - " + day + "\n\nDoors");
+    assertThat(scripts.git("show", "v1.2.0:CITATION.cff"))
+        .isEqualTo("title: Doors\nversion: 1.2.0\ndate-released: " + day);
+    assertThat(scripts.git("tag", "-l", "--format=%(contents)", "v1.2.0")).contains("### Added");
+    assertThat(scripts.git("rev-parse", "v1.2.0~1")).isEqualTo(before);
+
+    // Then the next version begins; nothing has left this machine.
+    assertThat(scripts.git("rev-parse", "main~1")).isEqualTo(scripts.git("rev-parse", "v1.2.0^{}"));
+    assertThat(scripts.read("pom.xml")).contains("<version>1.2.1-SNAPSHOT</version>");
+    assertThat(scripts.git("status", "--porcelain")).isEmpty();
+    assertThat(scripts.git("ls-remote", "origin")).isEmpty();
+    assertThat(scripts.git("worktree", "list")).hasLineCount(1);
+
+    Path made = scripts.home.resolve("target/release/1.2.0");
+    for (String line : Files.readAllLines(made.resolve("SHA256SUMS"))) {
+      String[] parts = line.split(" {2}");
+      assertThat(Scripts.sha256(made.resolve(parts[1]))).as(parts[1]).isEqualTo(parts[0]);
+    }
+    try (Stream<Path> files = Files.list(made)) {
+      assertThat(files.map(file -> file.getFileName().toString()))
+          .containsExactlyInAnyOrder(
+              "selective-renderer.jar",
+              "x3d-sai.jar",
+              "selective-renderer-libraries-1.2.0.zip",
+              "selective-renderer-1.2.0.cdx.json",
+              "THIRD-PARTY.txt",
+              "LICENSE",
+              "CITATION.cff",
+              "BUILD.txt",
+              "doors.msi",
+              "SHA256SUMS")
+          .hasSize(1 + Files.readAllLines(made.resolve("SHA256SUMS")).size());
+    }
+    assertThat(Files.readString(made.resolve("BUILD.txt")))
+        .contains("Apache Maven 3.9.9", scripts.git("rev-parse", "v1.2.0^{}"));
+  }
+
+  @Test
+  void atATagThatIsThereOnlyTheFilesAreMade() throws Exception {
+    release("1.2.0");
+    scripts.git("checkout", "-q", "v1.2.0");
+    delete("target/release/1.2.0");
+    String before = state();
+    Run run = release("1.2.0");
+    assertThat(run.status()).isZero();
+    assertThat(run.out()).doesNotContain("git push", "git reset");
+    assertThat(state()).isEqualTo(before);
+    assertThat(scripts.home.resolve("target/release/1.2.0/SHA256SUMS")).isNotEmptyFile();
+  }
+
+  @Test
+  void twoBuildsThatDifferAreNoRelease() throws Exception {
+    String before = state();
+    scripts.environment.put("DIFFERENT", "yes");
+    Run run = release("1.2.0");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err())
+        .contains(
+            "two builds differ, so there is no release: selective-renderer.jar: other content in pom.xml");
+    assertThat(state()).isEqualTo(before);
+  }
+
+  @Test
+  void aLibraryOfAnotherVersionThanItsLicencesIsNoRelease() throws Exception {
+    String before = state();
+    scripts.environment.put("HINGE", "2.2");
+    Run run = release("1.2.0");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err())
+        .contains("org.door:hinge: version 2.2 in the SBOM, 2.1 in META-INF/THIRD-PARTY.txt");
+    assertThat(state()).isEqualTo(before);
+  }
+
+  private Run release(String... arguments) throws IOException, InterruptedException {
+    return scripts.run("packaging/release", arguments);
+  }
+
+  private void refused(String why, String version) throws Exception {
+    String before = state();
+    Run run = release(version, "--dry-run");
+    assertThat(run.status()).as(why).isEqualTo(2);
+    assertThat(run.out()).isEmpty();
+    assertThat(run.err()).startsWith("packaging/release: ").contains(why).hasLineCount(1);
+    assertThat(state()).isEqualTo(before);
+  }
+
+  /** Whatever a release changes in the repository. */
+  private String state() throws Exception {
+    return scripts.git("status", "--porcelain", "--branch")
+        + scripts.git("for-each-ref")
+        + scripts.git("worktree", "list");
+  }
+
+  private void commit(String message) throws Exception {
+    scripts.git("add", "--all");
+    scripts.git("commit", "-q", "--allow-empty", "-m", message);
+  }
+
+  private void delete(String name) throws IOException {
+    try (Stream<Path> files = Files.list(scripts.home.resolve(name))) {
+      for (Path file : (Iterable<Path>) files::iterator) {
+        Files.delete(file);
+      }
+    }
+  }
+}

@@ -1,0 +1,227 @@
+package org.selectiverenderer.release;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.release.Scripts.Run;
+
+/** {@code packaging/validate} and {@code packaging/action} with releases in a folder. */
+@DisabledOnOs(OS.WINDOWS)
+class ReleasedProgramTest {
+  @TempDir private Path folder;
+  private Scripts scripts;
+  private Path release;
+
+  @BeforeEach
+  void aCloneOfAReleasedVersion() throws IOException {
+    scripts = new Scripts(folder);
+    scripts.copy("selective-renderer", "packaging/validate", "packaging/action");
+    state("1.2.0");
+    // Notes what it is asked to run; makes no archives of classes.
+    scripts.tool(
+        "jdk/bin/java",
+        """
+        case "$*" in *ClassList*) exit 1 ;; esac
+        shift $(($# - 3))
+        echo "java $*" >>"$NOTES"
+        """);
+    Files.writeString(scripts.tools().resolve("jdk/release"), "JAVA_VERSION=\"17.0.9\"\n");
+    scripts.tool(
+        "mvn",
+        """
+        echo mvn >>"$NOTES"
+        mkdir -p target
+        touch target/selective-renderer.jar target/x3d-sai.jar
+        """);
+    scripts.environment.put("JAVA_HOME", scripts.tools().resolve("jdk").toString());
+    Path releases = folder.resolve("releases of others");
+    scripts.environment.put("SELECTIVE_RENDERER_RELEASES", url(releases));
+    release = Files.createDirectories(releases.resolve("v1.2.0"));
+    publish("a jar");
+  }
+
+  @Test
+  void downloadsTheReleaseOfItsVersionOnceAndRunsIt() throws Exception {
+    Run first = validate("scene one.x3d");
+    assertThat(first.status()).isZero();
+    assertThat(first.err())
+        .startsWith("selective-renderer: downloading version 1.2.0")
+        .hasLineCount(1);
+    delete(release);
+    Run second = validate("scene one.x3d");
+    assertThat(second.status()).isZero();
+    assertThat(second.err()).isEmpty();
+    assertThat(scripts.notes())
+        .hasSize(2)
+        .allMatch("java org.selectiverenderer.cli.Main validate scene one.x3d"::equals);
+    assertThat(scripts.read("target/selective-renderer.jar")).isEqualTo("a jar");
+  }
+
+  @Test
+  void aJarWithAnotherSumIsNotRun() throws Exception {
+    Files.writeString(release.resolve("selective-renderer.jar"), "something else");
+    Run run = validate("scene.x3d");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err().lines().skip(1))
+        .singleElement()
+        .asString()
+        .startsWith(
+            "packaging/validate: the SHA-256 sum of selective-renderer.jar is "
+                + Scripts.sha256(release.resolve("selective-renderer.jar"))
+                + ", not ")
+        .contains("nothing was run");
+    assertThat(scripts.notes()).isEmpty();
+    assertThat(scripts.home.resolve("target")).isEmptyDirectory();
+  }
+
+  @Test
+  void aJarThatTheListDoesNotNameIsNotRun() throws Exception {
+    Files.writeString(release.resolve("SHA256SUMS"), "0123  another.jar\n");
+    Run run = validate("scene.x3d");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("not in SHA256SUMS");
+    assertThat(scripts.notes()).isEmpty();
+  }
+
+  @Test
+  void aSumThatTheUserGivesCountsInsteadOfTheList() throws Exception {
+    String sum = Scripts.sha256(release.resolve("selective-renderer.jar"));
+    scripts.environment.put("SELECTIVE_RENDERER_SHA256", sum);
+    assertThat(validate("scene.x3d").status()).isZero();
+    // A later release in the place of the first, with a list that fits.
+    delete(scripts.home.resolve("target"));
+    publish("a jar of somebody else");
+    Run run = validate("scene.x3d");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("not " + sum);
+  }
+
+  @Test
+  void aDownloadThatWasDamagedLaterIsReplaced() throws Exception {
+    validate("scene.x3d");
+    scripts.write("target/selective-renderer.jar", "a j");
+    Run run = validate("scene.x3d");
+    assertThat(run.status()).isZero();
+    assertThat(run.err()).contains("downloading");
+    assertThat(scripts.read("target/selective-renderer.jar")).isEqualTo("a jar");
+  }
+
+  @Test
+  void anotherVersionIsDownloadedWhenTheCopyIsUpdated() throws Exception {
+    validate("scene.x3d");
+    state("1.3.0");
+    release = Files.createDirectories(release.resolveSibling("v1.3.0"));
+    publish("a newer jar");
+    assertThat(validate("scene.x3d").status()).isZero();
+    assertThat(scripts.read("target/selective-renderer.jar")).isEqualTo("a newer jar");
+  }
+
+  @Test
+  void aReleaseThatIsNotThereIsOneLineWithItsAddress() throws Exception {
+    delete(release);
+    Run run = validate("scene.x3d");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err().lines().skip(1))
+        .singleElement()
+        .asString()
+        .contains("cannot download file://", "v1.2.0/SHA256SUMS");
+    assertThat(scripts.notes()).isEmpty();
+  }
+
+  @Test
+  void withoutAnAddressItSaysWhatToSet() throws Exception {
+    scripts.environment.remove("SELECTIVE_RENDERER_RELEASES");
+    Run run = validate("scene.x3d");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("set SELECTIVE_RENDERER_RELEASES").hasLineCount(1);
+  }
+
+  @Test
+  void betweenReleasesTheProgramIsBuilt() throws Exception {
+    state("1.3.0-SNAPSHOT");
+    Run run = validate("scene.x3d");
+    assertThat(run.status()).isZero();
+    assertThat(run.err()).contains("building").doesNotContain("downloading");
+    assertThat(scripts.notes())
+        .containsExactly("mvn", "java org.selectiverenderer.cli.Main validate scene.x3d");
+  }
+
+  @Test
+  void theActionsInputsBecomeOptionsAndPaths() throws Exception {
+    scripts.tool(
+        "jdk/bin/java",
+        "case \"$*\" in *ClassList*) exit 1 ;; esac\n"
+            + "for word in \"$@\"; do echo \"$word\" >>\"$NOTES\"; done\n");
+    // The job's own Java is too old; the machine has a newer one.
+    scripts.environment.put("JAVA_HOME_17_X64", scripts.environment.get("JAVA_HOME"));
+    Path old = Files.createDirectories(folder.resolve("old"));
+    Files.writeString(old.resolve("release"), "JAVA_VERSION=\"11.0.2\"\n");
+    scripts.environment.put("JAVA_HOME", old.toString());
+    scripts.environment.put(
+        "INPUT_RELEASES", scripts.environment.remove("SELECTIVE_RENDERER_RELEASES"));
+    scripts.environment.put("INPUT_PATHS", "scenes\n  models/a chair.x3d \r\n\n");
+    scripts.environment.put("INPUT_FAIL_ON", "warning");
+    scripts.environment.put("INPUT_OPTIONS", "--base=scenes\n");
+    Run run = scripts.run("packaging/action");
+    assertThat(run.err()).contains("downloading version 1.2.0").hasLineCount(1);
+    assertThat(run.status()).isZero();
+    assertThat(scripts.notes())
+        .endsWith(
+            "validate",
+            "--format=github",
+            "--fail-on=warning",
+            "--base=scenes",
+            "scenes",
+            "models/a chair.x3d");
+  }
+
+  @Test
+  void theActionTakesTheReleasesOfItsOwnRepository() throws Exception {
+    scripts.environment.remove("SELECTIVE_RENDERER_RELEASES");
+    scripts.environment.put("GITHUB_SERVER_URL", url(folder.resolve("server")));
+    scripts.environment.put(
+        "GITHUB_ACTION_PATH", "D:\\a\\_actions\\someone\\selective-renderer\\v1.2.0");
+    Run run = scripts.run("packaging/action");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err())
+        .contains("/server/someone/selective-renderer/releases/download/v1.2.0/SHA256SUMS");
+  }
+
+  private Run validate(String... arguments) throws IOException, InterruptedException {
+    return scripts.run("packaging/validate", arguments);
+  }
+
+  private void state(String version) throws IOException {
+    scripts.write("pom.xml", "<project>\n  <version>" + version + "</version>\n</project>\n");
+  }
+
+  private void publish(String jar) throws IOException {
+    Path program = Files.writeString(release.resolve("selective-renderer.jar"), jar);
+    Path interfaces = Files.writeString(release.resolve("x3d-sai.jar"), "interfaces");
+    Files.writeString(
+        release.resolve("SHA256SUMS"),
+        "%s  selective-renderer.jar%n%s  x3d-sai.jar%n"
+            .formatted(Scripts.sha256(program), Scripts.sha256(interfaces)));
+  }
+
+  private static String url(Path path) {
+    return "file://" + path.toUri().getRawPath().replaceAll("/$", "");
+  }
+
+  private static void delete(Path folder) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path file : (Iterable<Path>) files::iterator) {
+        Files.delete(file);
+      }
+    }
+    Files.delete(folder);
+  }
+}

@@ -1,0 +1,135 @@
+package org.selectiverenderer.enricher;
+
+import java.nio.file.Path;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.enricher.settings.RecentFiles;
+import org.selectiverenderer.enricher.text.Texts;
+
+/**
+ * Saves the document that is open, and asks before something of it is lost. For the event dispatch
+ * thread.
+ */
+final class SaveCommands {
+  private final Questions questions;
+  private final BooleanSupplier reviews;
+  private final Consumer<String> say;
+  private final Runnable refresh;
+  private final RecentFiles recent;
+
+  /** What is open, and how it is saved. */
+  private record Open(Workbench bench, Saving saving) {}
+
+  private @Nullable Open open;
+
+  /**
+   * @param reviews whether the author looks at the changes before they are saved
+   * @param refresh shows anew what the window says of its document
+   */
+  SaveCommands(
+      Questions questions,
+      BooleanSupplier reviews,
+      Consumer<String> say,
+      Runnable refresh,
+      RecentFiles recent) {
+    this.questions = questions;
+    this.reviews = reviews;
+    this.say = say;
+    this.refresh = refresh;
+    this.recent = recent;
+  }
+
+  /** A document is open. */
+  void begin(Workbench bench) {
+    open = new Open(bench, new Saving(bench.session(), questions));
+  }
+
+  /** None is. */
+  void end() {
+    open = null;
+  }
+
+  /** Does something that ends the work on the document, once the author has saved or agreed. */
+  void leaving(Runnable leave) {
+    if (open == null) {
+      leave.run();
+    } else {
+      open.bench().commit();
+      open.saving().leaving(reviews.getAsBoolean(), leave);
+    }
+  }
+
+  void save() {
+    save(reviews.getAsBoolean());
+  }
+
+  private void save(boolean review) {
+    Open saved = open;
+    if (saved != null) {
+      saved.bench().commit();
+      saved
+          .saving()
+          .save(
+              review,
+              () -> {
+                forget(saved.bench(), saved.bench().session().file().path());
+                refresh.run();
+              });
+    }
+  }
+
+  void saveAs() {
+    Open saved = open;
+    if (saved != null) {
+      saved.bench().commit();
+      Path before = saved.bench().session().file().path();
+      saved
+          .saving()
+          .saveAs(
+              () -> {
+                forget(saved.bench(), before);
+                recent.add(saved.bench().session().file().path());
+                refresh.run();
+              });
+    }
+  }
+
+  private static void forget(Workbench saved, Path path) {
+    if (!saved.session().document().modified()) {
+      saved.autosave().forget(path);
+    }
+  }
+
+  /** Shows what saving would change, and saves if the author wants it. */
+  void showChanges() {
+    if (open != null) {
+      open.bench().commit();
+    }
+    if (open != null && open.bench().session().document().modified()) {
+      save(true);
+    } else {
+      say.accept(Texts.of("window.unchanged"));
+    }
+  }
+
+  /** Puts together what is open and what another program has made of its file. */
+  void merge() {
+    if (open != null) {
+      open.bench().commit();
+      open.saving().merge();
+    }
+  }
+
+  /**
+   * Looks whether another program has changed the file.
+   *
+   * @param reload opens it anew, if the author wants that
+   */
+  void lookAtDisk(Consumer<Path> reload) {
+    if (open != null) {
+      Path path = open.bench().session().file().path();
+      open.saving().lookAtDisk(() -> reload.accept(path));
+    }
+  }
+}

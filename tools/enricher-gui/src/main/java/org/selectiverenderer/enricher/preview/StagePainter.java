@@ -1,0 +1,110 @@
+package org.selectiverenderer.enricher.preview;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.selectiverenderer.enricher.compare.CompareMode;
+import org.selectiverenderer.enricher.compare.Compared;
+import org.selectiverenderer.runtime.camera.Camera;
+import org.selectiverenderer.runtime.instance.ShapeInstance;
+import org.selectiverenderer.runtime.render.mark.MarkedPicture;
+import org.selectiverenderer.runtime.render.mark.MarkedView;
+import org.selectiverenderer.runtime.render.mark.Marking;
+import org.selectiverenderer.runtime.scene.Node;
+
+/**
+ * Draws the preview's frames: the scene, its areas and what is selected, and beside it the scene
+ * with all polygons. Belongs to the preview's thread.
+ */
+final class StagePainter {
+  private static final int OUTLINE = 0xff8c00;
+
+  private final MarkedView view;
+  private CompareMode compare = CompareMode.OFF;
+  private boolean sensorsShown = true;
+  private boolean wireframe;
+
+  StagePainter(MarkedView view) {
+    this.view = view;
+  }
+
+  void compare(CompareMode mode) {
+    compare = mode;
+  }
+
+  /** How the scene with all polygons is shown. */
+  CompareMode compared() {
+    return compare;
+  }
+
+  void sensorsShown(boolean show) {
+    sensorsShown = show;
+  }
+
+  void wireframe(boolean show) {
+    wireframe = show;
+  }
+
+  /** Of the areas, as a picture by that camera has them. */
+  List<PreviewFrame.Label> labels(PreviewScene of, List<Anchor> selection, Camera seenBy) {
+    Optional<Node> selected = of.nodes().find(selection);
+    return sensorsShown ? of.areas().labels(seenBy, selected.orElse(null), of::sees) : List.of();
+  }
+
+  /**
+   * A frame.
+   *
+   * @param comparing whether the scene with all polygons may be drawn too
+   * @param width of one picture, pixels
+   */
+  PreviewFrame draw(
+      PreviewScene shown,
+      List<Anchor> selection,
+      boolean comparing,
+      int width,
+      int height,
+      int samples) {
+    Optional<Node> selected = shown.nodes().find(selection);
+    Set<ShapeInstance> outlined = selected.map(shown::shapes).orElse(Set.of());
+    MarkedPicture picture =
+        view.draw(
+            shown.world(),
+            new Marking(
+                sensorsShown ? shown.areas().marks(selected.orElse(null)) : List.of(),
+                outlined,
+                wireframe,
+                Optional.empty()),
+            width,
+            height,
+            samples);
+    return new PreviewFrame(
+        outlined.isEmpty()
+            ? PreviewImages.of(picture.pixels())
+            : PreviewImages.outlined(picture.pixels(), OUTLINE),
+        picture.camera(),
+        labels(shown, selection, picture.camera()),
+        shown.world().instances().shownPolygons(),
+        picture.drawn().triangles(),
+        shown.enteredAreas(),
+        shown.schemas(),
+        shown.walking().isPresent(),
+        selected.map(Node::toString),
+        (int) shown.world().layers().stream().filter(layer -> !layer.active()).count(),
+        shown.revision(),
+        view.info().renderer() + ", OpenGL " + view.info().version(),
+        comparing && compare != CompareMode.OFF
+            ? Optional.of(inDetail(shown, width, height, samples))
+            : Optional.empty(),
+        VersionChoice.words(shown));
+  }
+
+  private Compared inDetail(PreviewScene shown, int width, int height, int samples) {
+    return shown.inDetail(
+        () -> {
+          Marking plain = new Marking(List.of(), Set.of(), wireframe, Optional.empty());
+          MarkedPicture all = view.draw(shown.world(), plain, width, height, samples);
+          return new Compared(
+              compare, PreviewImages.of(all.pixels()), shown.world().instances().shownPolygons());
+        });
+  }
+}
