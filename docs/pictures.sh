@@ -73,6 +73,9 @@ session-kinds.png                  session
 session-operator.jpg               window
 session-questionnaire.png          session
 side-by-side.jpg                   run
+story-enricher.png                 window
+story-kitchen.svg                  report
+story-room.jpg                     run
 threshold-trial.png                window
 trashcan-versions.png              run
 '
@@ -88,6 +91,7 @@ explain() {
     light) echo 'by tools/compare-light, beside paths of light' ;;
     plots) echo 'written with its page by a test; CONTRIBUTING.md has the command' ;;
     monado) echo 'what Monado was given in .ci/openxr check, which takes root' ;;
+    report) echo 'a figure of experiment analyse, of simulated participants' ;;
     kept) echo 'kept: taken by hand, of a headset that a person wears or a window of Monado' ;;
   esac
 }
@@ -266,6 +270,32 @@ trial() { # OUT
   small "$tmp/trial.png" "$1" -gravity north -crop 100%x60%+0+200 +repage -resize 900x
 }
 
+storyRoom() { # What docs/story-author.md makes of the room of the examples.
+  local room=$tmp/my-room/room.x3d from=docs/examples/music-room.x3d object
+  mkdir -p "$tmp/my-room"
+  for object in Vase Trophy FloorLamp; do
+    "$program" versions "$from" --object "$object" --vert-percent 8 --output "$room" >/dev/null
+    from=$room
+  done
+  "$program" enrich "$room" --ratings docs/examples/music-room-ratings.csv >/dev/null
+  sed -i "s/whichChoice='0'/whichChoice='1'/" "$room"
+}
+
+storyEnricher() { # OUT
+  storyRoom
+  ( # The window names the file as it was given.
+    cd "$tmp"
+    titled 'room' 15 '' "$tmp/enricher.png" "$program" enrich my-room/room.x3d
+  )
+  small "$tmp/enricher.png" "$1" -resize 1100x
+}
+
+storyKitchen() { # OUT: a figure of the report in docs/story-researcher.md
+  "$program" experiment simulate --participants 54 --d-prime 1.1 --seed 2009 --output "$tmp/simulated.csv"
+  "$program" experiment analyse "$tmp/simulated.csv" --figures "$tmp/figures" >/dev/null
+  cp "$tmp/figures/kitchen-d_prime-all.svg" "$1"
+}
+
 take() { # NAME HOW
   local name=$1 how=$2 to=$out/$1 stem=${1%.*}
   case $name in
@@ -281,6 +311,12 @@ take() { # NAME HOW
       shot "$tmp/sculptures.png" 1400x654 docs/examples/sculptures.x3dv
       small "$tmp/sculptures.png" "$to" -resize 700x327
       ;;
+    story-room.jpg)
+      shot "$tmp/room.png" 1920x960 docs/examples/music-room.x3d
+      small "$tmp/room.png" "$to" -resize 960x480
+      ;;
+    story-enricher.png) storyEnricher "$to" ;;
+    story-kitchen.svg) storyKitchen "$to" ;;
     side-by-side.jpg) stereo "$to" 1280x480 --display side-by-side ;;
     anaglyph.jpg) stereo "$to" 1024x768 --display anaglyph ;;
     hmd-check.png) stereo "$to" 1280x480 --hmd-check ;;
