@@ -1,7 +1,7 @@
 package org.selectiverenderer.radiosity;
 
 import org.joml.Vector3d;
-import org.selectiverenderer.radiosity.atlas.PageLookup;
+import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.bake.LightPicture;
 import org.selectiverenderer.radiosity.bake.LightPictures;
 import org.selectiverenderer.radiosity.bake.TexelScene;
@@ -12,15 +12,11 @@ import org.selectiverenderer.radiosity.trace.Ray;
 final class VersionPictures {
   private final TexelScene lit;
   private final LightPictures pictures;
-  private final PageLookup lookup;
   private final Ray ray = new Ray();
-  private final int[] texels = new int[4];
-  private final float[] weights = new float[4];
 
   VersionPictures(TexelScene lit) {
     this.lit = lit;
     pictures = LightPictures.of(lit);
-    lookup = new PageLookup(lit.scene(), lit.atlas());
   }
 
   /**
@@ -68,18 +64,38 @@ final class VersionPictures {
     lit.scene().visibility().nearest(ray, version);
     if (ray.triangle == Ray.NOTHING
         || lit.scene().triangles().version()[ray.triangle] != version
-        || lookup.page(ray.triangle) < 0
+        || layout(ray.triangle).page() < 0
         || pictures.use().apart(lit.scene().bodyOf()[ray.triangle])) {
       return -1;
     }
-    LightPicture picture = pictures.pictures().get(lookup.page(ray.triangle));
-    int count = lookup.find(ray.triangle, ray.u, ray.v, texels, weights);
+    int body = lit.scene().bodyOf()[ray.triangle];
+    Atlas.Layout layout = layout(ray.triangle);
+    int own = ray.triangle - lit.scene().bodies().get(body).firstTriangle();
+    return between(
+        pictures.pictures().get(layout.page()),
+        layout.s(own, ray.u, ray.v),
+        layout.t(own, ray.u, ray.v));
+  }
+
+  private Atlas.Layout layout(int triangle) {
+    return lit.atlas().layouts().get(lit.scene().bodyOf()[triangle]);
+  }
+
+  /** The luminance between four pixels, as OpenGL filters a picture that does not repeat. */
+  private static double between(LightPicture picture, double s, double t) {
+    double x = Math.max(0, Math.min(picture.width() - 1, s * picture.width() - 0.5));
+    double y = Math.max(0, Math.min(picture.height() - 1, (1 - t) * picture.height() - 0.5));
+    int left = (int) x;
+    int top = (int) y;
     double[] rgb = new double[3];
-    for (int k = 0; k < count; k++) {
-      int row = picture.height() - 1 - texels[k] / picture.width();
-      int at = 3 * (row * picture.width() + texels[k] % picture.width());
+    for (int k = 0; k < 4; k++) {
+      int column = Math.min(picture.width() - 1, left + (k & 1));
+      int row = Math.min(picture.height() - 1, top + (k >> 1));
+      double along = (k & 1) == 0 ? 1 - (x - left) : x - left;
+      double across = k < 2 ? 1 - (y - top) : y - top;
       for (int c = 0; c < 3; c++) {
-        rgb[c] += weights[k] * (picture.rgb()[at + c] & 0xff) / 255;
+        int at = 3 * (row * picture.width() + column) + c;
+        rgb[c] += along * across * (picture.rgb()[at] & 0xff) / 255;
       }
     }
     return Photometry.luminance((float) rgb[0], (float) rgb[1], (float) rgb[2]);

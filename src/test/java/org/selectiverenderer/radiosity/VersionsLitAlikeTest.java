@@ -107,4 +107,89 @@ class VersionsLitAlikeTest {
     // The shadow's edge is in the same place; the rims are a hair apart.
     assertThat(difference.far()).isLessThan(0.02);
   }
+
+  /**
+   * A surface around the y axis.
+   *
+   * @param profile radius and height of its rings, the outside on the left of the way along them
+   */
+  private static String turned(int sides, boolean solid, double... profile) {
+    StringBuilder points = new StringBuilder();
+    StringBuilder indices = new StringBuilder();
+    for (int ring = 0; ring < profile.length / 2; ring++) {
+      for (int side = 0; side < sides; side++) {
+        double angle = 2 * Math.PI * side / sides;
+        double x = profile[2 * ring] * Math.cos(angle);
+        double z = profile[2 * ring] * Math.sin(angle);
+        points.append(String.format(Locale.ROOT, "%.5f %.5f %.5f, ", x, profile[2 * ring + 1], z));
+        if (ring > 0) {
+          int a = (ring - 1) * sides + side;
+          int b = (ring - 1) * sides + (side + 1) % sides;
+          indices.append("%d %d %d %d -1 ".formatted(b, a, a + sides, b + sides));
+        }
+      }
+    }
+    return shape(
+        "<IndexedFaceSet creaseAngle='0.9' solid='%s' coordIndex='%s'><Coordinate point='%s'/>"
+                .formatted(solid, indices, points)
+            + "</IndexedFaceSet>");
+  }
+
+  /** With a wall of two sides. */
+  private static String mug(int sides) {
+    return turned(
+        sides, true, 0.001, 0, 0.045, 0, 0.045, 0.1, 0.041, 0.1, 0.041, 0.006, 0.001, 0.006);
+  }
+
+  /** Of sheet metal, wider at the top. */
+  private static String can(int sides) {
+    return turned(sides, false, 0.001, 0, 0.12, 0, 0.14, 0.15, 0.16, 0.3);
+  }
+
+  private static String cushion(int sides) {
+    int rings = sides / 2;
+    double[] profile = new double[2 * rings + 2];
+    for (int i = 0; i <= rings; i++) {
+      double angle = Math.PI * i / rings;
+      profile[2 * i] = 0.001 + 0.4 * Math.sin(angle);
+      profile[2 * i + 1] = 0.2 - 0.2 * Math.cos(angle);
+    }
+    return turned(sides, true, profile);
+  }
+
+  private static String choice(double x, double y, double z, String coarse, String fine) {
+    return "<Transform translation='%s %s %s'><Switch whichChoice='1'>".formatted(x, y, z)
+        + coarse
+        + fine
+        + "</Switch></Transform>";
+  }
+
+  @Test
+  void roundThingsOfFewPolygonsAreShadedAsThoseOfMany() throws Exception {
+    String lamp =
+        "<SpotLight location='1.2 3 2' direction='0 -1 0' cutOffAngle='1.5' intensity='4'/>"
+            + "<PointLight location='3.5 1.5 1.5'/>";
+    TexelScene lit =
+        lit(
+            room(0, 0, 0, 4, "diffuseColor='0.8 0.8 0.8'")
+                + lamp
+                + choice(1, 0.8, 1, mug(20), mug(60))
+                + choice(2, 0.5, 1, can(20), can(60))
+                + choice(2.5, 0.3, 2.5, cushion(20), cushion(48)));
+    VersionPictures pictures = new VersionPictures(lit);
+    Vector3d[] middles = {
+      new Vector3d(1, 0.85, 1), new Vector3d(2, 0.65, 1), new Vector3d(2.5, 0.5, 2.5)
+    };
+    double[] away = {0.3, 0.9, 1.4};
+    for (int i = 0; i < middles.length; i++) {
+      for (double turn : new double[] {0.4, 2.5, 4.6}) {
+        Vector3d eye =
+            new Vector3d(Math.cos(turn), 0.6, Math.sin(turn)).mul(away[i]).add(middles[i]);
+        VersionPictures.Difference difference =
+            pictures.compare(2 * i + 1, 2 * i + 2, eye, middles[i], 100);
+        assertThat(difference.pixels()).isGreaterThan(1_000);
+        assertThat(difference.mean()).isLessThan(1.0 / 255);
+      }
+    }
+  }
 }

@@ -19,6 +19,16 @@ final class Density {
   private static final double LEAST = 0.8;
   private static final double MOST = 3;
 
+  /**
+   * Versions that take their light from another have more texels: they cost no rays, and light that
+   * changes from one texel of the other to the next is not blurred by being read from between.
+   * Large things have no such light, and would have too many texels.
+   */
+  private static final double SHARING = 2;
+
+  /** Things of this size have no more texels for that, metres. */
+  private static final double SHARING_SIZE = 1;
+
   /** Scenes of this extent have rooms of that size, metres. */
   private static final double LARGE_SCENE = 60;
 
@@ -40,6 +50,9 @@ final class Density {
       double size = size(scene, scene.bodies().get(i));
       double finer = size > 0 ? StrictMath.pow(room / size, GROWTH) : MOST;
       densities[i] = base * Math.max(LEAST, Math.min(MOST, finer));
+      if (size > 0 && !scene.stands(scene.bodies().get(i).firstTriangle())) {
+        densities[i] *= Math.max(1, Math.min(SHARING, SHARING_SIZE * room / ROOM_SIZE / size));
+      }
     }
     return densities;
   }

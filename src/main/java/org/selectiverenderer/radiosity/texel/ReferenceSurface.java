@@ -12,6 +12,13 @@ final class ReferenceSurface {
   /** How far places may be apart, as a share of the object's extent. */
   private static final double NEAR = 0.05;
 
+  /**
+   * What a turned normal counts as distance, as a share of the object's extent: light changes with
+   * the normal as it does from place to place, and of two sheets it is that of the one that faces
+   * the same side.
+   */
+  private static final double TURNED = 0.015;
+
   private final SceneTriangles triangles;
   private final float[] boxes;
   private final int[] first;
@@ -19,6 +26,7 @@ final class ReferenceSurface {
   private final int[] ids;
   private final float[] normals;
   private final double limit;
+  private final double turned;
 
   /**
    * @param members triangles of the reference version, ascending
@@ -57,6 +65,7 @@ final class ReferenceSurface {
       extent = Math.max(extent, (double) boxes[axis + 3] - boxes[axis]);
     }
     limit = NEAR * extent;
+    turned = 2 * TURNED * TURNED * extent * extent;
   }
 
   /** A search; one per thread. */
@@ -85,8 +94,8 @@ final class ReferenceSurface {
     }
 
     /**
-     * Looks for the place nearest to a point where the normal is alike; of several equally near
-     * ones that of the first triangle.
+     * Looks for the place nearest to a point where the normal is alike, and the nearer the more it
+     * is; of several equally near ones that of the first triangle.
      *
      * @param normal of length 1, or 0 where every normal is alike
      * @return false if there is none near
@@ -131,7 +140,7 @@ final class ReferenceSurface {
       if ((triangles.twoSided()[ids[i]] ? Math.abs(facing) : facing) <= ALIKE && !any) {
         return;
       }
-      double distance = place.nearest(ids[i], point);
+      double distance = place.nearest(ids[i], point) + (any ? 0 : (1 - facing) * turned);
       if (distance < best || distance == best && ids[i] < triangle) {
         best = distance;
         item = i;
