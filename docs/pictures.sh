@@ -46,9 +46,9 @@ enricher-source.png                enricher
 enricher-switch.png                enricher
 enricher-versions.png              dialogs
 head-log.svg                       run
-headset-questions.png              kept
+headset-questions.png              headset
 hmd-check.png                      run
-openxr-window.jpg                  kept
+openxr-window.jpg                  monado
 openxr.jpg                         monado
 operator.jpg                       window
 overlay.png                        window
@@ -87,12 +87,12 @@ explain() {
     enricher) echo 'the window of the enricher, driven by EnricherPictures' ;;
     dialogs) echo 'a dialog of the enricher, driven by PicturesTest' ;;
     form) echo 'the form of a node, driven by FormPanelTest' ;;
-    session) echo 'a screen of a session, driven by the tests of experiment.window' ;;
+    session) echo 'a screen of a session, driven by SessionPictures' ;;
+    headset) echo 'what an eye sees of the questions inside a headset, drawn by HeadsetQuestionsTest' ;;
     light) echo 'by tools/compare-light, beside paths of light' ;;
     plots) echo 'written with its page by a test; CONTRIBUTING.md has the command' ;;
-    monado) echo 'what Monado was given in .ci/openxr check, which takes root' ;;
+    monado) echo 'by .ci/openxr with Monado; needs root, and the system that .ci/openxr setup makes' ;;
     report) echo 'a figure of experiment analyse, of simulated participants' ;;
-    kept) echo 'kept: taken by hand, of a headset that a person wears or a window of Monado' ;;
   esac
 }
 
@@ -130,20 +130,23 @@ beside() {
   small "$tmp/both.png" "$3"
 }
 
-# Test classes are run once, whatever pictures are taken of them: tested CLASS OPTIONS...
+# Test classes are run once, whatever pictures are taken of them: tested CLASS SCALE OPTIONS... The
+# scale is the screen's, of windows that are drawn so much larger: the letters of a window that was
+# laid out at 1 and is drawn at 2 are wider than their places.
 tested() {
-  local class=$1
-  shift
+  local class=$1 scale=$2
+  shift 2
   if [ ! -e "$tmp/$class" ]; then
-    screen 1600x1200 mvn -B -ntp -q test -Dspotless.check.skip -Dsurefire.failIfNoSpecifiedTests=false \
-      "-Dtest=$class" "$@"
+    JAVA_TOOL_OPTIONS=-Dsun.java2d.uiScale=$scale \
+      screen "$((1600 * scale))x$((1200 * scale))" mvn -B -ntp -q test -Dspotless.check.skip \
+      -Dsurefire.failIfNoSpecifiedTests=false "-Dtest=$class" "$@"
     touch "$tmp/$class"
   fi
 }
 
 # A picture that a test has written to target/pictures at twice the size: fromTest CLASS NAME OUT WIDTH
 fromTest() {
-  tested "$1"
+  tested "$1" 2
   small "target/pictures/$2.png" "$3" -resize "$4"
 }
 
@@ -326,13 +329,16 @@ take() { # NAME HOW
     operator.jpg) operator "$to" ;;
     session-operator.jpg) sessionOperator "$to" ;;
     threshold-trial.png) trial "$to" ;;
-    session-consent.png) fromTest FormWindowTest session-consent-200 "$to" 980x ;;
-    session-controls.png) fromTest ControlWindowTest session-controls-200 "$to" 534x ;;
-    session-questionnaire.png) fromTest QuestionnaireWindowTest session-questionnaire-en-200 "$to" 980x ;;
-    session-*) fromTest QuestionnaireWindowTest "$stem-200" "$to" 980x ;;
+    session-controls.png) fromTest SessionPictures "$stem" "$to" 534x ;;
+    session-*) fromTest SessionPictures "$stem" "$to" 980x ;;
+    headset-questions.png)
+      tested HeadsetQuestionsTest 1
+      convert target/pictures/headset-questions-en.png target/pictures/headset-questions-el.png +append "$tmp/questions.png"
+      small "$tmp/questions.png" "$to" -resize 1200x
+      ;;
     enricher-fields.png)
-      tested FormPanelTest
-      small target/form-fields.png "$to"
+      tested FormPanelTest 1
+      small target/form-fields.png "$to" -gravity northwest -crop 384x612+0+0 +repage
       ;;
     enricher-areas.png | enricher-plan.png) driven "$stem" "$to" 1280x ;;
     enricher-find.png) driven "$stem" "$to" 1200x ;;
@@ -342,7 +348,7 @@ take() { # NAME HOW
     enricher-switch.png) driven "$stem" "$to" 438x ;;
     enricher-*)
       if [ "$how" = dialogs ]; then
-        fromTest PicturesTest "${stem#*-}-light-200" "$to" 1100x
+        fromTest org.selectiverenderer.enricher.driving.PicturesTest "${stem#*-}-light-200" "$to" 1100x
       else
         driven "$stem" "$to" 1100x
       fi
@@ -350,8 +356,12 @@ take() { # NAME HOW
     polygons-*) plotted PolygonsPageTest -Dpolygons.update=true "$name" ;;
     performance-*) plotted PerformancePlotsTest -Dplots.update=true "$name" ;;
     openxr.jpg)
-      .ci/openxr check
+      monado check
       small target/openxr.png "$to" -resize 1200x
+      ;;
+    openxr-window.jpg)
+      monado window
+      small target/openxr-window.png "$to" -resize 640x
       ;;
     *)
       say "$name: no recipe"
@@ -360,13 +370,22 @@ take() { # NAME HOW
   esac
 }
 
+monado() { # WHAT .ci/openxr does; its reason where it cannot
+  local status=0
+  .ci/openxr "$1" || status=$?
+  if [ "$status" -eq 75 ]; then
+    say 'needs root and Monado in a system of its own: .ci/openxr setup'
+  fi
+  return "$status"
+}
+
 driven() { # NAME OUT WIDTH: the enricher's window
-  tested EnricherPictures "-Dpictures=$driving"
+  tested EnricherPictures 1 "-Dpictures=$driving"
   small "target/pictures/$1.png" "$2" -resize "$3"
 }
 
 plotted() { # CLASS OPTION NAME: written in docs/pictures by a test
-  tested "$1" "$2"
+  tested "$1" 1 "$2"
   [ "$out" = "$PWD/docs/pictures" ] || cp "docs/pictures/$3" "$out/"
 }
 
@@ -386,7 +405,7 @@ done
 
 wanted=("$@")
 if [ $# -eq 0 ]; then
-  mapfile -t wanted < <(list | awk '$2 != "kept" && $2 != "monado" { print $1 }')
+  mapfile -t wanted < <(list | awk '$2 != "monado" { print $1 }')
 fi
 tmp=$(mktemp -d)
 office=scenes/.pictures-$$.x3d
@@ -401,8 +420,6 @@ for name in "${wanted[@]}"; do
   if [ -z "$how" ]; then
     say "$name: no such picture; docs/pictures.sh --list names them"
     failed=2
-  elif [ "$how" = kept ]; then
-    say "$name stays as it is: $(explain kept)"
   else
     set +e # Else the first failure would not end the taking of a picture but all.
     (

@@ -37,13 +37,13 @@ import org.selectiverenderer.testing.RequiresDisplay;
 @RequiresDisplay
 class HeadsetQuestionsTest {
   private static final int WIDTH = 1200;
-  private static final int HEIGHT = 1100;
+  private static final int HEIGHT = 1000;
   private static final int DARK = 0x0f1216;
 
   /**
    * Where the hand is in the scene, whose participant stands with his eye 1.6 m above (0, 0, 0).
    */
-  private static final Vector3d HAND = new Vector3d(0.25, 1.0, -0.6);
+  private static final Vector3d HAND = new Vector3d(0.3, 1.0, -0.6);
 
   @TempDir private Path folder;
 
@@ -60,9 +60,9 @@ class HeadsetQuestionsTest {
             {"id": "which", "kind": "multiple",
              "text": {"en": "Which of these did you see in the kitchen?",
                       "el": "Ποια από αυτά είδατε στην κουζίνα;"},
-             "options": [{"id": "kettle", "text": {"en": "A kettle", "el": "Έναν βραστήρα"}},
-                         {"id": "coffee", "text": {"en": "A coffee machine", "el": "Μια καφετιέρα"}},
-                         {"id": "bowl", "text": {"en": "A bowl of fruit", "el": "Ένα μπολ με φρούτα"}}]}]},
+             "options": [{"value": "kettle", "text": {"en": "A kettle", "el": "Έναν βραστήρα"}},
+                         {"value": "coffee", "text": {"en": "A coffee machine", "el": "Μια καφετιέρα"}},
+                         {"value": "bowl", "text": {"en": "A bowl of fruit", "el": "Ένα μπολ με φρούτα"}}]}]},
           {"name": "more", "questions": [
             {"id": "say", "kind": "text", "text": {"en": "What else do you remember of the kitchen?",
                                                    "el": "Τι άλλο θυμάστε από την κουζίνα;"}}]}]}
@@ -83,7 +83,7 @@ class HeadsetQuestionsTest {
   @ParameterizedTest
   @CsvSource({
     "en, A kettle;A coffee machine;A coffee machine, A bowl of fruit, ''",
-    "el, Έναν βραστήρα;Συνέχεια;έ;ν;α;Κενό;μ;π;ο;λ, τ, ένα μπολ"
+    "el, Έναν βραστήρα;Συνέχεια;Συνέχεια;΄;ε;ν;α;Κενό;μ;π;ο;λ, τ, ένα μπολ"
   })
   void whatTheHandMeetsIsLitAndWhatWasChosenIsSeen(
       String language, String chosen, String pointed, String written) throws IOException {
@@ -138,7 +138,11 @@ class HeadsetQuestionsTest {
             .findFirst()
             .orElseThrow(() -> new AssertionError(text + " is not among " + texts(panel)));
     Vector3d way =
-        panel.place().transformPosition(new Vector3d(mark.x() + 5, mark.y() - 5, 0)).sub(HAND);
+        panel
+            .place()
+            .transformPosition(
+                new Vector3d(mark.x() + 5 + 13 * (text.length() - 1), mark.y() - 5, 0))
+            .sub(HAND);
     SpacePose hand =
         new SpacePose(
             new Vector3d(HAND).sub(walk.world().viewer().position()),
@@ -159,7 +163,7 @@ class HeadsetQuestionsTest {
       Camera eye =
           new Camera(
               new Matrix4d().translation(0, -1.6, 0),
-              new Matrix4d().setPerspective(Math.toRadians(54), (double) WIDTH / HEIGHT, 0.1, 100),
+              new Matrix4d().setPerspective(Math.toRadians(46), (double) WIDTH / HEIGHT, 0.1, 100),
               0,
               0,
               WIDTH,
