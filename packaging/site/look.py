@@ -7,7 +7,7 @@ import sys
 import threading
 from pathlib import Path
 
-from playwright.sync_api import Page, Request, sync_playwright
+from playwright.sync_api import Browser, Page, Request, TimeoutError, sync_playwright
 
 # Widths of a desktop and of a phone, in CSS pixels, with their heights.
 WINDOWS = {"desktop": (1440, 900), "phone": (390, 844)}
@@ -74,12 +74,17 @@ class Look:
         self.at = ""
         page.on("request", self._asked)
         page.on("pageerror", lambda error: self.fault(f"has an error of its scripts: {error}"))
-        page.on("requestfailed", lambda request: self.fault(f"did not get {request.url}: {request.failure}"))
+        page.on("requestfailed", self._failed)
         page.on("response", lambda got: got.status < 400 or self.fault(f"got {got.status} for {got.url}"))
 
     def _asked(self, request: Request) -> None:
         if not request.url.startswith((self.base, "data:", "blob:", "about:")):
             self.fault(f"asks another server: {request.url}")
+
+    def _failed(self, request: Request) -> None:
+        # What is still on its way when the next page is opened is aborted, which is no fault.
+        if request.failure != "net::ERR_ABORTED":
+            self.fault(f"did not get {request.url}: {request.failure}")
 
     def fault(self, sentence: str) -> None:
         self.faults.append(f"{self.at} {sentence}")
@@ -98,14 +103,15 @@ class Look:
         """Types a word into the search, and follows the first hit to where the word stands."""
         self.at = f"the search from {self.base.split(':')[0]}:"
         self.page.keyboard.press("/")
-        self.page.locator("input.md-search__input").first.fill(word)
-        hit = self.page.locator(".md-search-result__link").first
+        self.page.keyboard.type(word, delay=20)
+        # Each letter is a search of its own; the hits of the whole word mark it.
+        marked = self.page.locator(".md-search-result__link:has(mark)", has_text=word)
         try:
-            hit.wait_for(timeout=20_000)
-        except Exception:  # A timeout is the fault that is looked for.
+            marked.first.wait_for(timeout=60_000)
+        except TimeoutError:
             self.fault(f"does not find {word}")
             return
-        hit.click()
+        marked.first.click()
         self.page.wait_for_load_state("load")
         if word.lower() not in self.page.inner_text("article").lower():
             self.fault(f"led to {self.page.url}, where {word} is not")
@@ -128,6 +134,7 @@ def main() -> int:
     arguments.add_argument("site", type=Path)
     arguments.add_argument("--browser", required=True)
     arguments.add_argument("--pictures", type=Path)
+    arguments.add_argument("--only", nargs="+", metavar="PAGE.html", default=[])
     options = arguments.parse_args()
     site = options.site.resolve()
     # study-report.html is a report of the program, which has its own look.
@@ -135,6 +142,7 @@ def main() -> int:
         file.relative_to(site).as_posix()
         for file in site.rglob("*.html")
         if file.name not in ("404.html", "study-report.html")
+        and (not options.only or file.name in options.only)
     )
     server = serve(site)
     faults: list[str] = []
@@ -162,7 +170,7 @@ def main() -> int:
     return 1 if faults else 0
 
 
-def take(browser, base: str, folder: Path) -> None:
+def take(browser: Browser, base: str, folder: Path) -> None:
     """Pictures of a page of each kind, light and dark, for people to look at."""
     folder.mkdir(parents=True, exist_ok=True)
     for scheme in ("light", "dark"):
