@@ -31,8 +31,8 @@ final class ImageDecoder {
    */
   private static final int BYTES = 12;
 
-  /** Bytes up to which a PNG file is held in memory as a whole. */
-  private static final long PNG_BYTES = 1L << 25;
+  /** Bytes up to which a file is held in memory as a whole. */
+  private static final long SMALL = 1L << 25;
 
   private ImageDecoder() {}
 
@@ -44,14 +44,13 @@ final class ImageDecoder {
     if (TgaImage.is(file.name())) {
       return TgaImage.read(whole(file), budget);
     }
-    byte[] beginning = beginning(file);
-    if (DdsImage.is(beginning)) {
-      return DdsImage.read(whole(file), budget);
+    // Most are small, and read once; of the others the beginning is enough to know them.
+    boolean small = file.size() <= SMALL;
+    byte[] bytes = small ? whole(file) : beginning(file);
+    if (DdsImage.is(bytes)) {
+      return DdsImage.read(small ? bytes : whole(file), budget);
     }
-    Optional<Texture.Image> png =
-        PngImage.is(beginning) && file.size() <= PNG_BYTES
-            ? png(whole(file), budget)
-            : Optional.empty();
+    Optional<Texture.Image> png = small ? png(bytes, budget) : Optional.empty();
     return png.isPresent() ? png.get() : byLibrary(file, budget);
   }
 
