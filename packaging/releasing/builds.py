@@ -2,6 +2,7 @@
 
 import datetime
 import os
+import re
 import shutil
 
 from . import Refusal, files
@@ -57,6 +58,7 @@ def recipe(name, tag, commit):
     """How to make the same bytes again."""
     time = datetime.datetime.fromtimestamp(int(git("log", "-1", "--format=%ct", commit)), datetime.timezone.utc)
     maven = run("mvn", "-B", "--version", env=os.environ | {"MAVEN_ARGS": ""})
+    maven = re.sub(r"\x1b\[[0-9;]*m", "", maven)  # Maven 3 writes bold letters wherever it runs.
     programs = [line for line in maven.splitlines() if line.startswith(("Apache Maven", "Java version"))]
     programs = [line.split(", runtime:")[0].split(" (")[0] for line in programs]
     return (

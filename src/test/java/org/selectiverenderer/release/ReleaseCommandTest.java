@@ -67,7 +67,7 @@ class ReleaseCommandTest {
     scripts.tool(
         "mvn",
         """
-        [ "$*" != "-B --version" ] || { echo "Apache Maven 3.9.9 (abc)"; exit; }
+        [ "$*" != "-B --version" ] || { printf '\\033[1mApache Maven 3.9.9 (abc)\\033[m\\n'; exit; }
         echo "mvn in ${PWD##*/}: $*" >>"$NOTES"
         mkdir target && cp pom.xml target
         echo "org.door:hinge  2.1  MIT  below" >target/table
