@@ -147,7 +147,7 @@ tested() {
 # A picture that a test has written to target/pictures at twice the size: fromTest CLASS NAME OUT WIDTH
 fromTest() {
   tested "$1" 2
-  small "target/pictures/$2.png" "$3" -resize "$4"
+  small "target/pictures/$2.png" "$3" -resize "$4" +dither -colors 255
 }
 
 apartment() { # ROOM OUT: all polygons on the left, selective on the right
@@ -334,7 +334,7 @@ take() { # NAME HOW
     headset-questions.png)
       tested HeadsetQuestionsTest 1
       convert target/pictures/headset-questions-en.png target/pictures/headset-questions-el.png +append "$tmp/questions.png"
-      small "$tmp/questions.png" "$to" -resize 1200x
+      small "$tmp/questions.png" "$to" -resize 1200x +dither -colors 255
       ;;
     enricher-fields.png)
       tested FormPanelTest 1

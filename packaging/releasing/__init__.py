@@ -1,4 +1,4 @@
-"""The parts of packaging/release: each knows one kind of file, and none runs anything but git."""
+"""The parts of packaging/release: each knows one thing, and builds and commands alone run other programs."""
 
 
 class Refusal(Exception):

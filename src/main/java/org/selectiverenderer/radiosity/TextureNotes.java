@@ -1,10 +1,13 @@
 package org.selectiverenderer.radiosity;
 
 import java.util.List;
+import java.util.Objects;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.bake.OwnTexture;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.runtime.instance.SurfaceDetail;
+import org.selectiverenderer.runtime.scene.Node;
 
 /** What authors hear about the images on their surfaces before the long work. */
 final class TextureNotes {
@@ -24,6 +27,7 @@ final class TextureNotes {
 
   /** Where it is stored in pictures. */
   static void inPictures(LightScene scene, Problems problems) {
+    left(scene, problems);
     List<Body> flat =
         scene.bodies().stream()
             .filter(body -> OwnTexture.on(body) && OwnTexture.of(body).flat())
@@ -34,6 +38,28 @@ final class TextureNotes {
           "the texture coordinates lie in one line or point, so the texture is drawn as stripes or"
               + " one colour, with light and without (%s)".formatted(shapes(flat.size())));
     }
+  }
+
+  /** Images beyond the first, of which none is in the lit scene. */
+  private static void left(LightScene scene, Problems problems) {
+    List<Body> several = scene.bodies().stream().filter(body -> images(body) > 1).toList();
+    if (several.isEmpty()) {
+      return;
+    }
+    Body first = several.get(0);
+    Node appearance = Objects.requireNonNull(first.shape().node().node("appearance"));
+    Node texture = Objects.requireNonNull(appearance.node("texture"));
+    problems.warning(
+        texture.location(),
+        ("the lit scene has the first of the %s images of this MultiTexture only; make one image of"
+                + " them to keep what the others show (%s)")
+            .formatted(images(first), shapes(several.size())));
+  }
+
+  /** The images of a MultiTexture; 0 for another texture. */
+  private static int images(Body body) {
+    SurfaceDetail detail = body.shape().surface().detail();
+    return detail == null ? 0 : detail.stages().size();
   }
 
   private static String shapes(int count) {

@@ -24,6 +24,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.picture.PngFile;
+import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
@@ -400,6 +401,36 @@ class LightPicturesJobTest {
     int row = (int) Math.min(image.height() - 1, st[2 * best + 1] * image.height());
     int at = 4 * (row * image.width() + column);
     return new int[] {image.rgba()[at] & 0xff, image.rgba()[at + 1] & 0xff};
+  }
+
+  @Test
+  void imagesOfAMultiTextureBeyondTheFirstAreSaidToBeMissing() throws Exception {
+    String two =
+        "<Shape><Appearance><Material/><MultiTexture>"
+            + "<PixelTexture image='1 1 3 0xff0000'/><PixelTexture image='1 1 3 0x00ff00'/>"
+            + "</MultiTexture></Appearance><Box size='.2 .2 .2'/></Shape>";
+    light(room(0, 0, 0, 4, GREY) + LAMP + two, QUICK);
+    assertThat(problems.list().stream().map(Problem::toString))
+        .anySatisfy(
+            line ->
+                assertThat(line)
+                    .contains("room.x3d:")
+                    .endsWith(
+                        "the lit scene has the first of the 2 images of this MultiTexture only;"
+                            + " make one image of them to keep what the others show (1 shape)"));
+  }
+
+  @Test
+  void whatAScaleOfNothingFlattensStaysAsItIsAndCastsNoShadow() throws Exception {
+    String flat =
+        "<Transform translation='2 1 2' scale='1 0 1'><Shape DEF='Flat'><Appearance>"
+            + "<Material diffuseColor='0 1 0'/></Appearance><Box size='3 3 3'/></Shape></Transform>";
+    light(room(0, 0, 0, 4, GREY) + LAMP, QUICK);
+    Path picture = scenes.resolve("room-lit-light.png");
+    byte[] without = Files.readAllBytes(picture);
+    light(room(0, 0, 0, 4, GREY) + LAMP + flat, QUICK);
+    assertThat(litText()).contains("<Box size='3 3 3'/>").contains("diffuseColor='0 1 0'");
+    assertThat(Files.readAllBytes(picture)).isEqualTo(without);
   }
 
   @Test

@@ -53,16 +53,15 @@ class ReleaseCommandTest {
     scripts.write("CITATION.cff", "title: Doors\nversion: 1.1.0\ndate-released: 2025-02-03\n");
     scripts.write("pom.xml", "<project>\n  <version>1.2.0-SNAPSHOT</version>\n</project>\n");
     scripts.write("LICENSE", "MIT\n");
-    scripts.write(
+    script(
         "packaging/libraries/build",
         """
-        #!/bin/sh
         v=$(sed -n 's|^  <version>\\(.*\\)</version>$|\\1|p' pom.xml)
         cp target/x3d-sai.jar "target/selective-renderer-libraries-$v.zip"
         """);
-    Files.setPosixFilePermissions(
-        scripts.home.resolve("packaging/libraries/build"),
-        PosixFilePermissions.fromString("rwxr-xr-x"));
+    script(
+        "packaging/package",
+        "mkdir -p target/packages; for t; do echo $t >target/packages/a.$t; done\n");
     scripts.write(".gitignore", "target/\n__pycache__/\n");
     // Jars that hold the POM, and with $DIFFERENT the folder that they are built in.
     scripts.tool(
@@ -155,7 +154,7 @@ class ReleaseCommandTest {
     String before = scripts.git("rev-parse", "HEAD");
     Path extra = Files.createDirectories(folder.resolve("other systems"));
     Files.writeString(extra.resolve("doors.msi"), "an installer");
-    Run run = release("1.2.0", "--add", extra.toString());
+    Run run = release("1.2.0", "--packages", "deb,rpm", "--add", extra.toString());
     assertThat(run.err()).doesNotContain("failed");
     assertThat(run.status()).isZero();
     assertThat(run.out())
@@ -198,6 +197,8 @@ class ReleaseCommandTest {
               "LICENSE",
               "CITATION.cff",
               "BUILD.txt",
+              "a.deb",
+              "a.rpm",
               "doors.msi",
               "SHA256SUMS")
           .hasSize(1 + Files.readAllLines(made.resolve("SHA256SUMS")).size());
@@ -260,6 +261,12 @@ class ReleaseCommandTest {
     return scripts.git("status", "--porcelain", "--branch")
         + scripts.git("for-each-ref")
         + scripts.git("worktree", "list");
+  }
+
+  private void script(String name, String text) throws IOException {
+    scripts.write(name, "#!/bin/sh\n" + text);
+    Files.setPosixFilePermissions(
+        scripts.home.resolve(name), PosixFilePermissions.fromString("rwxr-xr-x"));
   }
 
   private void commit(String message) throws Exception {

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -193,6 +196,26 @@ class ReleasedProgramTest {
     assertThat(run.status()).isEqualTo(2);
     assertThat(run.err())
         .contains("/server/someone/selective-renderer/releases/download/v1.2.0/SHA256SUMS");
+  }
+
+  @Test
+  void everyInputOfTheActionReachesItsScriptAndIsExplained() throws IOException {
+    String action = Files.readString(Path.of("action.yml"));
+    String script = Files.readString(Path.of("packaging/action"));
+    String page = Files.readString(Path.of("docs/validate.md"));
+    List<String> inputs =
+        Pattern.compile("(?m)^  ([a-z0-9-]+):$")
+            .matcher(action.substring(action.indexOf("inputs:"), action.indexOf("runs:")))
+            .results()
+            .map(input -> input.group(1))
+            .toList();
+    assertThat(inputs).contains("paths", "sha256");
+    for (String input : inputs) {
+      String variable = "INPUT_" + input.toUpperCase(Locale.ROOT).replace('-', '_');
+      assertThat(action).contains(variable + ": ${{ inputs." + input + " }}");
+      assertThat(script).contains("${" + variable + ":-");
+      assertThat(page).contains("`" + input + "`");
+    }
   }
 
   private Run validate(String... arguments) throws IOException, InterruptedException {

@@ -131,6 +131,9 @@ final class SceneGatherer {
       return;
     }
     Matrix4dc world = shape.world();
+    if (world.determinant3x3() == 0) {
+      return; // A scale of 0 leaves it no sides that light could fall on.
+    }
     float[] positions = moved(mesh.positions(), world);
     float[] normals = turned(mesh.normals(), world);
     for (float value : positions) {

@@ -13,6 +13,8 @@ import org.jspecify.annotations.Nullable;
  * @param transparency 0 opaque .. 1 invisible
  * @param texture the image that modulates the diffuse colour, or null
  * @param tints whether the image's colour multiplies the diffuse colour, else replaces it
+ * @param glow the image that multiplies the emissive colour, or null; a surface has one or the
+ *     other image, and those with both have them in the detail
  * @param textureTransform the texture coordinates' 3x3 matrix, column by column, or null for none
  * @param detail what goes beyond that, or null; the texture is then one of its units, for those who
  *     look at no other
@@ -27,6 +29,7 @@ public record Surface(
     float transparency,
     @Nullable Texture texture,
     boolean tints,
+    @Nullable Texture glow,
     float @Nullable [] textureTransform,
     @Nullable SurfaceDetail detail) {
 
@@ -43,6 +46,7 @@ public record Surface(
           null,
           false,
           null,
+          null,
           null);
 
   /** The same with what goes beyond the others. */
@@ -57,6 +61,7 @@ public record Surface(
         transparency,
         texture,
         tints,
+        glow,
         textureTransform,
         more);
   }

@@ -107,6 +107,7 @@ final class SurfaceReader {
           transparency,
           units.plainTexture(),
           units.plainTints(),
+          units.plainGlow(),
           units.plainTransform(),
           null);
     }

@@ -2,8 +2,10 @@ package org.selectiverenderer.runtime.instance;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import org.joml.Matrix4f;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.tessellate.TexCoordSource;
@@ -12,6 +14,9 @@ import org.selectiverenderer.runtime.scene.Node;
 
 /** The textures of an Appearance and its material, each with its coordinates. */
 final class TextureUnits {
+  /** What the only image of a surface may be for that needs no more than a plain one. */
+  private static final Set<Role> PLAIN = EnumSet.of(Role.MAIN, Role.DIFFUSE, Role.EMISSIVE);
+
   private final Assets assets;
   private final TextureTransforms transforms;
   private final List<TexCoordSource> coordinates;
@@ -63,9 +68,19 @@ final class TextureUnits {
     return unit != null && (unit.role() == Role.DIFFUSE || mainTints);
   }
 
-  /** Its transform as a 3 x 3 matrix, column by column, or null. */
+  /** The image that gives the surface the colour that it sends out, if it has no other; or null. */
+  @Nullable Texture plainGlow() {
+    return plain()
+            && units.size() == 1
+            && units.get(0).role() == Role.EMISSIVE
+            && units.get(0).source() instanceof Texture texture
+        ? texture
+        : null;
+  }
+
+  /** The transform of the only image, as a 3 x 3 matrix, column by column, or null. */
   float @Nullable [] plainTransform() {
-    TextureUnit unit = main();
+    TextureUnit unit = plainGlow() == null ? main() : units.get(0);
     if (unit == null || isIdentity(unit.matrix())) {
       return null;
     }
@@ -174,7 +189,7 @@ final class TextureUnits {
     Matrix4f matrix =
         role == Role.STAGE ? transforms.ofChannel(channel) : transforms.matrix(mapping, 0);
     boolean flat = matrix == null || (matrix.properties() & Matrix4f.PROPERTY_AFFINE) != 0;
-    uncommon |= set != 0 || !plane || !flat || (role != Role.MAIN && role != Role.DIFFUSE);
+    uncommon |= set != 0 || !plane || !flat || !PLAIN.contains(role);
     units.add(
         new TextureUnit(
             role,

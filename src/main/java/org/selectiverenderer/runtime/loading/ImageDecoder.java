@@ -7,6 +7,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.Iterator;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.imageio.IIOException;
 import javax.imageio.ImageIO;
@@ -30,6 +31,9 @@ final class ImageDecoder {
    */
   private static final int BYTES = 12;
 
+  /** Bytes up to which a file is held in memory as a whole. */
+  private static final long SMALL = 1L << 25;
+
   private ImageDecoder() {}
 
   /**
@@ -40,9 +44,30 @@ final class ImageDecoder {
     if (TgaImage.is(file.name())) {
       return TgaImage.read(whole(file), budget);
     }
-    if (DdsImage.is(beginning(file))) {
-      return DdsImage.read(whole(file), budget);
+    // Most are small, and read once; of the others the beginning is enough to know them.
+    boolean small = file.size() <= SMALL;
+    byte[] bytes = small ? whole(file) : beginning(file);
+    if (DdsImage.is(bytes)) {
+      return DdsImage.read(small ? bytes : whole(file), budget);
     }
+    Optional<Texture.Image> png = small ? png(bytes, budget) : Optional.empty();
+    return png.isPresent() ? png.get() : byLibrary(file, budget);
+  }
+
+  private static Optional<Texture.Image> png(byte[] whole, AtomicLong budget) throws IOException {
+    Optional<PngImage> png = PngImage.of(whole);
+    if (png.isEmpty()) {
+      return Optional.empty();
+    }
+    spend(png.get().pixels(), budget);
+    Optional<Texture.Image> image = png.get().decode();
+    if (image.isEmpty()) {
+      budget.addAndGet(BYTES * png.get().pixels());
+    }
+    return image;
+  }
+
+  private static Texture.Image byLibrary(Content file, AtomicLong budget) throws IOException {
     try (InputStream in = file.open();
         ImageInputStream stream = new MemoryCacheImageInputStream(in)) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
@@ -163,7 +188,7 @@ final class ImageDecoder {
     return (byte) ((sample * 255L + most / 2) / most);
   }
 
-  private static boolean isGrey(byte[] rgba) {
+  static boolean isGrey(byte[] rgba) {
     for (int i = 0; i < rgba.length; i += 4) {
       if (rgba[i] != rgba[i + 1] || rgba[i] != rgba[i + 2]) {
         return false;

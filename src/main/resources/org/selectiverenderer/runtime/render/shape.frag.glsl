@@ -88,16 +88,20 @@ void main() {
 #ifdef DETAIL
   pixel = detailed();
 #else
+  vec3 sent = material[1].rgb;
+#ifdef GLOW
+  sent *= texture(image, coordinate).rgb;
+#endif
 #ifdef LIT
   vec4 base = material[0];
 #else
-  vec4 base = vec4(material[1].rgb, material[0].a);
+  vec4 base = vec4(sent, material[0].a);
 #endif
 #ifdef COLORS
   // A Color leaves the material's opacity, a ColorRGBA has its own (X3D 4.0, 11.4.2, 11.4.3).
   base = vec4(vertexColor.rgb, vertexColor.a * base.a);
 #endif
-#ifdef TEXTURE
+#if defined(TEXTURE) && !defined(GLOW)
   vec4 texel = texture(image, coordinate);
 #ifdef TINT
   base *= texel;
@@ -112,10 +116,12 @@ void main() {
 #endif
 #ifdef LIT
   Light light = seenLight();
-#ifdef WHOLE_BY_VERTEX
+#if defined(WHOLE_BY_VERTEX) && defined(GLOW)
+  pixel = vec4(sent + light.diffuse, base.a);
+#elif defined(WHOLE_BY_VERTEX)
   pixel = vec4(light.diffuse, base.a);
 #else
-  pixel = vec4(material[1].rgb + base.rgb * light.diffuse + light.highlight, base.a);
+  pixel = vec4(sent + base.rgb * light.diffuse + light.highlight, base.a);
 #endif
 #else
   pixel = base;

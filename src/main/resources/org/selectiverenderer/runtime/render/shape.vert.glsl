@@ -59,12 +59,18 @@ out float along;
 #endif
 
 #ifdef LIT_BY_VERTEX
-// What the pixels need of the light: all of it together where the colour is the same everywhere.
+// What the pixels need of the light: all of it together where the colour is the same everywhere. What
+// an image sends out is added there.
+#ifdef GLOW
+#define SENT vec3(0.0)
+#else
+#define SENT material[1].rgb
+#endif
 vec3 diffuseOf(Light light) {
 #ifdef TINTED
-  return material[1].rgb + color.rgb * light.diffuse + light.highlight;
+  return SENT + color.rgb * light.diffuse + light.highlight;
 #elif defined(WHOLE_BY_VERTEX)
-  return material[1].rgb + material[0].rgb * light.diffuse + light.highlight;
+  return SENT + material[0].rgb * light.diffuse + light.highlight;
 #else
   return light.diffuse;
 #endif

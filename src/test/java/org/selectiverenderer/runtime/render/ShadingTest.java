@@ -116,6 +116,64 @@ class ShadingTest {
     assertThat(difference(byPixel, byVertex)).isLessThan(1);
   }
 
+  private static final String PICTURE =
+      "<Shape visible='false'><Appearance><PixelTexture DEF='P'"
+          + " image='2 2 4 0xff000000 0x00ff00ff 0x0000ffff 0x808080ff'/></Appearance></Shape>";
+
+  private static final String BAKED = "diffuseColor='0 0 0' emissiveColor='1 1 1'";
+
+  /** As lit scenes have them: highlights alone, on a picture that is sent out. */
+  private static String shining(double x, double y, String material, String more) {
+    return """
+        <Transform translation='%s %s 0'><Shape>
+          <Appearance><Material ambientIntensity='0' specularColor='0.6 0.6 0.6'
+              shininess='0.3' %s>
+            <PixelTexture containerField='emissiveTexture' USE='P'/>%s
+          </Material></Appearance><Sphere radius='0.9'/></Shape></Transform>
+        """
+        .formatted(x, y, material, more);
+  }
+
+  @RequiresDisplay
+  @Test
+  void picturesThatAreSentOutShineAlikeAndAreDrawnTogether() {
+    String lamp = PICTURE + "<PointLight location='1 2 6' radius='50' ambientIntensity='0'/>";
+    TestScene scene =
+        TestScene.of(
+            lamp
+                + shining(-2, 1, BAKED, "").replaceFirst("<Sphere .*/>", "<Box size='.4 .4 .4'/>")
+                + shining(-1, 1, BAKED, "").replaceFirst("<Sphere .*/>", "<Box size='.4 .4 .4'/>")
+                + shining(1, 1, "diffuseColor='.3 .3 0' emissiveColor='1 1 1'", "")
+                + shining(-2, -2, BAKED + " transparency='.5'", "")
+                + shining(0, -2, "diffuseColor='0 0 0' emissiveColor='.5 1 .5'", ""));
+    List<Screenshot> shots = new ArrayList<>();
+    for (Shading shading : List.of(Shading.PIXEL, Shading.VERTEX)) {
+      try (Studio studio = new Studio(shading)) {
+        shots.add(studio.shoot(scene));
+        assertThat(studio.renderer.cull(List.of(Studio.parallel())).calls())
+            .as("two small ones in one call, of the others each its own, %s", shading)
+            .isEqualTo(4);
+      }
+    }
+    assertThat(difference(shots.get(0), shots.get(1))).isLessThan(1).isPositive();
+  }
+
+  @RequiresDisplay
+  @Test
+  void picturesThatAreSentOutLookAsAmongOtherTextures() {
+    String lamp = PICTURE + "<PointLight location='1 2 6' radius='50' ambientIntensity='0'/>";
+    String white = "<PixelTexture containerField='specularTexture' image='1 1 3 0xffffff'/>";
+    for (Shading shading : List.of(Shading.PIXEL, Shading.VERTEX)) {
+      Screenshot alone =
+          shoot(shading, TestScene.of(lamp + shining(0, 0, BAKED, "")), Studio.parallel());
+      Screenshot among =
+          shoot(shading, TestScene.of(lamp + shining(0, 0, BAKED, white)), Studio.parallel());
+      assertThat(difference(alone, among)).as("%s", shading).isLessThan(1);
+      assertThat(difference(alone, shoot(shading, TestScene.of(lamp), Studio.parallel())))
+          .isGreaterThan(3);
+    }
+  }
+
   /** A picture at the beginning and after each change. */
   private static List<Screenshot> film(
       Shading shading, String nodes, List<Consumer<TestScene>> changes) {

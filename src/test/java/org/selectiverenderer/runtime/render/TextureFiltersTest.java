@@ -1,11 +1,15 @@
 package org.selectiverenderer.runtime.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
+import java.nio.ByteBuffer;
 import java.util.Collections;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Sampling;
@@ -62,6 +66,44 @@ class TextureFiltersTest {
       assertThat(filters(filters, CUBE))
           .isEqualTo(new Filters(GL.GL_LINEAR_MIPMAP_LINEAR, GL.GL_LINEAR, 1));
     }
+  }
+
+  @Test
+  void quickOnesHaveTheMipmapsThatTheDriverMakes() {
+    for (int[] size : new int[][] {{16, 16}, {37, 20}, {1, 9}}) {
+      byte[] rgba = new byte[4 * size[0] * size[1]];
+      new Random(1).nextBytes(rgba);
+      Texture texture = new Texture(new Texture.Image(size[0], size[1], 4, rgba), true, true);
+      try (OffscreenContext context = OffscreenContext.open()) {
+        GL3 gl = context.gl();
+        int w = size[0];
+        int h = size[1];
+        for (int level = 0; w > 0 || h > 0; level++, w /= 2, h /= 2) {
+          int bytes = 4 * Math.max(1, w) * Math.max(1, h);
+          byte[] made = level(gl, TextureFilters.QUICK, texture, level, bytes);
+          byte[] drivers = level(gl, TextureFilters.FINE, texture, level, bytes);
+          for (int i = 0; i < bytes; i++) {
+            assertThat(made[i] & 0xff)
+                .as("level %d of %d x %d", level, size[0], size[1])
+                .isCloseTo(drivers[i] & 0xff, within(2 + level));
+          }
+        }
+      }
+    }
+  }
+
+  private static byte[] level(
+      GL3 gl, TextureFilters filters, Texture texture, int level, int bytes) {
+    GpuTexture made = new GpuTexture(gl, texture, filters);
+    made.bind(gl);
+    ByteBuffer pixels = Buffers.newDirectByteBuffer(bytes);
+    gl.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1);
+    gl.glGetTexImage(GL.GL_TEXTURE_2D, level, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, pixels);
+    assertThat(gl.glGetError()).isZero();
+    byte[] copied = new byte[bytes];
+    pixels.get(copied);
+    made.dispose(gl);
+    return copied;
   }
 
   private static Texture plain() {

@@ -2,9 +2,14 @@ package org.selectiverenderer.schema.nodes;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Location;
+import org.selectiverenderer.schema.Degree;
+import org.selectiverenderer.schema.SchemaProblem;
+import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
@@ -33,7 +38,7 @@ class NodeMetadataTest {
                 metadata("MetadataString", "schemaBelonginess", new String[] {"A", "B"})));
     ParsedNode object = node("Switch");
     object.put(object.type().indexOf("metadata"), choice);
-    List<SchemaProblem> problems = new java.util.ArrayList<>();
+    List<SchemaProblem> problems = new ArrayList<>();
 
     NodeMetadata source = NodeMetadata.of(object).orElseThrow();
     SwitchSchemas schemas = new SchemaReader(problems::add).switchNode(source, 1).orElseThrow();

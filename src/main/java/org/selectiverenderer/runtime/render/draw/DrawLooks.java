@@ -15,6 +15,7 @@ import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.instance.SurfaceDetail;
+import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.render.gpu.DetailDefines;
 import org.selectiverenderer.runtime.render.gpu.DetailTextures;
@@ -74,12 +75,13 @@ final class DrawLooks {
     if (surface.detail() != null && drawn.primitive() == Mesh.Primitive.TRIANGLES) {
       return detailed(gl, shape, surface.detail(), drawn, reaching);
     }
+    Texture image = surface.glow() == null ? surface.texture() : surface.glow();
     GpuTexture texture =
-        surface.texture() == null
+        image == null
                 || drawn.texCoords() == null
                 || drawn.primitive() == Mesh.Primitive.LINES // Theirs are lengths.
             ? null
-            : texture(gl, surface.texture());
+            : texture(gl, image);
     boolean blended = blended(surface, drawn, texture);
     ShapeVariant variant = variant(drawn, surface, texture, blended, List.of());
     float[] transform = surface.textureTransform();
@@ -202,7 +204,9 @@ final class DrawLooks {
   private static boolean blended(Surface surface, Mesh mesh, @Nullable GpuTexture texture) {
     return surface.transparency() > 0
         || MeshPacker.translucent(mesh)
-        || (texture != null && texture.alpha() == GpuTexture.Alpha.BLENDED);
+        || (texture != null
+            && surface.glow() == null
+            && texture.alpha() == GpuTexture.Alpha.BLENDED);
   }
 
   private static ShapeVariant variant(
@@ -220,6 +224,7 @@ final class DrawLooks {
         mesh.colors() != null,
         texture != null,
         surface.tints(),
+        surface.glow() != null,
         texture != null && texture.alpha() == GpuTexture.Alpha.CUT_OUT,
         !mesh.solid(),
         mesh.primitive() == Mesh.Primitive.POINTS,

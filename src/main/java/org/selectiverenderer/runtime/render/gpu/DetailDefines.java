@@ -1,10 +1,13 @@
 package org.selectiverenderer.runtime.render.gpu;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.joml.Matrix4f;
 import org.selectiverenderer.runtime.instance.SurfaceDetail;
+import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.instance.TextureStage;
 import org.selectiverenderer.runtime.instance.TextureUnit;
 import org.selectiverenderer.runtime.instance.VolumeTexture;
@@ -76,7 +79,9 @@ public final class DetailDefines {
       String texel =
           unit.source().cube()
               ? "texture(image%d, %s.xyz)".formatted(i, place)
-              : "textureProj(image%d, %s)".formatted(i, place);
+              : straight(unit, sizes)
+                  ? "texture(image%d, set%d.st)".formatted(i, unit.set())
+                  : "textureProj(image%d, %s)".formatted(i, place);
       if (unit.role() == TextureUnit.Role.STAGE) {
         stages.append(statement(detail.stages().get(stage++), texel));
       } else {
@@ -98,6 +103,18 @@ public final class DetailDefines {
       defines.add("TURNED");
     }
     return List.copyOf(defines);
+  }
+
+  /**
+   * Whether an image lies as the mesh's coordinates say: nothing turns them, and they have no
+   * fourth number to be divided by. On a processor what else is done with them costs as much as a
+   * look-up.
+   */
+  private static boolean straight(TextureUnit unit, List<Integer> sizes) {
+    return unit.source() instanceof Texture
+        && unit.set() >= 0
+        && (unit.set() == 0 || unit.set() > sizes.size() || sizes.get(unit.set() - 1) < 4)
+        && Arrays.equals(unit.matrix(), new Matrix4f().get(new float[16]));
   }
 
   /** The mesh's further coordinates that are looked at, from the vertices to the pixels. */
@@ -170,12 +187,15 @@ public final class DetailDefines {
           default -> "baseHere";
         };
     String call = "%s(" + texel + ", " + source + ", plain, detail[1])";
+    // Said twice, the texture would be looked up twice.
     String result =
-        "staged("
-            + call.formatted(mode(stage.mode()))
-            + ", "
-            + call.formatted(mode(stage.alphaMode()))
-            + ")";
+        mode(stage.mode()).equals(mode(stage.alphaMode()))
+            ? "clamp(" + call.formatted(mode(stage.mode())) + ", 0.0, 1.0)"
+            : "staged("
+                + call.formatted(mode(stage.mode()))
+                + ", "
+                + call.formatted(mode(stage.alphaMode()))
+                + ")";
     return "baseHere = "
         + switch (stage.function()) {
           case "COMPLEMENT" -> "complement(" + result + ")";

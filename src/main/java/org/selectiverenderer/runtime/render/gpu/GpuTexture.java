@@ -51,7 +51,11 @@ public final class GpuTexture {
       alpha = alphaOf(texture.image());
       moving = texture.image().film() == null ? null : texture;
       use(gl, 0);
-      TextureUpload.plane(gl, texture.image());
+      if (filters.halves(texture)) {
+        TextureUpload.planeWithMipmaps(gl, texture.image());
+      } else {
+        TextureUpload.plane(gl, texture.image());
+      }
     } else if (source instanceof VolumeTexture volume) {
       target = GL3.GL_TEXTURE_3D;
       alpha = alphaOf(volume.image());

@@ -13,6 +13,7 @@ import java.util.List;
  * @param colors whether vertices have colours
  * @param texture whether there is an image
  * @param tint whether the image tints the colour, else replaces it
+ * @param glow whether the image multiplies the emissive colour, and nothing else
  * @param alphaTest whether pixels of the image are either there or not
  * @param twoSided whether the back is seen
  * @param points whether points are drawn
@@ -28,6 +29,7 @@ public record ShapeVariant(
     boolean colors,
     boolean texture,
     boolean tint,
+    boolean glow,
     boolean alphaTest,
     boolean twoSided,
     boolean points,
@@ -37,7 +39,7 @@ public record ShapeVariant(
 
   List<String> defines(LightCounts lights) {
     List<String> defines = new ArrayList<>(lights.defines());
-    boolean apart = colors || texture;
+    boolean apart = colors || (texture && !glow);
     // Such a colour is the same all over a triangle: where light is computed, there it is enough.
     boolean atVertices = lit && byVertex && !apart;
     add(defines, lit, "LIT");
@@ -49,8 +51,9 @@ public record ShapeVariant(
     add(defines, lit && byVertex && apart && specular, "HIGHLIGHT_APART");
     add(defines, colors || (tinted && !atVertices), "COLORS");
     add(defines, texture, "TEXTURE");
-    add(defines, texture && tint, "TINT");
-    add(defines, texture && alphaTest, "ALPHA_TEST");
+    add(defines, texture && glow, "GLOW");
+    add(defines, texture && tint && !glow, "TINT");
+    add(defines, texture && alphaTest && !glow, "ALPHA_TEST");
     add(defines, twoSided, "TWO_SIDED");
     add(defines, points, "POINTS");
     add(defines, !blended, "OPAQUE");
@@ -67,6 +70,7 @@ public record ShapeVariant(
         colors,
         texture,
         tint,
+        glow,
         alphaTest,
         twoSided,
         points,
@@ -84,6 +88,7 @@ public record ShapeVariant(
         colors,
         texture,
         tint,
+        glow,
         alphaTest,
         twoSided && !lit,
         points,
@@ -95,8 +100,8 @@ public record ShapeVariant(
   /** The same for shapes of several diffuse colours, which are drawn together. */
   ShapeVariant tints() {
     return new ShapeVariant(
-        lit, specular, byVertex, colors, texture, tint, alphaTest, twoSided, points, blended, true,
-        detail);
+        lit, specular, byVertex, colors, texture, tint, glow, alphaTest, twoSided, points, blended,
+        true, detail);
   }
 
   private static void add(List<String> defines, boolean wanted, String name) {

@@ -34,7 +34,9 @@ public enum TextureFilters {
   /** Sets those of the texture that is current. */
   void set(GL3 gl, int target, TextureSource source) {
     Sampling sampling = source.sampling();
-    halve(gl, target, source);
+    if (!(source instanceof Texture texture && halves(texture))) {
+      halve(gl, target, source);
+    }
     gl.glTexParameteri(
         target,
         GL.GL_TEXTURE_MIN_FILTER,
@@ -52,10 +54,19 @@ public enum TextureFilters {
     }
   }
 
+  /** Whether the smaller versions of a texture are to come with it: what stands still has some. */
+  boolean halves(Texture texture) {
+    return this == QUICK && texture.image().film() == null && mipmaps(texture);
+  }
+
+  private static boolean mipmaps(TextureSource source) {
+    Sampling sampling = source.sampling();
+    return sampling == null || sampling.minify().mipmaps();
+  }
+
   /** Makes the smaller versions anew, where there are any. */
   static void halve(GL3 gl, int target, TextureSource source) {
-    Sampling sampling = source.sampling();
-    if (sampling == null || sampling.minify().mipmaps()) {
+    if (mipmaps(source)) {
       gl.glGenerateMipmap(target);
     }
   }

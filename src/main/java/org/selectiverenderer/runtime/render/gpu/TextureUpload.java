@@ -21,6 +21,18 @@ final class TextureUpload {
     send(gl, GL.GL_TEXTURE_2D, width, height, ImageScaling.to(image, 0, width, height));
   }
 
+  /** The same with its mipmaps. */
+  static void planeWithMipmaps(GL3 gl, Texture.Image image) {
+    int most = limit(gl, GL.GL_MAX_TEXTURE_SIZE);
+    int width = Math.min(image.width(), most);
+    int height = Math.min(image.height(), most);
+    Mipmaps all = new Mipmaps(width, height, ImageScaling.to(image, 0, width, height));
+    int level = 0;
+    do {
+      send(gl, GL.GL_TEXTURE_2D, level++, all.width(), all.height(), all.rgba());
+    } while (all.next());
+  }
+
   static void volume(GL3 gl, Texture.Image image) {
     int most = limit(gl, GL2ES2.GL_MAX_3D_TEXTURE_SIZE);
     int width = Math.min(image.width(), most);
@@ -86,10 +98,14 @@ final class TextureUpload {
   }
 
   private static void send(GL3 gl, int target, int width, int height, byte[] rgba) {
+    send(gl, target, 0, width, height, rgba);
+  }
+
+  private static void send(GL3 gl, int target, int level, int width, int height, byte[] rgba) {
     gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1);
     gl.glTexImage2D(
         target,
-        0,
+        level,
         GL.GL_RGBA8,
         width,
         height,

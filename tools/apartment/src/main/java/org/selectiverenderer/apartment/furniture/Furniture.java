@@ -3,6 +3,7 @@ package org.selectiverenderer.apartment.furniture;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import org.selectiverenderer.apartment.looks.Looks;
 import org.selectiverenderer.modelling.ParametricModel;
 
 /** The recipes of the furniture by name. */
@@ -10,9 +11,15 @@ public final class Furniture {
 
   private Furniture() {}
 
-  /** Every piece, of the lounge and of the office. */
+  /** Every piece, of the kitchen, of the lounge and of the office. */
   public static Map<String, Supplier<ParametricModel>> all() {
     Map<String, Supplier<ParametricModel>> recipes = new TreeMap<>();
+    recipes.put("larder", Larder::model);
+    recipes.put("bench", Bench::model);
+    recipes.put("kitchenBlind", () -> RollerBlind.model("kitchenBlind", 1.6));
+    recipes.put(
+        "kitchenRug",
+        () -> Rug.model("kitchenRug", 1.9, 0.75, 0.07, Looks.LINEN, Looks.TEAL_CLOTH));
     recipes.put("sideboard", Sideboard::model);
     recipes.put("bowl", Bowl::model);
     recipes.put("displayCabinet", DisplayCabinet::model);
@@ -27,8 +34,9 @@ public final class Furniture {
     recipes.put("filingCabinet", FilingCabinet::model);
     recipes.put("meetingTable", MeetingTable::model);
     recipes.put("visitorChair", VisitorChair::model);
-    recipes.put("officeRug", OfficeRug::model);
-    recipes.put("rollerBlind", RollerBlind::model);
+    recipes.put(
+        "officeRug", () -> Rug.model("officeRug", 2.2, 1.5, 0.1, Looks.RUST_CLOTH, Looks.LINEN));
+    recipes.put("rollerBlind", () -> RollerBlind.model("rollerBlind", 2));
     return recipes;
   }
 }

@@ -8,8 +8,10 @@ import static org.selectiverenderer.apartment.kitchen.CupboardFronts.knob;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.apartment.pictures.Pictures;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.Cladding;
 import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.Outline;
@@ -39,6 +41,12 @@ final class KitchenFurniture {
 
   private static final double UPPER_Z = 0.03;
 
+  private static final Look TILES =
+      Look.satin(ModelColour.grey(1))
+          .clad(
+              Cladding.metric(
+                  Pictures.WALL_TILES, Pictures.WALL_TILES_SIZE, Pictures.WALL_TILES_SIZE));
+
   private KitchenFurniture() {}
 
   static ParametricModel model() {
@@ -48,7 +56,7 @@ final class KitchenFurniture {
         Part.of("plinth", Looks.SOFT_BLACK, Boxes.plain(3, PLINTH, 0.5).move(0, 0, -0.05)),
         Part.of("fronts", Look.satin(ModelColour.hex(0x9FB0A2)), lowerFronts(), upperFronts()),
         Part.of("worktop", Looks.LIGHT_OAK, worktop()),
-        Part.of("tiles", Looks.CHINA, tiles()),
+        Part.of("tiles", TILES, tiles()),
         Part.of("sink", Looks.POLISHED_STEEL, SinkAndHob.basin().move(SINK_X, TOP, 0)),
         Part.of("steel", Looks.POLISHED_STEEL, handles(), fittings()),
         Part.of("black", Looks.SOFT_BLACK, SinkAndHob.hobGlass().move(HOB_X, TOP, 0), oven()),
@@ -96,14 +104,9 @@ final class KitchenFurniture {
     return Prism.plate(TOP - UNDER_TOP, 0.006, 2, edge, opening).move(0, UNDER_TOP, 0);
   }
 
-  /** Two rows of tiles with joints between them. */
+  /** What the tiles are a picture on, between worktop and hanging cupboards. */
   private static TriangleMesh tiles() {
-    TriangleMesh tile = Prism.plain(0.008, Outline.rectangle(0.196, 0.256));
-    List<TriangleMesh> tiles = new ArrayList<>();
-    for (int i = 0; i < 30; i++) {
-      tiles.add(tile.move(-1.4 + 0.2 * (i % 15), TOP + 0.13 + 0.26 * (i / 15), -0.3));
-    }
-    return TriangleMesh.of(tiles);
+    return Boxes.plain(3, HANGING - TOP, 0.008).move(0, TOP, -0.296);
   }
 
   private static TriangleMesh handles() {

@@ -9,6 +9,7 @@ import org.selectiverenderer.base.picture.Srgb;
 public final class Pictures {
   public static final String PARQUET = "textures/parquet.png";
   public static final String TILES = "textures/floorTiles.png";
+  public static final String WALL_TILES = "textures/wallTiles.png";
   public static final String PLASTER = "textures/plaster.png";
   public static final String CARPET = "textures/carpet.png";
   public static final String VENEER = "textures/veneer.png";
@@ -25,6 +26,9 @@ public final class Pictures {
 
   /** Tiles in a row and in a column of the floor tiles' picture. */
   public static final int TILES_A_SIDE = FloorTiles.TILES;
+
+  /** Metres of wall to the right and up that the wall tiles' picture shows. */
+  public static final double WALL_TILES_SIZE = WallTiles.SIZE;
 
   /** Metres of wall to the right and up that the plaster's picture shows. */
   public static final double PLASTER_SIZE = Plaster.SIZE;
@@ -49,9 +53,11 @@ public final class Pictures {
             new double[] {0.58, 0.39, 0.23},
             new double[] {0.5, 0.33, 0.19});
     double[] tiles = light(new double[] {0.82, 0.79, 0.72}, new double[] {0.54, 0.34, 0.26});
+    double[] china = light(new double[] {0.9, 0.885, 0.85});
     double[] door = light(new double[] {0.55, 0.36, 0.2});
     all.put(PARQUET, () -> Parquet.picture(boards));
     all.put(TILES, () -> FloorTiles.picture(tiles));
+    all.put(WALL_TILES, () -> WallTiles.picture(china));
     all.put(PLASTER, Plaster::picture);
     all.put(CARPET, CarpetPattern::picture);
     all.put(VENEER, () -> Veneer.picture(door));

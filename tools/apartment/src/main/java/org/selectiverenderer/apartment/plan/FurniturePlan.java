@@ -47,7 +47,12 @@ public final class FurniturePlan {
         row(KITCHEN, "bicycleWheel", new Against(Side.WEST, -0.3, 0.02)),
         row(KITCHEN, "baseballBat", new Floor(-1.5, 0.2, 75)),
         row(KITCHEN, "hairDryer", new On("kitchenTable", -0.42, -0.2, 0, 1.0)),
-        row(KITCHEN, "violin", new Floor(0.1, -2.6, 35)));
+        row(KITCHEN, "violin", new Floor(0.1, -2.6, 35)),
+        again(KITCHEN, "kitchenChair", 4, new Floor(-1.3, 0.6, -6)),
+        row(KITCHEN, "larder", new Against(Side.EAST, -2.77, 0)),
+        row(KITCHEN, "bench", new Against(Side.NORTH, -0.9, 0.01)),
+        row(KITCHEN, "kitchenBlind", new Hung(Side.NORTH, -0.1, 1.57)),
+        row(KITCHEN, "kitchenRug", new Floor(1.1, -0.9, 90)));
   }
 
   private static List<PlannedObject> lounge() {

@@ -20,7 +20,13 @@ import org.selectiverenderer.modelling.Part;
 class FurnitureTest {
   /** They hang on a wall, their backs at z = 0. */
   private static final Set<String> HUNG =
-      Set.of("wideCurtains", "narrowCurtains", "whiteboard", "pinboard", "rollerBlind");
+      Set.of(
+          "wideCurtains",
+          "narrowCurtains",
+          "whiteboard",
+          "pinboard",
+          "kitchenBlind",
+          "rollerBlind");
 
   /** Panes, cloth, paper, ink: flat, seen from both sides. */
   private static final Map<String, Set<String>> OPEN =
@@ -89,11 +95,15 @@ class FurnitureTest {
   /** Centimetres. */
   @ParameterizedTest
   @CsvSource({
+    "bench, 120, 45, 30",
     "bowl, 32, 10, 32",
     "chest, 80, 47, 43",
     "credenza, 150, 75, 42",
     "displayCabinet, 114, 185, 43",
     "filingCabinet, 46, 132, 62",
+    "kitchenBlind, 160, 79, 7",
+    "kitchenRug, 190, 1, 75",
+    "larder, 66, 214, 61",
     "meetingTable, 90, 73, 90",
     "narrowCurtains, 259, 235, 12",
     "officeRug, 220, 1, 150",

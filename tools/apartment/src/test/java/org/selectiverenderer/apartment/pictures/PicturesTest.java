@@ -23,7 +23,13 @@ import org.selectiverenderer.base.picture.Srgb;
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class PicturesTest {
   private static final List<String> SURFACES =
-      List.of(Pictures.PARQUET, Pictures.TILES, Pictures.PLASTER, Pictures.VENEER, Pictures.CARPET);
+      List.of(
+          Pictures.PARQUET,
+          Pictures.TILES,
+          Pictures.WALL_TILES,
+          Pictures.PLASTER,
+          Pictures.VENEER,
+          Pictures.CARPET);
 
   private final Map<String, SurfacePicture> pictures = new TreeMap<>();
 
@@ -45,7 +51,14 @@ class PicturesTest {
 
   /** The difference across its edges is none that two neighbours within do not have as well. */
   @ParameterizedTest
-  @ValueSource(strings = {Pictures.PARQUET, Pictures.TILES, Pictures.PLASTER, Pictures.VENEER})
+  @ValueSource(
+      strings = {
+        Pictures.PARQUET,
+        Pictures.TILES,
+        Pictures.WALL_TILES,
+        Pictures.PLASTER,
+        Pictures.VENEER
+      })
   void aTileGoesOnBeyondItsEdges(String name) {
     SurfacePicture tile = picture(name);
 
@@ -82,6 +95,7 @@ class PicturesTest {
   @CsvSource({
     Pictures.PARQUET + ", 0.3009, 0.1312, 0.0457",
     Pictures.TILES + ", 0.4456, 0.3408, 0.2665",
+    Pictures.WALL_TILES + ", 0.7874, 0.7578, 0.6938",
     Pictures.VENEER + ", 0.2632, 0.1065, 0.0331",
     Pictures.PLASTER + ", 0.9, 0.9, 0.9"
   })

@@ -1,0 +1,79 @@
+"""Two builds of one commit, in places as unlike as two machines."""
+
+import datetime
+import os
+import shutil
+
+from . import Refusal, files
+from .commands import HOME, asked, git, run, say
+
+JARS = ("selective-renderer.jar", "x3d-sai.jar")
+SBOM = "bom.json"
+LIBRARIES = "packaging/libraries/build"
+# Nothing that differs between two machines may show in the bytes.
+PLACES = (
+    ("one", {"TZ": "UTC", "LC_ALL": "C.UTF-8"}, 0o022),
+    ("another place", {"TZ": "Asia/Kathmandu", "LC_ALL": "C", "MAVEN_OPTS": "-Duser.language=tr -Duser.region=TR"}, 0o027),
+)
+
+
+def add(work, commit):
+    """The first place's folder, with a commit's files."""
+    folder = work / PLACES[0][0]
+    git("worktree", "add", "--quiet", "--detach", str(folder), commit)
+    return folder
+
+
+def remove(work):
+    """Takes away the places' folders."""
+    if work.exists():
+        for place, _, _ in PLACES:
+            asked("worktree", "remove", "--force", str(work / place))
+        shutil.rmtree(work, ignore_errors=True)
+    asked("worktree", "prune")
+
+
+def twice(work, commit):
+    """Builds in both places, and refuses what has other bytes in the second; returns the first's folder."""
+    one, other = (_build(work, commit, *place) for place in PLACES)
+    for name in (*JARS, SBOM, *libraries(one)):
+        difference = files.difference(one / "target" / name, other / "target" / name)
+        if difference:
+            raise Refusal(f"two builds differ, so there is no release: {difference}")
+    return one
+
+
+def libraries(folder):
+    """The names of the libraries' archives in the folder's target, where LIBRARIES is to make them."""
+    if not (folder / LIBRARIES).exists():
+        return []
+    made = sorted(path.name for path in (folder / "target").glob("selective-renderer-libraries-*.zip"))
+    if not made:
+        raise Refusal(f"{LIBRARIES} made no target/selective-renderer-libraries-*.zip")
+    return made
+
+
+def recipe(name, tag, commit):
+    """How to make the same bytes again."""
+    time = datetime.datetime.fromtimestamp(int(git("log", "-1", "--format=%ct", commit)), datetime.timezone.utc)
+    maven = run("mvn", "-B", "--version", env=os.environ | {"MAVEN_ARGS": ""})
+    programs = [line for line in maven.splitlines() if line.startswith(("Apache Maven", "Java version"))]
+    programs = [line.split(", runtime:")[0].split(" (")[0] for line in programs]
+    return (
+        f"{name}\n\nCommit {commit}\nof {time:%Y-%m-%d %H:%M:%S} UTC, built twice with the same bytes by\n"
+        + "".join(f"  {line}\n" for line in programs)
+        + f"\nWith the same Java one gets these bytes again:\n\n  git checkout {tag}\n"
+        + "  mvn -DskipTests clean package\n  sha256sum target/selective-renderer.jar target/x3d-sai.jar\n"
+    )
+
+
+def _build(work, commit, place, environment, umask):
+    folder = work / place
+    if not folder.exists():
+        git("worktree", "add", "--quiet", "--detach", str(folder), commit)
+    say(f"building in {folder.relative_to(HOME)}")
+    there = {"cwd": folder, "env": os.environ | environment, "umask": umask}
+    run("mvn", "-q", "-B", "-ntp", "-Psbom", "-DskipTests", "-Dmaven.test.skip=true", "package", **there)
+    if (folder / LIBRARIES).exists():
+        run(LIBRARIES, **there)
+    return folder

@@ -1,0 +1,54 @@
+package org.selectiverenderer.apartment.furniture;
+
+import org.selectiverenderer.apartment.looks.Looks;
+import org.selectiverenderer.geometry.mesh.TriangleMesh;
+import org.selectiverenderer.modelling.Boxes;
+import org.selectiverenderer.modelling.Copies;
+import org.selectiverenderer.modelling.Look;
+import org.selectiverenderer.modelling.ModelColour;
+import org.selectiverenderer.modelling.Outline;
+import org.selectiverenderer.modelling.ParametricModel;
+import org.selectiverenderer.modelling.Part;
+import org.selectiverenderer.modelling.Prism;
+
+/** A tall cupboard, 0.66 m by 2.14 m, that goes on where the kitchen's worktop ends: four doors. */
+final class Larder {
+  private static final double WIDTH = 0.66;
+  private static final double HEIGHT = 2.14;
+  private static final double DEPTH = 0.56;
+  private static final double PLINTH = 0.1;
+
+  /** Where the lower doors end, in line with the hanging cupboards. */
+  private static final double MIDDLE = 1.42;
+
+  private static final double FRONT = 0.02;
+
+  private Larder() {}
+
+  static ParametricModel model() {
+    TriangleMesh doors =
+        door(PLINTH, MIDDLE).append(door(MIDDLE, HEIGHT)).move(WIDTH / 4, 0, DEPTH / 2);
+    TriangleMesh grip = Boxes.plain(0.012, 0.18, 0.03).move(0.04, 0, DEPTH / 2 + FRONT + 0.015);
+    return ParametricModel.of(
+        "larder",
+        Part.of(
+            "carcass",
+            Look.satin(ModelColour.hex(0xD9D5CA)),
+            Boxes.plain(WIDTH, HEIGHT - PLINTH, DEPTH).move(0, PLINTH, 0)),
+        Part.of(
+            "plinth", Looks.SOFT_BLACK, Boxes.plain(WIDTH, PLINTH, DEPTH - 0.06).move(0, 0, -0.03)),
+        Part.of("fronts", Look.satin(ModelColour.hex(0x9FB0A2)), Copies.bothSides(doors)),
+        Part.of(
+            "grips",
+            Looks.POLISHED_STEEL,
+            Copies.bothSides(grip.move(0, 0.95, 0)),
+            Copies.bothSides(grip.move(0, MIDDLE + 0.06, 0))));
+  }
+
+  /** A frame round a panel that lies deeper, from one height to another; its back is at z = 0. */
+  private static TriangleMesh door(double from, double to) {
+    Outline edge = Outline.rectangle(WIDTH / 2 - 0.004, to - from - 0.004);
+    TriangleMesh frame = Prism.plain(FRONT, edge, edge.inset(0.06));
+    return frame.append(Prism.plain(0.012, edge.inset(0.052))).move(0, (from + to) / 2, 0);
+  }
+}

@@ -1,0 +1,53 @@
+package org.selectiverenderer.apartment.pictures;
+
+/** White glazed wall tiles with grey joints: four by four until it repeats. */
+final class WallTiles {
+  /** Metres of a tile's side. */
+  static final double TILE = 0.15;
+
+  private static final int TILES = 4;
+
+  /** Metres that the picture covers. */
+  static final double SIZE = TILES * TILE;
+
+  /** Half the breadth of a joint, as a share of a tile. */
+  private static final double JOINT = 0.012;
+
+  /** Where a tile's edge has become flat. */
+  private static final double EDGE = 0.04;
+
+  private static final int GLAZE = 0;
+  private static final int MORTAR = 1;
+
+  private static final Dyes GLAZES =
+      new Dyes(
+          new double[] {0.76, 0.75, 0.71, 0.92, 0.91, 0.88, 0.97, 0.965, 0.945},
+          new double[] {0.5, 0.49, 0.46, 0.66, 0.65, 0.61, 0.78, 0.77, 0.73});
+
+  private final Noise noise = new Noise(11);
+
+  private WallTiles() {}
+
+  /**
+   * @param meanLight share of light that it throws back
+   */
+  static SurfacePicture picture(double[] meanLight) {
+    return GLAZES.paint(256, 256, TILES, TILES, meanLight, new WallTiles()::at);
+  }
+
+  /** In tiles instead of metres; a joint runs along the lower edge of the picture, and the left. */
+  private double at(double x, double y) {
+    int i = (int) x;
+    int j = (int) y;
+    double u = x - i;
+    double v = y - j;
+    double toEdge = Math.min(Math.min(u, 1 - u), Math.min(v, 1 - v));
+    if (toEdge < JOINT) {
+      return Dyes.of(MORTAR, 0.5 + 0.1 * noise.at(20 * x, 20 * y, 20 * TILES, 20 * TILES));
+    }
+    double tone = 0.5 + 0.12 * (noise.dice(i, j) - 0.5);
+    tone += 0.03 * noise.layers(3, 2 * x, 2 * y, 2 * TILES, 2 * TILES);
+    tone -= 0.2 * (1 - Noise.step(JOINT, EDGE, toEdge));
+    return Dyes.of(GLAZE, tone);
+  }
+}
