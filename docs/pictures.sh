@@ -213,7 +213,7 @@ overlay() { # OUT
     for ((i = 0; i < 60; i++)); do # Until the scene is drawn.
       sleep 2
       import -window root "$2"
-      [ "$(identify -format %k "$2")" -lt 1000 ] || break
+      [ "$(identify -format %k "$2")" -lt 100 ] || break
     done
     xdotool mousemove 512 384 key F1
     sleep 5
