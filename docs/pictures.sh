@@ -113,10 +113,15 @@ shot() {
     --screenshot "$file" >/dev/null
 }
 
-# small IN OUT OPTIONS...: a picture as it is published, without when and where it was taken.
+# small IN OUT OPTIONS...: a picture as it is published, without when and where it was taken. One of a
+# single colour was taken before there was anything to be seen.
 small() {
   local in=$1 to=$2
   shift 2
+  if [ "$(identify -format %k "$in")" -lt 2 ]; then
+    say "there is nothing on $in"
+    return 1
+  fi
   case $to in
     *.jpg) convert "$in" "$@" -strip -quality 88 "$to" ;;
     *) convert "$in" "$@" -strip -define png:compression-level=9 -define png:exclude-chunk=date,tIME "$to" ;;
@@ -209,7 +214,11 @@ overlay() { # OUT
   screen 1024x768 bash -c '
     "$1" run scenes/trashcan.x3d --viewpoint DeskView --size 1024x768 --mute &
     timeout 120 xdotool search --sync --onlyvisible --name trashcan >/dev/null
-    sleep 5
+    for ((i = 0; i < 60; i++)); do # Until the scene is drawn.
+      sleep 2
+      import -window root "$2"
+      [ "$(identify -format %k "$2")" -lt 100 ] || break
+    done
     xdotool mousemove 512 384 key F1
     sleep 5
     import -window root "$2"
