@@ -9,7 +9,7 @@
  * <p>In: a path. Out: a {@link org.selectiverenderer.runtime.loading.LoadedScene} and problems.
  * Uses {@code runtime.scene}, {@code runtime.nodes}, the assets' interface of {@code
  * runtime.instance}, {@code runtime.sound}, {@code runtime.movie}, {@code geometry}, {@code x3d}
- * and {@code base.problem}; AWT's ImageIO reads the images.
+ * and {@code base.problem}; AWT's ImageIO reads the images but those of {@code PngImage}.
  */
 @NullMarked
 package org.selectiverenderer.runtime.loading;

@@ -10,6 +10,7 @@ import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Texture;
+import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.Program;
 import org.selectiverenderer.runtime.render.gpu.TextureFilters;
@@ -46,11 +47,13 @@ final class SkyboxPainter {
     gl.glBindVertexArray(emptyArray);
     gl.glEnable(GL.GL_BLEND);
     gl.glBlendFuncSeparate(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ZERO, GL.GL_ONE);
+    TextureFilters filters =
+        GlInfo.of(gl).software() ? TextureFilters.FINE_BY_PROCESSOR : TextureFilters.FINE;
     for (Map.Entry<Backdrop.Side, Texture.Image> side : backdrop.pictures().entrySet()) {
       textures
           .computeIfAbsent(
               side.getValue(),
-              image -> new GpuTexture(gl, new Texture(image, false, false), TextureFilters.FINE))
+              image -> new GpuTexture(gl, new Texture(image, false, false), filters))
           .bind(gl);
       gl.glUniform3fv(used.uniform(gl, "side"), 3, side(side.getKey()), 0);
       gl.glDrawArrays(GL.GL_TRIANGLE_STRIP, 0, 4);

@@ -17,6 +17,8 @@ import org.selectiverenderer.runtime.instance.VolumeTexture;
 public enum TextureFilters {
   /** As the scene says. */
   FINE,
+  /** The same where a processor draws: smaller versions of images are made by this program. */
+  FINE_BY_PROCESSOR,
   /**
    * Of a filter's samples only those of one mipmap, none of them for slanted faces. Cubes stay as
    * they are: mirrors ask for mipmaps between two.
@@ -56,7 +58,7 @@ public enum TextureFilters {
 
   /** Whether the smaller versions of a texture are to come with it: what stands still has some. */
   boolean halves(Texture texture) {
-    return this == QUICK && texture.image().film() == null && mipmaps(texture);
+    return this != FINE && texture.image().film() == null && mipmaps(texture);
   }
 
   private static boolean mipmaps(TextureSource source) {
@@ -81,7 +83,7 @@ public enum TextureFilters {
   }
 
   private boolean fine(TextureSource source) {
-    return this == FINE || source.cube();
+    return this != QUICK || source.cube();
   }
 
   private static int minify(Sampling.Minify filter, boolean fine) {

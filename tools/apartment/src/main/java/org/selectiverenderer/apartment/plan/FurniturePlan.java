@@ -50,7 +50,7 @@ public final class FurniturePlan {
         row(KITCHEN, "violin", new Floor(0.1, -2.6, 35)),
         again(KITCHEN, "kitchenChair", 4, new Floor(-1.3, 0.6, -6)),
         row(KITCHEN, "larder", new Against(Side.EAST, -2.77, 0)),
-        row(KITCHEN, "bench", new Against(Side.NORTH, -0.9, 0.01)),
+        row(KITCHEN, "bench", new Against(Side.NORTH, -0.67, 0.01)),
         row(KITCHEN, "kitchenBlind", new Hung(Side.NORTH, -0.1, 1.57)),
         row(KITCHEN, "kitchenRug", new Floor(1.1, -0.9, 90)));
   }
