@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.PageLookup;
 import org.selectiverenderer.radiosity.atlas.TexelMap;
+import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.trace.Versions;
 import org.selectiverenderer.radiosity.work.ParallelWork;
@@ -21,6 +23,9 @@ import org.selectiverenderer.radiosity.work.WorkProgress;
  */
 public final class SharedTexels implements TexelChoice {
   private static final int CHUNK = 4096;
+
+  /** Cosine of the angle by which a surface is shaded as if it were bent. */
+  private static final double LEAST_BENT = 0.3;
 
   private final PageLookup lookup;
 
@@ -199,6 +204,7 @@ public final class SharedTexels implements TexelChoice {
       }
       scene.triangles().point(triangle, map.u()[i], map.v()[i], point);
       scene.triangles().normal(triangle, normal);
+      bend(scene.body(triangle), triangle, map.u()[i], map.v()[i], normal);
       if (search.find(point, normal)) {
         places.triangle()[i] = search.triangle();
         places.u()[i] = (float) search.u();
@@ -207,5 +213,27 @@ public final class SharedTexels implements TexelChoice {
       }
     }
     return found;
+  }
+
+  /**
+   * Turns a triangle's normal into that of the surface that it is shaded as: on a version of few
+   * triangles that is nearer to what the other's are. Where it is far from the triangle's it says
+   * nothing.
+   */
+  private static void bend(Body body, int triangle, float u, float v, double[] normal) {
+    float[] all = body.normals();
+    double[] bent = new double[3];
+    for (int corner = 0; corner < 3; corner++) {
+      int at = 3 * body.vertex(triangle - body.firstTriangle(), corner);
+      double weight = corner == 0 ? 1 - u - v : corner == 1 ? u : v;
+      for (int axis = 0; axis < 3; axis++) {
+        bent[axis] += weight * all[at + axis];
+      }
+    }
+    TriangleMath.normalize(bent);
+    double cosine = bent[0] * normal[0] + bent[1] * normal[1] + bent[2] * normal[2];
+    if (cosine > LEAST_BENT) {
+      System.arraycopy(bent, 0, normal, 0, 3);
+    }
   }
 }
