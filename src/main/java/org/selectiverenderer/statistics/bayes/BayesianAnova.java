@@ -25,6 +25,7 @@ public final class BayesianAnova {
   private @Nullable List<EffectEvidence> effects;
   private @Nullable List<EffectEvidence> robust;
 
+  /** The factors of an analysis, none of which is computed yet. */
   public BayesianAnova(Anova anova) {
     this.anova = anova;
     terms = anova.effects().stream().map(Effect::term).toList();
