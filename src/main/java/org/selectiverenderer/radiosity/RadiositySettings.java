@@ -111,6 +111,23 @@ public record RadiositySettings(
         other);
   }
 
+  /** The same with another number of rays. */
+  public RadiositySettings withRays(int other) {
+    return new RadiositySettings(
+        iterations,
+        quality,
+        minMesh,
+        maxMesh,
+        globalSubdivision,
+        regather,
+        photometric,
+        other,
+        seed,
+        exposure,
+        maxPolygons,
+        store);
+  }
+
   private static void require(boolean condition, String otherwise) {
     if (!condition) {
       throw new IllegalArgumentException(otherwise);

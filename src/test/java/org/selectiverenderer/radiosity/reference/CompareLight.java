@@ -21,7 +21,7 @@ import org.selectiverenderer.radiosity.scene.UnlitSceneException;
  */
 final class CompareLight {
   private static final List<String> NAMES =
-      List.of("--viewpoint", "--size", "--samples", "--seed", "--store", "--out");
+      List.of("--viewpoint", "--size", "--samples", "--seed", "--store", "--rays", "--out");
 
   /** Rays through a pixel along each axis. */
   private static final int SIDE = 4;
@@ -68,7 +68,11 @@ final class CompareLight {
       return;
     }
     long begun = System.nanoTime();
-    Lit lit = lit(scene, store);
+    RadiositySettings settings = RadiositySettings.DEFAULT;
+    if (options.containsKey("--rays")) {
+      settings = settings.withRays(number("--rays", options.get("--rays")));
+    }
+    Lit lit = lit(scene, store, settings);
     out.printf(Locale.ROOT, "lit in %.0f s%n", (System.nanoTime() - begun) / 1e9);
     double[] ours = LitPicture.reflected(scene, hits, Irradiance.of(lit));
     double[] glow = LitPicture.glowing(scene, hits);
@@ -83,11 +87,11 @@ final class CompareLight {
     out.print(ObjectErrors.text(scene, hits, ours, wanted));
   }
 
-  private static Lit lit(LightScene scene, String store) throws UnlitSceneException {
+  private static Lit lit(LightScene scene, String store, RadiositySettings settings)
+      throws UnlitSceneException {
     return switch (store) {
-      case "textures" -> LitResults.inTextures(scene, RadiositySettings.DEFAULT);
-      case "vertices" ->
-          LitResults.atVertices(scene, RadiositySettings.DEFAULT.with(LightStore.VERTICES));
+      case "textures" -> LitResults.inTextures(scene, settings);
+      case "vertices" -> LitResults.atVertices(scene, settings.with(LightStore.VERTICES));
       default ->
           throw new IllegalArgumentException("--store is textures, vertices or none, not " + store);
     };
