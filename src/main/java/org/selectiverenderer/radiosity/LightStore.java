@@ -3,7 +3,7 @@ package org.selectiverenderer.radiosity;
 import java.util.OptionalDouble;
 
 /**
- * Where light is stored.
+ * Where light is stored, and how well.
  *
  * @param kind pictures, or colours at the vertices
  * @param texelsPerMetre of surfaces as large as a room's; empty for as many as the budget allows,
@@ -11,9 +11,10 @@ import java.util.OptionalDouble;
  * @param megabytes of all pictures together in memory, at most: three bytes a texel, 2^20 bytes
  *     each; their files are smaller
  * @param highlights whether shapes that shine keep their highlights, by lights that stay on
+ * @param noise the mean standard error that is wished for in pictures, percent of the light
  */
 public record LightStore(
-    Kind kind, OptionalDouble texelsPerMetre, double megabytes, boolean highlights) {
+    Kind kind, OptionalDouble texelsPerMetre, double megabytes, boolean highlights, double noise) {
   /** Pictures or vertices. */
   public enum Kind {
     TEXTURES,
@@ -21,6 +22,7 @@ public record LightStore(
   }
 
   private static final double BUDGET = 24;
+  private static final double NOISE = 8;
 
   /** Pictures, as fine as the budget allows. */
   public static final LightStore DEFAULT =
@@ -30,11 +32,18 @@ public record LightStore(
   public static final LightStore VERTICES =
       new LightStore(Kind.VERTICES, OptionalDouble.empty(), BUDGET, false);
 
+  private static final double LEAST_NOISE = 0.1;
   private static final double DENSEST = 10_000;
   private static final double SMALLEST = 0.01;
 
   /** Three numbers a texel of all pictures must be as many as an array has. */
   private static final double LARGEST = 2_000;
+
+  /** With the noise that is wished for by default. */
+  public LightStore(
+      Kind kind, OptionalDouble texelsPerMetre, double megabytes, boolean highlights) {
+    this(kind, texelsPerMetre, megabytes, highlights, NOISE);
+  }
 
   public LightStore {
     texelsPerMetre.ifPresent(
@@ -45,6 +54,7 @@ public record LightStore(
     require(
         megabytes >= SMALLEST && megabytes <= LARGEST,
         "the texture budget must be from 0.01 to 2000 megabytes");
+    require(noise >= LEAST_NOISE && noise <= 100, "the noise must be from 0.1 to 100 percent");
   }
 
   /** Whether light is stored in pictures. */

@@ -68,7 +68,8 @@ final class TexelRadiosity {
     Iterations iterations = Iterations.of(scene, plan, settings, progress, each);
     Solution solution = iterations.solution();
     TexelGatherer.Effort effort =
-        TexelGatherer.Effort.of(settings.rays(), settings.regather(), settings.seed());
+        TexelGatherer.Effort.of(
+            settings.rays(), settings.store().noise() / 100, settings.regather(), settings.seed());
     ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
     LightPages pages =
         new TexelGatherer(scene, solution, atlas, effort)

@@ -77,7 +77,7 @@ public final class RadiosityCommand extends CliCommand {
       names = "--texels-per-metre",
       paramLabel = "D",
       description =
-          "texels per metre of large surfaces; small ones get more (default: 50, fewer where the "
+          "texels per metre of large surfaces; small ones get more (default: 40, fewer where the "
               + "budget asks for it)")
   private @Nullable Double texels;
 
@@ -88,6 +88,14 @@ public final class RadiosityCommand extends CliCommand {
           "largest size of all pictures together in memory; their files are smaller (default: "
               + "${DEFAULT-VALUE})")
   private double megabytes = LightStore.DEFAULT.megabytes();
+
+  @Option(
+      names = "--noise",
+      paramLabel = "P",
+      description =
+          "mean noise wished for in the light of pictures, percent: places that are noisier get "
+              + "more rays, up to half as many again in all (default: ${DEFAULT-VALUE})")
+  private double noise = LightStore.DEFAULT.noise();
 
   @Option(
       names = "--no-highlights",
@@ -247,7 +255,8 @@ public final class RadiosityCommand extends CliCommand {
               store == Store.textures ? LightStore.Kind.TEXTURES : LightStore.Kind.VERTICES,
               size(texels),
               megabytes,
-              !noHighlights));
+              !noHighlights,
+              noise));
     } catch (IllegalArgumentException e) {
       throw CommandFailure.usage(e.getMessage());
     }
@@ -309,13 +318,14 @@ public final class RadiosityCommand extends CliCommand {
     }
   }
 
-  private static void print(ObjectNode node, PictureReport pictures) {
+  private void print(ObjectNode node, PictureReport pictures) {
     node.put("files", pictures.files()).put("bytes", pictures.bytes());
     node.put("texels", pictures.texels());
     node.put("least_texels_per_metre", Rounded.to(1, pictures.leastPerMetre()));
     node.put("most_texels_per_metre", Rounded.to(1, pictures.mostPerMetre()));
     node.put("noise_mean_percent", Rounded.to(2, 100 * pictures.noise().mean()));
     node.put("noise_most_percent", Rounded.to(2, 100 * pictures.noise().most()));
+    node.put("noise_wished_percent", noise);
     node.put("multiplied", pictures.multiplied()).put("shining", pictures.shining());
   }
 
@@ -325,14 +335,21 @@ public final class RadiosityCommand extends CliCommand {
         .printf(
             Locale.ROOT,
             "  pictures: %.1f M texels, %.0f to %.0f per metre, %.1f MB, noise %.1f %% (95 in 100"
-                + " below %.1f %%); %d shapes keep their textures, %d their highlights%n",
+                + " below %.1f %%)%s; %d shapes keep their textures, %d their highlights%n",
             pictures.texels() / 1e6,
             pictures.leastPerMetre(),
             pictures.mostPerMetre(),
             pictures.bytes() / 1e6,
             100 * pictures.noise().mean(),
             100 * pictures.noise().most(),
+            wish(pictures.noise().mean()),
             pictures.multiplied(),
             pictures.shining());
+  }
+
+  private String wish(double mean) {
+    return 100 * mean <= noise
+        ? ""
+        : String.format(Locale.ROOT, ", more than the %.1f %% wished for: raise --rays", noise);
   }
 }

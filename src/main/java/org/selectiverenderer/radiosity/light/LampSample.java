@@ -11,6 +11,9 @@ public final class LampSample {
   /** Irradiance r, g, b on a surface at right angles to the light, lx. */
   public final double[] light = new double[3];
 
+  /** For lamps that need it to find a place. */
+  final SphericalRectangle rectangle = new SphericalRectangle();
+
   void black() {
     light[0] = 0;
     light[1] = 0;

@@ -20,24 +20,58 @@ public record RectangleLamp(
     double lumens)
     implements Lamp {
 
+  /** Nearer than this, in its sides, places are spread over the solid angle, not over the area. */
+  private static final double NEAR = 2;
+
   @Override
   public void sample(double[] point, double s, double t, LampSample sample) {
-    double a = 2 * s - 1;
-    double b = 2 * t - 1;
-    double square =
-        sample.aim(
-            point,
-            centre[0] + a * half[0] + b * up[0],
-            centre[1] + a * half[1] + b * up[1],
-            centre[2] + a * half[2] + b * up[2]);
-    double[] to = sample.towards;
-    double cosine = -(to[0] * axis[0] + to[1] * axis[1] + to[2] * axis[2]);
-    if (cosine <= 0) {
+    double height = 0;
+    double x = 0;
+    double y = 0;
+    double width = 0;
+    double tall = 0;
+    double square = 0;
+    for (int i = 0; i < 3; i++) {
+      double d = point[i] - centre[i];
+      height += d * axis[i];
+      x += d * half[i];
+      y += d * up[i];
+      width += half[i] * half[i];
+      tall += up[i] * up[i];
+      square += d * d;
+    }
+    if (!(height > 0)) {
       sample.black();
       return;
     }
-    // Nearer than a tenth of its side the sum over single places would have peaks.
-    sample.shine(luminance, cosine * area / Math.max(square, 0.01 * area));
+    if (square > NEAR * NEAR * area) {
+      far(point, 2 * s - 1, 2 * t - 1, sample);
+      return;
+    }
+    width = Math.sqrt(width);
+    tall = Math.sqrt(tall);
+    x /= width;
+    y /= tall;
+    SphericalRectangle seen = sample.rectangle;
+    double solidAngle = seen.look(-width - x, width - x, -tall - y, tall - y, height);
+    seen.place(s, t);
+    aim(point, seen.across / width - 1, seen.along / tall - 1, sample);
+    sample.shine(luminance, solidAngle);
+  }
+
+  private void far(double[] point, double a, double b, LampSample sample) {
+    double square = aim(point, a, b, sample);
+    double[] to = sample.towards;
+    double cosine = -(to[0] * axis[0] + to[1] * axis[1] + to[2] * axis[2]);
+    sample.shine(luminance, Math.max(0, cosine) * area / square);
+  }
+
+  private double aim(double[] point, double a, double b, LampSample sample) {
+    return sample.aim(
+        point,
+        centre[0] + a * half[0] + b * up[0],
+        centre[1] + a * half[1] + b * up[1],
+        centre[2] + a * half[2] + b * up[2]);
   }
 
   @Override
@@ -63,7 +97,7 @@ public record RectangleLamp(
 
   @Override
   public double near() {
-    return Math.sqrt(area);
+    return 0;
   }
 
   @Override

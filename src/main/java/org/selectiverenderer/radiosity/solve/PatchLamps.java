@@ -25,6 +25,8 @@ final class PatchLamps {
   private final double[][] normals;
   private final int[] versions;
 
+  private double lampS;
+  private double lampT;
   private final double[] all = new double[3];
   private final double[] one = new double[3];
   private final double[] open = new double[3];
@@ -53,11 +55,13 @@ final class PatchLamps {
    */
   long light(int patch, float shift, float[] direct) {
     place(patch, shift);
+    lampS = shift(shift, 1);
+    lampT = shift(shift, 2);
     Arrays.fill(all, 0);
     long lit = 0;
     List<Lamp> lamps = scene.lamps();
     for (int i = 0; i < lamps.size(); i++) {
-      if (add(i, lamps.get(i), shift)) {
+      if (add(i, lamps.get(i))) {
         lit |= i < Long.SIZE ? 1L << i : 0;
       }
     }
@@ -65,6 +69,15 @@ final class PatchLamps {
       direct[3 * patch + c] = (float) (all[c] / starts.size());
     }
     return lit;
+  }
+
+  /**
+   * Another shift of each dimension: else all patches would miss the same parts of a lamp, and of
+   * all lamps together more light would arrive than they give, or less.
+   */
+  private static double shift(float shift, int dimension) {
+    int bits = PointSet.hash(Float.floatToIntBits(shift) + 0x51ed270b * dimension);
+    return (bits >>> 8) * 0x1p-24;
   }
 
   private void place(int patch, float shift) {
@@ -85,15 +98,16 @@ final class PatchLamps {
   }
 
   /** Adds a lamp's light at all places; whether there is any. */
-  private boolean add(int number, Lamp lamp, float shift) {
+  private boolean add(int number, Lamp lamp) {
     double tried = 0;
     double passed = 0;
     boolean near = false;
     Arrays.fill(one, 0);
     for (int i = 0; i < versions.length; i++) {
       // Lamps take different places of theirs.
-      double s = PointSet.turned(onLamps.x(i), shift) + number * 0.618034;
-      double cosine = shadows.aim(number, points[i], normals[i], s - Math.floor(s), onLamps.y(i));
+      double s = PointSet.turned(onLamps.x(i), lampS) + number * 0.618034;
+      double t = PointSet.turned(onLamps.y(i), lampT);
+      double cosine = shadows.aim(number, points[i], normals[i], s - Math.floor(s), t);
       near |= shadows.distance() < lamp.near();
       if (cosine > 0) {
         double share = shadows.passed(points[i], versions[i]);

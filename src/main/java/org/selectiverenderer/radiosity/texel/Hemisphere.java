@@ -118,6 +118,7 @@ final class Hemisphere {
       parts[part] = counted == 0 ? 0 : sum / counted;
       valid += counted;
     }
+    out.rays = rays;
     out.seen = backs <= BURIED * (backs + valid) && near < COVERED * valid;
     finish(valid, out);
     out.distance = inverse > 0 ? met / inverse : Double.POSITIVE_INFINITY;

@@ -83,7 +83,7 @@ final class IndirectBetween {
         }
         double there = sum(run[i]);
         if (known && there > 0) {
-          noise.add(reader.error / there);
+          noise.add(reader.error / Math.max(pass.dark(), there));
         }
       }
       size = 0;

@@ -34,11 +34,11 @@ final class IndirectPass {
   /** Light that is farther off the plane between records, as a share, needs more of them. */
   private static final double BENT = 0.03;
 
-  /** A texel takes the mean over about so many records: each may be as much noisier. */
-  private static final int SHARED = 6;
+  /** What is darker than this share of the scene's mean light counts as if it had so much. */
+  private static final double DARK = 0.01;
 
-  /** So many times the rays at most, where they are noisy. */
-  private static final int MOST_TIMES = 2;
+  /** The part of the work after which each record has its first rays. */
+  private static final double GATHERED = 0.6;
 
   private final LightScene scene;
   private final Solution solution;
@@ -47,6 +47,7 @@ final class IndirectPass {
   private final float[] direct;
   private final Hemisphere.Sets sets;
   private final double noise;
+  private final double dark;
   private final ChartGrid[] grids;
   private final LightRecords records = new LightRecords();
   private final LongAdder rays = new LongAdder();
@@ -70,11 +71,17 @@ final class IndirectPass {
     this.direct = direct;
     this.sets = sets;
     this.noise = noise;
+    dark = DARK * meanLight();
     grids = texels.atlas().pages().stream().map(ChartGrid::new).toArray(ChartGrid[]::new);
   }
 
   long rays() {
     return rays.sum();
+  }
+
+  /** With less light, noise is a share of this; red, green and blue together, lx. */
+  double dark() {
+    return dark;
   }
 
   LightRecords records() {
@@ -85,15 +92,20 @@ final class IndirectPass {
   boolean gather(WorkProgress progress, DoubleConsumer done) {
     for (int level = 0; level < STRIDES.length; level++) {
       int stride = STRIDES[level];
-      double before = (double) level / STRIDES.length;
+      double before = GATHERED * level / STRIDES.length;
       int[] places = new Thinning(scene, solution, texels).of(wanting(stride, progress), stride);
       if (progress.cancelled()
-          || !gather(places, stride, progress, d -> done.accept(before + d / STRIDES.length))) {
+          || !gather(
+              places, stride, progress, d -> done.accept(before + GATHERED * d / STRIDES.length))) {
         return false;
       }
       records.index();
     }
-    return true;
+    NoiseRounds rounds =
+        new NoiseRounds(scene, solution, texels, nearby, direct, sets, records, noise, dark);
+    boolean whole = rounds.run(progress, d -> done.accept(GATHERED + (1 - GATHERED) * d));
+    rays.add(rounds.rays());
+    return whole;
   }
 
   /** The texels of a grid that need a record of their own. */
@@ -190,10 +202,9 @@ final class IndirectPass {
               Hemisphere hemisphere = new Hemisphere(scene, hits, sets);
               TexelPlace place = new TexelPlace(scene, solution, texels);
               LightRecord record = new LightRecord();
-              LightRecord more = new LightRecord();
               for (int i = from; i < to; i++) {
                 place.at(places[i]);
-                sample(hemisphere, place, places[i], stride, record, more);
+                hemisphere.gather(place, places[i], fewer(stride), record);
                 groups[i] = record.seen ? group(place) : -1;
                 LightRecords.write(
                     place, radius(record, place, stride), record, block, LightRecords.NUMBERS * i);
@@ -204,30 +215,29 @@ final class IndirectPass {
       if (groups[i] < 0) {
         texels.leave(places[i]);
       } else {
-        records.add(block, LightRecords.NUMBERS * i, groups[i]);
+        records.add(block, LightRecords.NUMBERS * i, groups[i], places[i]);
       }
     }
     return whole;
   }
 
-  private void sample(
-      Hemisphere hemisphere,
-      TexelPlace place,
-      int texel,
-      int stride,
-      LightRecord record,
-      LightRecord more) {
-    // Near to each other, records share their noise.
-    int fewer = stride > 4 ? 1 : stride == 4 ? 2 : 4;
-    hemisphere.gather(place, texel, fewer, record);
-    double bound = noise * (sum(direct, texel) + record.sum()) * Math.sqrt(SHARED * fewer);
-    for (int times = 1; times < MOST_TIMES && record.seen && record.error > bound; times++) {
-      hemisphere.gather(place, texel + 0x3779b97f * times, fewer, more);
-      if (!more.seen) {
-        return;
+  /** Near to each other, records share their noise: what share of the rays each gets. */
+  private static int fewer(int stride) {
+    return stride > 4 ? 1 : stride == 4 ? 2 : 4;
+  }
+
+  /** What falls on the surfaces that are seen, red, green and blue together, lx. */
+  private double meanLight() {
+    double sum = 0;
+    double area = 0;
+    for (int patch = 0; patch < solution.patches().count(); patch++) {
+      if (!solution.buried()[patch]) {
+        double own = solution.patches().area(patch);
+        sum += own * (sum(solution.direct(), patch) + sum(solution.indirect(), patch));
+        area += own;
       }
-      record.join(more, times);
     }
+    return area > 0 ? sum / area : 0;
   }
 
   private static double radius(LightRecord record, TexelPlace place, int stride) {

@@ -9,17 +9,20 @@ import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
  * counts. Added to by one thread, then read by several.
  */
 final class LightRecords {
-  // Where the numbers of a record begin: place, normal, radius, error, light, turn.
+  // Where the numbers of a record begin: place, normal, radius, error, light, turn, rays.
   static final int NORMAL = 3;
   static final int RADIUS = 6;
   static final int ERROR = 7;
   static final int LIGHT = 8;
   static final int TURN = 11;
-  static final int NUMBERS = 20;
+  static final int RAYS = 20;
+  static final int NUMBERS = 21;
 
   private float[] numbers = new float[0];
   private int[] groups = new int[0];
+  private int[] texels = new int[0];
   private int size;
+  private boolean evened;
   private BoxTree tree = BoxTreeBuilder.build(0, (item, box) -> {});
 
   int size() {
@@ -34,6 +37,16 @@ final class LightRecords {
   /** By record; places of one group see the same surroundings. */
   int[] groups() {
     return groups;
+  }
+
+  /** By record: where it was gathered. */
+  int[] texels() {
+    return texels;
+  }
+
+  /** Whether their noise was taken out, so that what is left is the same in those side by side. */
+  boolean evened() {
+    return evened;
   }
 
   /** Boxes of the spheres within which the records count, as they were when it was last indexed. */
@@ -53,15 +66,47 @@ final class LightRecords {
     for (int i = 0; i < 9; i++) {
       block[at + TURN + i] = (float) record.turn[i];
     }
+    block[at + RAYS] = record.rays;
   }
 
-  void add(float[] block, int at, int group) {
+  /** Takes the mean with what more rays from the same place have found; called once for each. */
+  void join(int number, LightRecord more) {
+    int at = NUMBERS * number;
+    float own = numbers[at + RAYS] / (numbers[at + RAYS] + more.rays);
+    for (int i = 0; i < 3; i++) {
+      numbers[at + LIGHT + i] += (1 - own) * ((float) more.light[i] - numbers[at + LIGHT + i]);
+    }
+    for (int i = 0; i < 9; i++) {
+      numbers[at + TURN + i] += (1 - own) * ((float) more.turn[i] - numbers[at + TURN + i]);
+    }
+    double a = own * numbers[at + ERROR];
+    double b = (1 - own) * more.error;
+    numbers[at + ERROR] = (float) Math.sqrt(a * a + b * b);
+    numbers[at + RAYS] += more.rays;
+  }
+
+  /**
+   * Takes what has become of all records.
+   *
+   * @param others by record: error, light, turn as they are here
+   */
+  void even(float[] others) {
+    int each = RAYS - ERROR;
+    for (int i = 0; i < size; i++) {
+      System.arraycopy(others, each * i, numbers, NUMBERS * i + ERROR, each);
+    }
+    evened = true;
+  }
+
+  void add(float[] block, int at, int group, int texel) {
     if (size == groups.length) {
       int more = Math.max(1024, size + size / 2);
       numbers = Arrays.copyOf(numbers, NUMBERS * more);
       groups = Arrays.copyOf(groups, more);
+      texels = Arrays.copyOf(texels, more);
     }
     System.arraycopy(block, at, numbers, NUMBERS * size, NUMBERS);
+    texels[size] = texel;
     groups[size++] = group;
   }
 

@@ -81,7 +81,7 @@ final class RecordReader {
    * @param most records farther away than this do not count, metres
    */
   boolean at(double[] point, double[] normal, int group, double most) {
-    tangent(normal);
+    Tangents.of(normal, across, along);
     used = 0;
     weight = 0;
     error = 0;
@@ -94,23 +94,9 @@ final class RecordReader {
     if (used == 0) {
       return false;
     }
-    error = Math.sqrt(error) / weight;
+    error = (records.evened() ? error : Math.sqrt(error)) / weight;
     fit(weight / radii);
     return true;
-  }
-
-  private void tangent(double[] n) {
-    int least = Math.abs(n[0]) < Math.abs(n[1]) ? 0 : 1;
-    least = Math.abs(n[2]) < Math.abs(n[least]) ? 2 : least;
-    int b = (least + 1) % 3;
-    int c = (least + 2) % 3;
-    double length = Math.sqrt(n[b] * n[b] + n[c] * n[c]);
-    across[least] = 0;
-    across[b] = -n[c] / length;
-    across[c] = n[b] / length;
-    for (int i = 0; i < 3; i++) {
-      along[i] = n[(i + 1) % 3] * across[(i + 2) % 3] - n[(i + 2) % 3] * across[(i + 1) % 3];
-    }
   }
 
   /** Notes a record's weight, place and light, if it counts; returns weight times radius. */
@@ -151,7 +137,7 @@ final class RecordReader {
     weights[used++] = w;
     weight += w;
     double e = w * r[at + LightRecords.ERROR];
-    error += e * e;
+    error += records.evened() ? e : e * e;
     return w * radius;
   }
 

@@ -28,12 +28,12 @@ public final class TexelGatherer {
    * @param rays from a place where light from surfaces is gathered, at least 8
    * @param lampRays to each lamp from a texel in a half-shadow
    * @param noise the standard error of a place, as a share of its light, above which it gets more
-   *     rays
+   *     rays, as far as they go
    * @param regather whether light from surfaces comes by rays, or from the patches
    */
   public record Effort(int rays, int lampRays, double noise, boolean regather, int seed) {
-    public static Effort of(int rays, boolean regather, int seed) {
-      return new Effort(Math.max(8, rays), 64, 0.02, regather, seed);
+    public static Effort of(int rays, double noise, boolean regather, int seed) {
+      return new Effort(Math.max(8, rays), 64, noise, regather, seed);
     }
   }
 

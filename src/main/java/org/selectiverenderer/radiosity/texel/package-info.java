@@ -5,11 +5,12 @@
  * <p>In: a scene, the solution on its patches, an atlas. Light from lamps is found at every texel,
  * light from surfaces where it changes and in between by planes through several places, which evens
  * out their noise and leaves what the surface's shape and the shadows' edges make; what noise is
- * left is told. The texels of an object's other versions take the light of the nearest place of the
- * version that stands for it, so that all versions are lit alike. Out: {@link
- * org.selectiverenderer.radiosity.texel.LightPages}. Uses {@code radiosity.atlas}, {@code
- * radiosity.light}, {@code radiosity.sampling}, {@code radiosity.scene}, {@code radiosity.solve},
- * {@code radiosity.trace}, {@code radiosity.work}, {@code geometry} and {@code geometry.tree}.
+ * left is told, and where it is more than is wished for there are more rays. The texels of an
+ * object's other versions take the light of the nearest place of the version that stands for it, so
+ * that all versions are lit alike. Out: {@link org.selectiverenderer.radiosity.texel.LightPages}.
+ * Uses {@code radiosity.atlas}, {@code radiosity.light}, {@code radiosity.sampling}, {@code
+ * radiosity.scene}, {@code radiosity.solve}, {@code radiosity.trace}, {@code radiosity.work},
+ * {@code geometry} and {@code geometry.tree}.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.texel;

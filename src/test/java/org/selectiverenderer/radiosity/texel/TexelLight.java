@@ -31,7 +31,7 @@ record TexelLight(LightScene scene, LightPages pages) {
     Atlas atlas = QuadAtlas.of(scene, density);
     return new TexelLight(
         scene,
-        new TexelGatherer(scene, solution, atlas, TexelGatherer.Effort.of(256, true, 1))
+        new TexelGatherer(scene, solution, atlas, TexelGatherer.Effort.of(256, 0.03, true, 1))
             .gather(TexelChoice.ALL, progress));
   }
 

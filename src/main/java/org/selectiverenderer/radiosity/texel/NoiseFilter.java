@@ -1,0 +1,369 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.Arrays;
+import org.selectiverenderer.geometry.tree.BoxTree;
+import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
+
+/**
+ * Takes the noise out of records: each becomes the plane through the records around it, as far
+ * around as what they say differs by no more than their noise explains (Lepski's rule: Lepski 1990;
+ * Goldenshluger and Nemirovski 1997; for pictures Katkovnik, Foi et al. 2004). Where light changes,
+ * the places that count lie along the lines of equal light. Weights do not depend on the values, so
+ * nothing grows brighter or darker on the mean. One per thread.
+ */
+final class NoiseFilter {
+  /** How much wider each try is than the one before, and how many there are after the first. */
+  private static final double WIDER = 1.5;
+
+  private static final int TRIES = 4;
+
+  /** Standard errors by which a wider plane may differ from each narrower one. */
+  private static final double AGREES = 1;
+
+  /** So many records even out what is worth it; more of them would cost time. */
+  private static final int PLENTY = 128;
+
+  /** With fewer records a paraboloid is not worth it. */
+  private static final int FEW = 12;
+
+  /** Cosine of the angle between normals from which on a record says nothing. */
+  private static final double TURNED = 0.85;
+
+  /** How far before or behind of a record's plane, in its radius, another one may lie. */
+  private static final double ABOVE = 0.15;
+
+  /** Keeps surfaces through few records flat. */
+  private static final double RIDGE = 0.001;
+
+  private final LightRecords records;
+  private final BoxTree tree;
+  private final double[] box = new double[6];
+  private final double[] across = new double[3];
+  private final double[] along = new double[3];
+  private final double[] widths = new double[TRIES + 1];
+  private final int[] ends = new int[TRIES + 1];
+
+  // Of the records around, in the order of the first try that each is in.
+  private int[] found = new int[64];
+  private int count;
+  private int[] around = new int[64];
+  private double[] x = new double[64];
+  private double[] y = new double[64];
+  private double[] base = new double[64];
+  private double[] rays = new double[64];
+  private double[] value = new double[64];
+  private double[] weight = new double[64];
+  private double[] share = new double[64];
+
+  /**
+   * Of one ray, as all of the records around tell it together: what a single one finds too bright
+   * by chance also looks noisier to itself, and would be smoothed more than what is too dark.
+   */
+  private double variance;
+
+  // The normal equations, of which the lower half counts, and their solution.
+  private final double[][] matrix = new double[6][6];
+  private final double[] solved = new double[6];
+  private final double[] term = new double[6];
+  private final double[] matrixSums = new double[2];
+
+  // Of the surface fitted last.
+  private double there;
+  private double error;
+  private double slopeX;
+  private double slopeY;
+
+  /** What has become of the last record; its error is one that its neighbours have as well. */
+  final LightRecord out = new LightRecord();
+
+  /** Places of all records: their spheres do not matter here. */
+  static BoxTree tree(LightRecords records) {
+    float[] all = records.numbers();
+    return BoxTreeBuilder.build(
+        records.size(),
+        (item, box) -> {
+          for (int axis = 0; axis < 3; axis++) {
+            box[axis] = all[LightRecords.NUMBERS * item + axis];
+            box[axis + 3] = box[axis];
+          }
+        });
+  }
+
+  NoiseFilter(LightRecords records, BoxTree tree) {
+    this.records = records;
+    this.tree = tree;
+  }
+
+  /**
+   * Looks at a record and those around it.
+   *
+   * @param reach the first try looks no farther, metres
+   * @param most no other try looks farther, metres: what is far away knows little of this place
+   * @param enough the error below which it is not made smaller
+   */
+  void filter(int record, double reach, double most, double enough) {
+    float[] all = records.numbers();
+    int at = LightRecords.NUMBERS * record;
+    double radius = Math.min(reach, all[at + LightRecords.RADIUS]);
+    for (int k = 0; k <= TRIES; k++) {
+      widths[k] = Math.max(radius, Math.min(most, radius * Math.pow(WIDER, k)));
+    }
+    collect(record, at, radius);
+    double low = Double.NEGATIVE_INFINITY;
+    double high = Double.POSITIVE_INFINITY;
+    int kept = 0;
+    double best = radius;
+    double ux = 1;
+    double uy = 0;
+    boolean straight = false;
+    for (int k = 0; k <= TRIES; k++) {
+      double wide = widths[k];
+      if (k > 0 && ends[k] < FEW) {
+        continue;
+      }
+      fit(ends[k], k == 0 ? 3 : 6, ux, uy, straight ? best : wide, wide);
+      if (k > 0 && !(there >= low && there <= high)) {
+        if (straight) {
+          break;
+        }
+        // Back to the last one, and from there on along lines of equal light only.
+        fit(ends[kept], kept == 0 ? 3 : 6, 1, 0, best, best);
+        double slope = Math.sqrt(slopeX * slopeX + slopeY * slopeY);
+        if (!(slope > 0)) {
+          break;
+        }
+        ux = slopeX / slope;
+        uy = slopeY / slope;
+        straight = true;
+        k--;
+        continue;
+      }
+      low = Math.max(low, there - AGREES * error);
+      high = Math.min(high, there + AGREES * error);
+      kept = k;
+      best = straight ? best : wide;
+      if (error <= enough || ends[k] > PLENTY || ends[TRIES] == ends[k]) {
+        break;
+      }
+    }
+    fit(ends[kept], kept == 0 ? 3 : 6, ux, uy, best, straight ? widths[kept] : best);
+    write(at, ends[kept]);
+  }
+
+  /** Finds the records around, those of the narrowest try first. */
+  private void collect(int record, int at, double radius) {
+    float[] all = records.numbers();
+    double most = widths[TRIES];
+    for (int axis = 0; axis < 3; axis++) {
+      box[axis] = all[at + axis] - most;
+      box[axis + 3] = all[at + axis] + most;
+    }
+    count = 0;
+    tree.overlap(box, this::keep);
+    Tangents.of(all, at + LightRecords.NORMAL, across, along);
+    int used = 0;
+    int group = records.groups()[record];
+    double from = -1;
+    for (int k = 0; k <= TRIES; k++) {
+      double to = widths[k];
+      for (int i = 0; i < count; i++) {
+        if (records.groups()[found[i]] == group
+            && within(at, LightRecords.NUMBERS * found[i], from, to)
+            && note(at, LightRecords.NUMBERS * found[i], ABOVE * radius, used)) {
+          around[used++] = found[i];
+        }
+      }
+      ends[k] = used;
+      from = to;
+    }
+    variance = 0;
+    double sum = 0;
+    for (int i = 0; i < used; i++) {
+      float[] each = records.numbers();
+      double e = each[LightRecords.NUMBERS * around[i] + LightRecords.ERROR];
+      variance += base[i] * rays[i] * e * e;
+      sum += base[i];
+    }
+    variance /= sum;
+  }
+
+  private void keep(int record) {
+    if (count == found.length) {
+      int more = 2 * count;
+      found = Arrays.copyOf(found, more);
+      around = Arrays.copyOf(around, more);
+      x = Arrays.copyOf(x, more);
+      y = Arrays.copyOf(y, more);
+      base = Arrays.copyOf(base, more);
+      rays = Arrays.copyOf(rays, more);
+      value = Arrays.copyOf(value, more);
+      weight = Arrays.copyOf(weight, more);
+      share = Arrays.copyOf(share, more);
+    }
+    found[count++] = record;
+  }
+
+  private boolean within(int at, int other, double from, double to) {
+    float[] all = records.numbers();
+    double square = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double d = (double) all[other + axis] - all[at + axis];
+      square += d * d;
+    }
+    return square < to * to && (from < 0 || square >= from * from);
+  }
+
+  /** Notes where another record lies and what it says of this place; false if it says nothing. */
+  private boolean note(int at, int other, double most, int to) {
+    float[] all = records.numbers();
+    double dx = (double) all[other] - all[at];
+    double dy = (double) all[other + 1] - all[at + 1];
+    double dz = (double) all[other + 2] - all[at + 2];
+    double nx = all[at + 3];
+    double ny = all[at + 4];
+    double nz = all[at + 5];
+    double ox = all[other + 3];
+    double oy = all[other + 4];
+    double oz = all[other + 5];
+    double cosine = nx * ox + ny * oy + nz * oz;
+    double above = dx * (nx + ox) + dy * (ny + oy) + dz * (nz + oz);
+    if (cosine <= TURNED || Math.abs(above) > 2 * most) {
+      return false;
+    }
+    x[to] = dx * across[0] + dy * across[1] + dz * across[2];
+    y[to] = dx * along[0] + dy * along[1] + dz * along[2];
+    rays[to] = all[other + LightRecords.RAYS];
+    base[to] = rays[to] * (cosine - TURNED) / (1 - TURNED);
+    value[to] = 0;
+    for (int c = 0; c < 3; c++) {
+      value[to] += turned(all, other, c, nx - ox, ny - oy, nz - oz);
+    }
+    return true;
+  }
+
+  private static double turned(float[] all, int record, int c, double tx, double ty, double tz) {
+    int turn = record + LightRecords.TURN + 3 * c;
+    return all[record + LightRecords.LIGHT + c]
+        + all[turn] * tx
+        + all[turn + 1] * ty
+        + all[turn + 2] * tz;
+  }
+
+  /**
+   * Fits a surface: its value at this place, its error, its slope, and what share each record has.
+   * Light that bulges would be taken for darker by a wide plane, so wider tries fit a paraboloid.
+   *
+   * @param end of the records that count
+   * @param terms of the surface: 3 for a plane, 6 for a paraboloid
+   * @param ux with {@code uy} the direction in which they lie within {@code thin}
+   * @param wide within which they lie in the other direction
+   */
+  private void fit(int end, int terms, double ux, double uy, double thin, double wide) {
+    for (double[] row : matrix) {
+      Arrays.fill(row, 0);
+    }
+    for (int i = 0; i < end; i++) {
+      terms(i, ux, uy, thin, wide);
+      double left = Math.max(0, 1 - term[1] * term[1] - term[2] * term[2]);
+      weight[i] = left * left * base[i];
+      for (int row = 0; row < terms; row++) {
+        for (int column = 0; column <= row; column++) {
+          matrix[row][column] += weight[i] * term[row] * term[column];
+        }
+      }
+    }
+    solve(terms);
+    there = 0;
+    double squares = 0;
+    double gx = 0;
+    double gy = 0;
+    for (int i = 0; i < end; i++) {
+      terms(i, ux, uy, thin, wide);
+      double sum = 0;
+      for (int row = 0; row < terms; row++) {
+        sum += solved[row] * term[row];
+      }
+      share[i] = weight[i] * sum;
+      there += share[i] * value[i];
+      squares += share[i] * share[i] / rays[i];
+      gx += weight[i] * term[1] * value[i];
+      gy += weight[i] * term[2] * value[i];
+    }
+    error = Math.sqrt(variance * squares);
+    gx = (gx - there * matrixSums[0]) / thin;
+    gy = (gy - there * matrixSums[1]) / wide;
+    slopeX = gx * ux - gy * uy;
+    slopeY = gx * uy + gy * ux;
+  }
+
+  private void terms(int i, double ux, double uy, double thin, double wide) {
+    double px = (x[i] * ux + y[i] * uy) / thin;
+    double py = (y[i] * ux - x[i] * uy) / wide;
+    term[0] = 1;
+    term[1] = px;
+    term[2] = py;
+    term[3] = px * px;
+    term[4] = px * py;
+    term[5] = py * py;
+  }
+
+  /** Solves the normal equations for the value in the middle, by Cholesky's method. */
+  private void solve(int terms) {
+    double whole = matrix[0][0];
+    matrixSums[0] = matrix[1][0];
+    matrixSums[1] = matrix[2][0];
+    for (int row = 1; row < terms; row++) {
+      matrix[row][row] += RIDGE * whole;
+    }
+    for (int row = 0; row < terms; row++) {
+      for (int column = 0; column <= row; column++) {
+        double sum = matrix[row][column];
+        for (int k = 0; k < column; k++) {
+          sum -= matrix[row][k] * matrix[column][k];
+        }
+        matrix[row][column] = row == column ? Math.sqrt(sum) : sum / matrix[column][column];
+      }
+    }
+    for (int row = 0; row < terms; row++) {
+      double sum = row == 0 ? 1 : 0;
+      for (int k = 0; k < row; k++) {
+        sum -= matrix[row][k] * solved[k];
+      }
+      solved[row] = sum / matrix[row][row];
+    }
+    for (int row = terms - 1; row >= 0; row--) {
+      double sum = solved[row];
+      for (int k = row + 1; k < terms; k++) {
+        sum -= matrix[k][row] * solved[k];
+      }
+      solved[row] = sum / matrix[row][row];
+    }
+  }
+
+  private void write(int at, int end) {
+    float[] all = records.numbers();
+    Arrays.fill(out.light, 0);
+    Arrays.fill(out.turn, 0);
+    double sum = 0;
+    for (int i = 0; i < end; i++) {
+      int other = LightRecords.NUMBERS * around[i];
+      double tx = (double) all[at + 3] - all[other + 3];
+      double ty = (double) all[at + 4] - all[other + 4];
+      double tz = (double) all[at + 5] - all[other + 5];
+      for (int c = 0; c < 3; c++) {
+        out.light[c] += share[i] * turned(all, other, c, tx, ty, tz);
+      }
+      for (int k = 0; k < 9; k++) {
+        out.turn[k] += weight[i] * all[other + LightRecords.TURN + k];
+      }
+      sum += weight[i];
+    }
+    for (int k = 0; k < 9; k++) {
+      out.turn[k] /= sum;
+    }
+    for (int c = 0; c < 3; c++) {
+      out.light[c] = Math.max(0, out.light[c]);
+    }
+    out.error = error;
+  }
+}

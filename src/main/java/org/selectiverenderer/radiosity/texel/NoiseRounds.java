@@ -1,0 +1,200 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.Arrays;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.DoubleConsumer;
+import java.util.stream.IntStream;
+import org.selectiverenderer.geometry.tree.BoxTree;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.work.ParallelWork;
+import org.selectiverenderer.radiosity.work.WorkProgress;
+
+/**
+ * Takes the noise out of all records, and gives those that keep more of it than wished more rays,
+ * in rounds, until they are as good or the rays are used up, the noisiest first. Which get more is
+ * decided by what is left of their noise after their neighbours were heard, not by what their own
+ * rays have found: that would make the light darker, as what is found too bright by chance also
+ * looks noisier (Kirk and Arvo 1991).
+ */
+final class NoiseRounds {
+  private static final int ROUNDS = 3;
+
+  /** Rays of all rounds, as a share of those before. */
+  private static final double MORE = 0.5;
+
+  /** Texels from a record within which others say something of its noise. */
+  private static final double FARTHEST = 8;
+
+  /** What the filter need not go below, as a share of the noise that is wished. */
+  private static final double ENOUGH = 0.5;
+
+  /** Numbers kept of each record: from its error to its turn. */
+  private static final int KEPT = LightRecords.RAYS - LightRecords.ERROR;
+
+  private static final int CHUNK = 256;
+
+  private final LightScene scene;
+  private final Solution solution;
+  private final Texels texels;
+  private final NearbyPass nearby;
+  private final float[] direct;
+  private final Hemisphere.Sets sets;
+  private final LightRecords records;
+  private final double noise;
+  private final double dark;
+  private final float[] evened;
+  private final LongAdder rays = new LongAdder();
+
+  /**
+   * @param noise the standard error wished for, as a share of the light
+   * @param dark where there is less light, the share is one of this; red, green and blue together
+   */
+  NoiseRounds(
+      LightScene scene,
+      Solution solution,
+      Texels texels,
+      NearbyPass nearby,
+      float[] direct,
+      Hemisphere.Sets sets,
+      LightRecords records,
+      double noise,
+      double dark) {
+    this.scene = scene;
+    this.solution = solution;
+    this.texels = texels;
+    this.nearby = nearby;
+    this.direct = direct;
+    this.sets = sets;
+    this.records = records;
+    this.noise = noise;
+    this.dark = dark;
+    evened = new float[KEPT * records.size()];
+  }
+
+  long rays() {
+    return rays.sum();
+  }
+
+  /** Does it; false if it was cancelled, and then the records are as they were. */
+  boolean run(WorkProgress progress, DoubleConsumer done) {
+    BoxTree tree = NoiseFilter.tree(records);
+    int[] which = IntStream.range(0, records.size()).toArray();
+    double left = 0;
+    for (int i = 0; i < records.size(); i++) {
+      left += MORE * records.numbers()[LightRecords.NUMBERS * i + LightRecords.RAYS];
+    }
+    for (int round = 0; ; round++) {
+      double before = (double) round / (ROUNDS + 1);
+      if (!filter(tree, which, progress)) {
+        return false;
+      }
+      which = round < ROUNDS ? noisy(left) : new int[0];
+      if (which.length == 0) {
+        break;
+      }
+      for (int i : which) {
+        left -= batch(i);
+      }
+      if (!gather(which, round, progress, d -> done.accept(before + d / (ROUNDS + 1)))) {
+        return false;
+      }
+    }
+    records.even(evened);
+    return true;
+  }
+
+  private boolean filter(BoxTree tree, int[] which, WorkProgress progress) {
+    return ParallelWork.run(
+        which.length,
+        CHUNK,
+        progress,
+        share -> {},
+        (from, to) -> {
+          NoiseFilter filter = new NoiseFilter(records, tree);
+          TexelPlace place = new TexelPlace(scene, solution, texels);
+          for (int i = from; i < to; i++) {
+            int texel = records.texels()[which[i]];
+            place.at(texel);
+            double reach = nearby.reach(texel, place);
+            double most = FARTHEST * place.size();
+            filter.filter(which[i], reach, most, ENOUGH * noise * light(which[i]));
+            keep(which[i], filter.out);
+          }
+        });
+  }
+
+  private void keep(int record, LightRecord out) {
+    int at = KEPT * record;
+    evened[at] = (float) out.error;
+    for (int c = 0; c < 3; c++) {
+      evened[at + LightRecords.LIGHT - LightRecords.ERROR + c] = (float) out.light[c];
+    }
+    for (int k = 0; k < 9; k++) {
+      evened[at + LightRecords.TURN - LightRecords.ERROR + k] = (float) out.turn[k];
+    }
+  }
+
+  /** What there is at a record's place as it was found, red, green and blue together. */
+  private double light(int record) {
+    float[] all = records.numbers();
+    int at = LightRecords.NUMBERS * record + LightRecords.LIGHT;
+    return light(record, all, at);
+  }
+
+  private double light(int record, float[] from, int at) {
+    int texel = 3 * records.texels()[record];
+    double lamps = (double) direct[texel] + direct[texel + 1] + direct[texel + 2];
+    return Math.max(dark, lamps + from[at] + from[at + 1] + from[at + 2]);
+  }
+
+  private double share(int record) {
+    int at = KEPT * record;
+    return evened[at] / light(record, evened, at + LightRecords.LIGHT - LightRecords.ERROR);
+  }
+
+  /** Rays that a record gets in a round: as many as it has, up to all of a set. */
+  private int batch(int record) {
+    double has = records.numbers()[LightRecords.NUMBERS * record + LightRecords.RAYS];
+    return (int) Math.min(sets.rays(), has);
+  }
+
+  /** The records that get more rays, as many as are left, the noisiest first. */
+  private int[] noisy(double left) {
+    // The share, which is above 0, so that larger ones come first, and the number.
+    long[] all =
+        IntStream.range(0, records.size())
+            .filter(i -> share(i) > noise)
+            .mapToLong(i -> (long) ~Float.floatToIntBits((float) share(i)) << 32 | i)
+            .sorted()
+            .toArray();
+    int count = 0;
+    double sum = 0;
+    while (count < all.length && sum + batch((int) all[count]) <= left) {
+      sum += batch((int) all[count++]);
+    }
+    return Arrays.stream(all, 0, count).mapToInt(key -> (int) key).sorted().toArray();
+  }
+
+  private boolean gather(int[] which, int round, WorkProgress progress, DoubleConsumer done) {
+    HitLight hits = new HitLight(scene, solution, texels, direct);
+    return ParallelWork.run(
+        which.length,
+        64,
+        progress,
+        done,
+        (from, to) -> {
+          Hemisphere hemisphere = new Hemisphere(scene, hits, sets);
+          TexelPlace place = new TexelPlace(scene, solution, texels);
+          LightRecord more = new LightRecord();
+          for (int i = from; i < to; i++) {
+            int texel = records.texels()[which[i]];
+            place.at(texel);
+            int fewer = Math.max(1, sets.rays() / batch(which[i]));
+            hemisphere.gather(place, texel + 0x3779b97f * (round + 1), fewer, more);
+            records.join(which[i], more);
+          }
+          rays.add(hemisphere.rays());
+        });
+  }
+}

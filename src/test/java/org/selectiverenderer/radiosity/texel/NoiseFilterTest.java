@@ -1,0 +1,127 @@
+package org.selectiverenderer.radiosity.texel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Random;
+import java.util.function.DoubleBinaryOperator;
+import org.junit.jupiter.api.Test;
+
+/** What the filter makes of records on a plane whose light and noise are known. */
+class NoiseFilterTest {
+  private static final int SIDE = 40;
+  private static final double SPACING = 0.05;
+  private static final double RADIUS = 0.13;
+
+  /** Records on a grid, with normally distributed noise. */
+  private static LightRecords records(DoubleBinaryOperator light, double noise) {
+    Random random = new Random(5);
+    LightRecords records = new LightRecords();
+    for (int i = 0; i < SIDE * SIDE; i++) {
+      float[] numbers = new float[LightRecords.NUMBERS];
+      numbers[0] = (float) (i % SIDE * SPACING);
+      numbers[2] = (float) (i / SIDE * SPACING);
+      numbers[LightRecords.NORMAL + 1] = 1;
+      numbers[LightRecords.RADIUS] = (float) RADIUS;
+      numbers[LightRecords.ERROR] = (float) (noise + 1e-9);
+      numbers[LightRecords.RAYS] = 16;
+      float value =
+          (float) (light.applyAsDouble(numbers[0], numbers[2]) + noise * random.nextGaussian());
+      for (int c = 0; c < 3; c++) {
+        numbers[LightRecords.LIGHT + c] = value / 3;
+      }
+      records.add(numbers, 0, 0, i);
+    }
+    records.index();
+    return records;
+  }
+
+  private interface Look {
+    void at(double x, double z, LightRecord evened);
+  }
+
+  private static void each(LightRecords records, Look look) {
+    NoiseFilter filter = new NoiseFilter(records, NoiseFilter.tree(records));
+    for (int i = 0; i < records.size(); i++) {
+      filter.filter(i, Double.POSITIVE_INFINITY, 1, 0);
+      float[] all = records.numbers();
+      look.at(all[LightRecords.NUMBERS * i], all[LightRecords.NUMBERS * i + 2], filter.out);
+    }
+  }
+
+  @Test
+  void lightWithoutNoiseStaysAsItIs() {
+    DoubleBinaryOperator bent = (x, z) -> 100 + 20 * x * x + 10 * Math.sin(3 * z);
+    each(
+        records(bent, 0),
+        (x, z, evened) ->
+            assertThat(evened.sum()).isCloseTo(bent.applyAsDouble(x, z), within(0.3)));
+  }
+
+  @Test
+  void noiseOnEvenLightGoesAndTheRestIsTold() {
+    double[] sums = new double[4];
+    each(
+        records((x, z) -> 100 + 10 * x, 8),
+        (x, z, evened) -> {
+          double off = evened.sum() - 100 - 10 * x;
+          sums[0] += off * off;
+          sums[1] += evened.error * evened.error;
+          sums[2] += off;
+          sums[3]++;
+        });
+    double left = Math.sqrt(sums[0] / sums[3]);
+    assertThat(left).isLessThan(8 / 4.0);
+    // A plane is tried again and again, so the luckiest is told: no better than by a half.
+    assertThat(Math.sqrt(sums[1] / sums[3])).isBetween(left / 1.5, 1.5 * left);
+    assertThat(sums[2] / sums[3]).isCloseTo(0, within(0.3));
+  }
+
+  /** An edge ten times as high as the noise stays where it is. */
+  @Test
+  void anEdgeIsNotBlurred() {
+    each(
+        records((x, z) -> x < 1 ? 100 : 180, 8),
+        (x, z, evened) -> {
+          if (Math.abs(x - 1) > 2.6 * SPACING) {
+            assertThat(evened.sum()).isCloseTo(x < 1 ? 100 : 180, within(16.0));
+          }
+        });
+  }
+
+  /** Along a contact shadow light is even: there the noise goes, across it nothing is blurred. */
+  @Test
+  void alongAShadowThatIsNarrowNoiseGoesToo() {
+    DoubleBinaryOperator shadow = (x, z) -> 100 - 60 * Math.exp(-x / 0.12);
+    double[] sums = new double[2];
+    each(
+        records(shadow, 6),
+        (x, z, evened) -> {
+          if (x < 0.3) {
+            double off = evened.sum() - shadow.applyAsDouble(x, z);
+            sums[0] += off * off;
+            sums[1]++;
+          }
+        });
+    assertThat(Math.sqrt(sums[0] / sums[1])).isLessThan(6 / 1.8);
+  }
+
+  @Test
+  void theOthersSideOfAWallSaysNothing() {
+    LightRecords records = records((x, z) -> 100, 8);
+    float[] below = new float[LightRecords.NUMBERS];
+    below[0] = 1;
+    below[1] = -0.001f;
+    below[2] = 1;
+    below[LightRecords.NORMAL + 1] = -1;
+    below[LightRecords.RADIUS] = (float) RADIUS;
+    below[LightRecords.ERROR] = 1;
+    below[LightRecords.RAYS] = 16;
+    records.add(below, 0, 0, 0);
+    records.index();
+    NoiseFilter filter = new NoiseFilter(records, NoiseFilter.tree(records));
+    filter.filter(records.size() - 1, Double.POSITIVE_INFINITY, 1, 0);
+    assertThat(filter.out.sum()).isZero();
+    assertThat(filter.out.error).isEqualTo(1);
+  }
+}
