@@ -14,8 +14,8 @@ import org.selectiverenderer.polygon.count.SceneStatistics;
 import org.selectiverenderer.polygon.count.StatisticsCsv;
 
 /**
- * The committed lit apartment, as {@code radiosity scenes/apartment-unlit.x3d --rays 256} writes
- * it.
+ * The committed lit apartment, as {@code radiosity scenes/apartment-unlit.x3d --rays 256 --quality
+ * 99.99} writes it.
  */
 class LitApartmentTest {
   private static final Path SCENES = Path.of("scenes");
