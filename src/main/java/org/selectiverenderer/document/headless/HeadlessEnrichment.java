@@ -5,6 +5,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -18,6 +19,7 @@ import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.MetadataTable;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.ForeignScene;
+import org.selectiverenderer.document.file.LeftBehind;
 import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.document.ratings.ObjectMatching;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
@@ -168,6 +170,14 @@ public final class HeadlessEnrichment {
   public String difference(Path output) {
     return UnifiedDiff.of(
         file.path().toString(), output.toString(), before, file.document().text().toString());
+  }
+
+  /** The files that the scene names and would not find when it is written to that file. */
+  public List<String> leftBehind(Path output) {
+    return LeftBehind.in(
+        file.document(),
+        file.path().toAbsolutePath().getParent(),
+        output.toAbsolutePath().getParent());
   }
 
   /**
