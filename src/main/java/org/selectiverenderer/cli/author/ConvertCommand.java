@@ -58,6 +58,9 @@ public final class ConvertCommand extends CliCommand {
               + ": its ending says no encoding to write; .x3d is X3D XML, .x3dv ClassicVRML, .x3dj"
               + " X3D JSON");
     }
+    if (Files.isDirectory(scene)) {
+      throw CommandFailure.environment("IN " + scene + ": is a folder, not a scene");
+    }
     SceneFormat format = SceneFormat.of(output.toString()).orElse(SceneFormat.XML);
     if (Files.exists(output) && Files.exists(scene) && Files.isSameFile(output, scene)) {
       throw CommandFailure.environment(

@@ -2,13 +2,13 @@ package org.selectiverenderer.document.headless;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.InputFile;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Edit;
@@ -153,7 +153,7 @@ public final class HeadlessEnrichment {
 
   private static byte[] read(Path table) throws IOException {
     try {
-      return Files.readAllBytes(table);
+      return InputFile.bytes(table);
     } catch (NoSuchFileException e) {
       throw new IOException(table + ": the file does not exist", e);
     } catch (AccessDeniedException e) {

@@ -54,4 +54,12 @@ class ConvertCommandTest extends CommandRun {
     assertThat(messages()).contains("is the scene itself, which would be lost");
     assertThat(scene).hasContent("<X3D/>");
   }
+
+  @Test
+  void aFolderIsNoScene() {
+    assertThat(execute("convert", folder.toString(), folder.resolve("a.x3d").toString()))
+        .isEqualTo(2);
+    assertThat(messages())
+        .isEqualTo("selective-renderer convert: IN " + folder + ": is a folder, not a scene\n");
+  }
 }

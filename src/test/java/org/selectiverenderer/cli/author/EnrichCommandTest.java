@@ -167,4 +167,13 @@ class EnrichCommandTest {
     assertThat(run("enrich", folder.resolve("no.x3d").toString(), "--apply", table("").toString()))
         .isEqualTo(2);
   }
+
+  @Test
+  void aFolderIsNoTable() throws IOException {
+    for (String option : new String[] {"--apply", "--ratings"}) {
+      assertThat(run("enrich", scene().toString(), option, folder.toString())).isEqualTo(2);
+      assertThat(err)
+          .isEqualTo("selective-renderer enrich: " + folder + ": is a folder, not a file\n");
+    }
+  }
 }
