@@ -24,7 +24,7 @@
  * <p>In: a file's bytes or text. Out: {@link org.selectiverenderer.base.csv.CsvTable}, rows of
  * cells that know their place, or, from {@link org.selectiverenderer.base.csv.NumberTable}, arrays;
  * and faults with file:line:column in one sentence each. What the cells mean is the reader's
- * business. Uses {@code base.problem}; only this package uses commons-csv.
+ * business. Uses {@code base.problem} and {@code base.files}; only this package uses commons-csv.
  */
 @NullMarked
 package org.selectiverenderer.base.csv;

@@ -19,8 +19,8 @@
  * versions may say more, and written by {@link org.selectiverenderer.base.json.JsonText}: lines end
  * with LF everywhere, numbers are as Java's {@code toString} has them.
  *
- * <p>Uses {@code base.problem}, and Jackson, of which only trees, generators and the exception for
- * what is no JSON are seen outside.
+ * <p>Uses {@code base.problem} and {@code base.files}, and Jackson, of which only trees, generators
+ * and the exception for what is no JSON are seen outside.
  */
 @NullMarked
 package org.selectiverenderer.base.json;
