@@ -60,6 +60,9 @@ class ReleaseCommandTest {
         cp target/x3d-sai.jar "target/selective-renderer-libraries-$v.zip"
         """);
     script(
+        "packaging/libraries/check",
+        "[ -z \"${UNUSABLE:-}\" ] || { echo no method close in Door; exit 1; }\n");
+    script(
         "packaging/package",
         "mkdir -p target/packages; for t; do echo $t >target/packages/a.$t; done\n");
     scripts.write(".gitignore", "target/\n__pycache__/\n");
@@ -229,6 +232,17 @@ class ReleaseCommandTest {
     assertThat(run.err())
         .contains(
             "two builds differ, so there is no release: selective-renderer.jar: other content in pom.xml");
+    assertThat(state()).isEqualTo(before);
+  }
+
+  @Test
+  void librariesThatOtherProjectsCannotUseAreNoRelease() throws Exception {
+    String before = state();
+    scripts.environment.put("UNUSABLE", "yes");
+    Run run = release("1.2.0");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err())
+        .contains("'packaging/libraries/check' failed:", "no method close in Door");
     assertThat(state()).isEqualTo(before);
   }
 
