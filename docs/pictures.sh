@@ -316,7 +316,7 @@ take() { # NAME HOW
       small "$tmp/above.png" "$to" -resize 960x400
       ;;
     apartment-*) apartment "${stem#*-}" "$to" ;;
-    cornell-box) cornell "$to" ;;
+    cornell-box.jpg) cornell "$to" ;;
     radiosity-*) radiosity "${stem#*-}" "$to" ;;
     trashcan-versions.png) trashcan "$to" ;;
     sculptures.jpg)
