@@ -318,8 +318,8 @@ take() { # NAME HOW
       small "$tmp/above.png" "$to" -resize 960x400
       ;;
     apartment-*) apartment "${stem#*-}" "$to" ;;
-    cornell-box) compared "$to" docs/examples/cornell-box.x3d --viewpoint Camera --size 128x128 ;;
-    kitchen-reference) # Takes hours.
+    cornell-box.jpg) compared "$to" docs/examples/cornell-box.x3d --viewpoint Camera --size 128x128 ;;
+    kitchen-reference.jpg) # Takes hours.
       compared "$to" scenes/apartment-unlit.x3d --viewpoint KitchenView --size 150x100
       ;;
     radiosity-*) radiosity "${stem#*-}" "$to" ;;

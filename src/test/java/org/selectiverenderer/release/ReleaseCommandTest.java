@@ -109,6 +109,9 @@ class ReleaseCommandTest {
 
             - Hinges.
             """);
+    String notes = release("1.2.0", "--notes").out();
+    scripts.git("remote", "set-url", "origin", "https://me:secret@example.org/doors.git");
+    assertThat(release("1.2.0", "--notes").out()).isEqualTo(notes);
     assertThat(release("1.1.0", "--notes").out()).isEqualTo("### Fixed\n\n- Windows close.\n");
   }
 
@@ -136,6 +139,16 @@ class ReleaseCommandTest {
 
     scripts.git("checkout", "-q", "--detach");
     refused("no branch", "1.2.0");
+  }
+
+  /** The folder of a release is emptied before it is filled. */
+  @Test
+  void filesInTheReleasesOwnFolderCannotBeAdded() throws Exception {
+    scripts.write("target/release/1.2.0/doors.msi", "an installer");
+    Run run = release("1.2.0", "--add", scripts.home.resolve("target/release/1.2.0").toString());
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("add files from elsewhere").hasLineCount(1);
+    assertThat(scripts.read("target/release/1.2.0/doors.msi")).isEqualTo("an installer");
   }
 
   @Test
