@@ -1,13 +1,12 @@
 package org.selectiverenderer.hmd;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.joml.Vector3d;
+import org.selectiverenderer.base.files.InputFile;
 import org.selectiverenderer.base.json.JsonMembers;
 import org.selectiverenderer.base.json.JsonSettings;
 import org.selectiverenderer.base.json.JsonValue;
@@ -54,7 +53,7 @@ public final class DisplayProfiles {
    * @throws IOException if the file cannot be read at all, or is no UTF-8
    */
   public static Optional<DisplayProfile> read(Path path, Problems problems) throws IOException {
-    return parse(path.toString(), Files.readString(path, StandardCharsets.UTF_8), problems);
+    return parse(path.toString(), InputFile.text(path), problems);
   }
 
   /**

@@ -113,6 +113,19 @@ class ValidateCommandTest {
   }
 
   @Test
+  void aFolderIsNeitherSettingsNorABaseline() throws IOException {
+    assertFails("is a folder, not a file", "good.x3d", "--config", folder.toString());
+    assertFails("is a folder, not a file", "good.x3d", "--baseline", folder.toString());
+  }
+
+  @Test
+  void aBaselineThatIsNoJsonIsToldInWordsThatAreNotTheParsers() throws IOException {
+    Path settings = write("settings.json", "{\n  // Settings have comments.\n}");
+    assertFails("settings.json:2:", "good.x3d", "--baseline", settings.toString());
+    assertThat(text(err)).contains("is not valid JSON").doesNotContain("Feature");
+  }
+
+  @Test
   void aBaselineOfMoreFindingsThanAreKeptLetsNothingPass() throws IOException {
     Path report = folder.resolve("many.json");
     write("many.x3d", GOOD.formatted("<Group size='1'/>".repeat(10_001)));

@@ -1,8 +1,6 @@
 package org.selectiverenderer.base.csv;
 
 import java.io.IOException;
-import java.nio.file.FileSystemException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.AbstractList;
 import java.util.Arrays;
@@ -14,6 +12,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.RandomAccess;
+import org.selectiverenderer.base.files.InputFile;
 import org.selectiverenderer.base.problem.Location;
 
 /**
@@ -70,10 +69,7 @@ public final class CsvTable {
    * @throws IOException if it cannot be read, or is a folder
    */
   public static byte[] bytes(Path path) throws IOException {
-    if (Files.isDirectory(path)) {
-      throw new FileSystemException(path.toString(), null, "is a folder, not a file");
-    }
-    return Files.readAllBytes(path);
+    return InputFile.bytes(path);
   }
 
   /**

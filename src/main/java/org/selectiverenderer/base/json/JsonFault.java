@@ -45,6 +45,7 @@ record JsonFault(String file, String outcome, Problems problems) {
         .findFirst()
         .orElse("")
         .replaceFirst("\\s*\\(start marker at.*", "")
+        .replaceFirst("\\s*\\(not recognized as one since.*", "")
         .replaceFirst("\\s*at \\[Source:.*", "");
   }
 }

@@ -8,11 +8,10 @@ import com.fasterxml.jackson.core.json.JsonReadFeature;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
+import org.selectiverenderer.base.files.InputFile;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
@@ -44,8 +43,7 @@ public record JsonSettings(String subject, String outcome) {
   public <T> Optional<T> read(Path file, Problems problems, Function<JsonMembers, T> content)
       throws IOException {
     try {
-      return parse(
-          file.toString(), Files.readString(file, StandardCharsets.UTF_8), problems, content);
+      return parse(file.toString(), InputFile.text(file), problems, content);
     } catch (CharacterCodingException e) {
       new JsonFault(file.toString(), outcome, problems)
           .at(new Location(file.toString(), 1, 1), "the file is not UTF-8 text");

@@ -6,8 +6,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import org.selectiverenderer.base.files.InputFile;
 
 /** JSON that programs write for programs, as trees. */
 public final class JsonTree {
@@ -42,7 +42,7 @@ public final class JsonTree {
    */
   public static JsonNode read(Path file) throws IOException {
     try {
-      JsonNode json = MAPPER.readTree(Files.readAllBytes(file));
+      JsonNode json = MAPPER.readTree(InputFile.bytes(file));
       if (!json.isObject()) {
         throw new IOException(file + ": a JSON object {...} is needed");
       }

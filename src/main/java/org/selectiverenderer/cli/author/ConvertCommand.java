@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
@@ -12,6 +13,7 @@ import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.document.file.LeftBehind;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentFault;
@@ -30,7 +32,7 @@ import picocli.CommandLine.Parameters;
     },
     footer = {
       "  ./selective-renderer convert house.wrl house.x3d",
-      "  ./selective-renderer convert scenes/trashcan.x3d trashcan.x3dv"
+      "  ./selective-renderer convert scenes/trashcan.x3d scenes/trashcan.x3dv"
     })
 public final class ConvertCommand extends CliCommand {
   @Parameters(paramLabel = "IN", index = "0", description = "scene to read")
@@ -55,6 +57,9 @@ public final class ConvertCommand extends CliCommand {
               + output
               + ": its ending says no encoding to write; .x3d is X3D XML, .x3dv ClassicVRML, .x3dj"
               + " X3D JSON");
+    }
+    if (Files.isDirectory(scene)) {
+      throw CommandFailure.environment("IN " + scene + ": is a folder, not a scene");
     }
     SceneFormat format = SceneFormat.of(output.toString()).orElse(SceneFormat.XML);
     if (Files.exists(output) && Files.exists(scene) && Files.isSameFile(output, scene)) {
@@ -81,6 +86,12 @@ public final class ConvertCommand extends CliCommand {
     FileTransaction writing = new FileTransaction();
     writing.add(output, SceneFormat.packed(output.toString()) ? Gzip.packed(plain) : plain);
     LeftFiles.tell(writing.commit(), console());
+    List<String> left =
+        LeftBehind.in(
+            document.elements(),
+            scene.toAbsolutePath().getParent(),
+            output.toAbsolutePath().getParent());
+    FilesNotFound.tell(left, output, console());
     return ExitStatus.of(problems);
   }
 }

@@ -102,6 +102,7 @@ public final class EnrichCommand extends CliCommand {
     if (enriched.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
+    FilesNotFound.tell(enriched.get().leftBehind(target), target, console());
     if (dryRun.asked()) {
       console().out().print(enriched.get().difference(target));
     } else if (enriched.get().changed() || output != null) {

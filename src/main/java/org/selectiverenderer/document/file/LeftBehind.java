@@ -44,22 +44,19 @@ public final class LeftBehind {
    * @param to the folder that it is to be saved in
    */
   public static List<String> in(SceneDocument document, Path from, Path to) {
-    if (document.tree().isEmpty() || from.normalize().equals(to.normalize())) {
+    List<DocumentElement> elements = new ArrayList<>();
+    document.tree().ifPresent(tree -> tree.root().visit(elements::add));
+    return in(elements, from, to);
+  }
+
+  /** The same of the elements of a scene in whatever encoding. */
+  public static List<String> in(List<DocumentElement> elements, Path from, Path to) {
+    if (from.normalize().equals(to.normalize())) {
       return List.of();
     }
-    List<DocumentElement> naming = new ArrayList<>();
-    document
-        .tree()
-        .get()
-        .root()
-        .visit(
-            element -> {
-              if (WITH_URL.contains(element.name())) {
-                naming.add(element);
-              }
-            });
-    return naming.stream()
-        .map(element -> XmlValues.strings(document.attribute(element, "url").orElse("")))
+    return elements.stream()
+        .filter(element -> WITH_URL.contains(element.name()))
+        .map(element -> XmlValues.strings(element.text("url").orElse("")))
         .distinct()
         .filter(urls -> urls.stream().noneMatch(url -> found(to, url)))
         .flatMap(urls -> urls.stream().filter(url -> found(from, url)).limit(1))

@@ -2,12 +2,13 @@ package org.selectiverenderer.document.headless;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.files.InputFile;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.document.Edit;
@@ -18,6 +19,7 @@ import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.document.enrichment.MetadataTable;
 import org.selectiverenderer.document.file.DocumentFile;
 import org.selectiverenderer.document.file.ForeignScene;
+import org.selectiverenderer.document.file.LeftBehind;
 import org.selectiverenderer.document.file.UnifiedDiff;
 import org.selectiverenderer.document.ratings.ObjectMatching;
 import org.selectiverenderer.document.ratings.ObjectMatching.Match;
@@ -151,7 +153,7 @@ public final class HeadlessEnrichment {
 
   private static byte[] read(Path table) throws IOException {
     try {
-      return Files.readAllBytes(table);
+      return InputFile.bytes(table);
     } catch (NoSuchFileException e) {
       throw new IOException(table + ": the file does not exist", e);
     } catch (AccessDeniedException e) {
@@ -168,6 +170,14 @@ public final class HeadlessEnrichment {
   public String difference(Path output) {
     return UnifiedDiff.of(
         file.path().toString(), output.toString(), before, file.document().text().toString());
+  }
+
+  /** The files that the scene names and would not find when it is written to that file. */
+  public List<String> leftBehind(Path output) {
+    return LeftBehind.in(
+        file.document(),
+        file.path().toAbsolutePath().getParent(),
+        output.toAbsolutePath().getParent());
   }
 
   /**

@@ -139,10 +139,41 @@ class EnrichCommandTest {
   }
 
   @Test
+  void filesThatAreNotFoundFromTheOtherFolderAreTold() throws IOException {
+    Files.writeString(folder.resolve("cup_v1.x3d"), "<X3D/>");
+    String inlined = SCENE.replace("<Shape/>", "<Inline url='\"cup_v1.x3d\"'/>");
+    Path scene = Files.writeString(folder.resolve("cup.x3d"), inlined);
+    String table = table("Switch_Cup,0,schemaBelonginess,Desk\n").toString();
+    Path beside = folder.resolve("enriched.x3d");
+    run("enrich", scene.toString(), "--apply", table, "--output", beside.toString());
+    assertThat(err).isEqualTo(beside + ": enriched\n");
+    Path other = Files.createDirectory(folder.resolve("other")).resolve("cup.x3d");
+    assertThat(run("enrich", scene.toString(), "--apply", table, "--output", other.toString()))
+        .isZero();
+    assertThat(err)
+        .isEqualTo(
+            """
+            %1$s: 1 file that the scene names (cup_v1.x3d) will not be found from here; write it \
+            into the folder of the scene, or copy them too
+            %1$s: enriched
+            """
+                .formatted(other));
+  }
+
+  @Test
   void wrongUsageIsTold() throws IOException {
     assertThat(run("enrich", scene().toString(), "--dry-run")).isEqualTo(2);
     assertThat(run("enrich", "--apply", "m.csv")).isEqualTo(2);
     assertThat(run("enrich", folder.resolve("no.x3d").toString(), "--apply", table("").toString()))
         .isEqualTo(2);
+  }
+
+  @Test
+  void aFolderIsNoTable() throws IOException {
+    for (String option : new String[] {"--apply", "--ratings"}) {
+      assertThat(run("enrich", scene().toString(), option, folder.toString())).isEqualTo(2);
+      assertThat(err)
+          .isEqualTo("selective-renderer enrich: " + folder + ": is a folder, not a file\n");
+    }
   }
 }

@@ -2,10 +2,17 @@ package org.selectiverenderer.runtime.render.context;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GLProfile;
-import com.jogamp.opengl.JoglVersion;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Objects;
 
 /** What draws: the strings of the current context. */
 public record GlInfo(String vendor, String renderer, String version) {
+  /** The list of libraries inside the program; {@code ThirdPartyTest} holds its versions. */
+  private static final String LIBRARIES = "/META-INF/THIRD-PARTY.txt";
+
   public static GlInfo of(GL gl) {
     return new GlInfo(
         string(gl, GL.GL_VENDOR), string(gl, GL.GL_RENDERER), string(gl, GL.GL_VERSION));
@@ -15,7 +22,22 @@ public record GlInfo(String vendor, String renderer, String version) {
   public static String binding() {
     JoglLibraries.use();
     GLProfile.initSingleton();
-    return JoglVersion.getInstance().getImplementationVersion();
+    return libraryVersion();
+  }
+
+  /** As the list has it: the manifest in which JOGL looks for its version is not in our jar. */
+  static String libraryVersion() {
+    try (InputStream in =
+        Objects.requireNonNull(GlInfo.class.getResourceAsStream(LIBRARIES), LIBRARIES)) {
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8)
+          .lines()
+          .filter(line -> line.startsWith("org.jogamp.jogl:jogl-all "))
+          .map(line -> line.split(" +")[1])
+          .findFirst()
+          .orElseThrow();
+    } catch (IOException e) {
+      throw new UncheckedIOException(LIBRARIES, e);
+    }
   }
 
   /** Whether a processor draws, without a graphics card. */

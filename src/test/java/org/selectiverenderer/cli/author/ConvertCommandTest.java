@@ -1,0 +1,65 @@
+package org.selectiverenderer.cli.author;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.selectiverenderer.cli.CommandRun;
+
+class ConvertCommandTest extends CommandRun {
+  @TempDir Path folder;
+
+  private Path scene(String name, String text) throws IOException {
+    Files.writeString(folder.resolve("cup_v1.x3d"), "<X3D/>");
+    return Files.writeString(folder.resolve(name), text);
+  }
+
+  private Path other() throws IOException {
+    return Files.createDirectories(folder.resolve("other"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "cup.wrl | #VRML V2.0 utf8~Inline { url \"cup_v1.x3d\" }",
+        "cup.x3dv | #X3D V3.3 utf8~PROFILE Immersive~Inline { url [\"cup_v1.x3d\"] }",
+        "cup.x3dj | {\"X3D\":{\"@version\":\"4.0\",\"@profile\":\"Immersive\",\"Scene\":{\"-children\":[{\"Inline\":{\"@url\":[\"cup_v1.x3d\"]}}]}}}",
+        "cup.xml | <X3D version='4.0' profile='Immersive'><Scene><Inline url='\"cup_v1.x3d\"'/></Scene></X3D>"
+      })
+  void filesThatAreNotFoundFromTheOtherFolderAreTold(String name, String text) throws IOException {
+    Path scene = scene(name, text.replace('~', '\n'));
+    Path beside = folder.resolve("converted.x3d");
+    assertThat(execute("convert", scene.toString(), beside.toString())).as(messages()).isZero();
+    assertThat(messages()).isEmpty();
+    Path elsewhere = other().resolve("cup.x3d");
+    assertThat(execute("convert", scene.toString(), elsewhere.toString())).isZero();
+    assertThat(messages())
+        .isEqualTo(
+            elsewhere
+                + ": 1 file that the scene names (cup_v1.x3d) will not be found from here; write it"
+                + " into the folder of the scene, or copy them too\n");
+  }
+
+  @Test
+  void aSceneIsNotReplacedByItself() throws IOException {
+    Path scene = scene("cup.x3d", "<X3D/>");
+    assertThat(execute("convert", scene.toString(), scene.toString())).isEqualTo(2);
+    assertThat(messages()).contains("is the scene itself, which would be lost");
+    assertThat(scene).hasContent("<X3D/>");
+  }
+
+  @Test
+  void aFolderIsNoScene() {
+    assertThat(execute("convert", folder.toString(), folder.resolve("a.x3d").toString()))
+        .isEqualTo(2);
+    assertThat(messages())
+        .isEqualTo("selective-renderer convert: IN " + folder + ": is a folder, not a scene\n");
+  }
+}
