@@ -48,6 +48,7 @@ enricher-versions.png              dialogs
 head-log.svg                       run
 headset-questions.png              headset
 hmd-check.png                      run
+kitchen-reference.jpg              light
 openxr-window.jpg                  monado
 openxr.jpg                         monado
 operator.jpg                       window
@@ -169,10 +170,11 @@ radiosity() { # ROOM OUT: X3D's own lights on the left, radiosity on the right
   beside "$tmp/before.png" "$tmp/after.png" "$2" 16
 }
 
-cornell() { # OUT: light in textures, paths of light, the difference
-  tools/compare-light docs/examples/cornell-box.x3d --viewpoint Camera --size 128x128 --samples 4096 \
-    --out "$tmp/cornell" >/dev/null
-  small "$tmp/cornell/compared-textures.png" "$1" -filter point -resize 200%
+compared() { # OUT OPTIONS...: light in textures, paths of light, the difference
+  local to=$1
+  shift
+  tools/compare-light "$@" --samples 4096 --rays 256 --quality 99.99 --out "$tmp/compared" >/dev/null
+  small "$tmp/compared/compared-textures.png" "$to" -filter point -resize 200%
 }
 
 trashcan() { # OUT
@@ -316,7 +318,10 @@ take() { # NAME HOW
       small "$tmp/above.png" "$to" -resize 960x400
       ;;
     apartment-*) apartment "${stem#*-}" "$to" ;;
-    cornell-box) cornell "$to" ;;
+    cornell-box.jpg) compared "$to" docs/examples/cornell-box.x3d --viewpoint Camera --size 128x128 ;;
+    kitchen-reference.jpg) # Takes hours.
+      compared "$to" scenes/apartment-unlit.x3d --viewpoint KitchenView --size 150x100
+      ;;
     radiosity-*) radiosity "${stem#*-}" "$to" ;;
     trashcan-versions.png) trashcan "$to" ;;
     sculptures.jpg)

@@ -94,7 +94,8 @@ public final class SlimJar {
       }
     }
     Files.setLastModifiedTime(jar, time);
-    // As JoglLibraries writes it: of which jar the folder was made.
-    Files.writeString(natives.resolve("complete"), Files.size(jar) + " " + time.toMillis());
+    // As JoglLibraries reads it: of which jar the folder was made, whatever time an installer gives
+    // it.
+    Files.writeString(natives.resolve("complete"), Files.size(jar) + " packaged");
   }
 }

@@ -11,6 +11,7 @@ from .commands import HOME, asked, git, run, say
 JARS = ("selective-renderer.jar", "x3d-sai.jar")
 SBOM = "bom.json"
 LIBRARIES = "packaging/libraries/build"
+LIBRARIES_USED = "packaging/libraries/check"
 # Nothing that differs between two machines may show in the bytes.
 PLACES = (
     ("one", {"TZ": "UTC", "LC_ALL": "C.UTF-8"}, 0o022),
@@ -41,6 +42,9 @@ def twice(work, commit):
         difference = files.difference(one / "target" / name, other / "target" / name)
         if difference:
             raise Refusal(f"two builds differ, so there is no release: {difference}")
+    if (one / LIBRARIES_USED).exists():
+        say("using the libraries as other projects do")
+        run(LIBRARIES_USED, cwd=one)
     return one
 
 

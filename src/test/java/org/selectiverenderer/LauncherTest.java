@@ -188,6 +188,20 @@ class LauncherTest {
     assertThat(builds()).isEqualTo(1);
   }
 
+  /** Their sources may be newer, as those of a clone are; what is edited after that is built. */
+  @Test
+  void aReleasesJarsServeUntilASourceIsEdited() throws Exception {
+    Path source = home.resolve("src/main/A.java");
+    touchLater(source);
+    Path note = Files.writeString(home.resolve("target/downloaded"), "1.2.0");
+    launch("--version");
+    assertThat(builds()).isZero();
+    Instant before = Files.getLastModifiedTime(source).toInstant().minusSeconds(2);
+    Files.setLastModifiedTime(note, FileTime.from(before));
+    launch("--version");
+    assertThat(builds()).isEqualTo(1);
+  }
+
   @Test
   void aDeletedSourceIsBuiltAgain() throws Exception {
     Files.delete(home.resolve("src/main/A.java"));

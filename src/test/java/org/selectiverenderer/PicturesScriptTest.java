@@ -3,8 +3,10 @@ package org.selectiverenderer;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.PathMatcher;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -56,6 +58,25 @@ class PicturesScriptTest {
     Matcher rows = ROW.matcher(script);
     while (rows.find()) {
       assertThat(script).contains("    " + rows.group(2) + ") echo ");
+    }
+  }
+
+  /** The patterns of the function that takes them, but for the one that takes none. */
+  @Test
+  void everyPictureHasARecipe() throws IOException {
+    String script = Files.readString(SCRIPT);
+    int from = script.indexOf("\ntake() {");
+    String take = script.substring(from, script.indexOf("\n}\n", from));
+    List<PathMatcher> recipes =
+        Pattern.compile("(?m)^    ([\\w.*-]+(?: \\| [\\w.*-]+)*)\\)")
+            .matcher(take)
+            .results()
+            .flatMap(hit -> Stream.of(hit.group(1).split(" \\| ")))
+            .filter(pattern -> !pattern.equals("*"))
+            .map(pattern -> FileSystems.getDefault().getPathMatcher("glob:" + pattern))
+            .toList();
+    for (String name : inScript()) {
+      assertThat(recipes).as(name).anyMatch(recipe -> recipe.matches(Path.of(name)));
     }
   }
 

@@ -58,8 +58,7 @@ class SlimJarTest {
     Path jar = made.resolve("selective-renderer.jar");
     Path natives = made.resolve("natives/linux-amd64");
     assertThat(natives.resolve("libone.so")).hasContent("natives/linux-amd64/libone.so");
-    assertThat(natives.resolve("complete"))
-        .hasContent(Files.size(jar) + " " + Files.getLastModifiedTime(jar).toMillis());
+    assertThat(natives.resolve("complete")).hasContent(Files.size(jar) + " packaged");
     assertThat(Files.getLastModifiedTime(jar).toMillis()).isEqualTo(SECONDS * 1000);
   }
 

@@ -25,8 +25,7 @@ class ThirdPartyTest {
       Pattern.compile("(?m)^([\\w.-]+:[\\w.-]+) +(\\S+) +(\\S+) +(.+)$");
 
   /** A jar's place in a repository of Maven: group, artifact, version. */
-  private static final Pattern JAR =
-      Pattern.compile("(.+)/([^/]+)/([^/]+)/\\2-\\3[^/]*\\.jar");
+  private static final Pattern JAR = Pattern.compile("(.+)/([^/]+)/([^/]+)/\\2-\\3[^/]*\\.jar");
 
   /** Beginnings of groups that only tests use, or what formats and runs them. */
   private static final Pattern OF_TESTS =

@@ -111,17 +111,17 @@ public record RadiositySettings(
         other);
   }
 
-  /** The same with another number of rays. */
-  public RadiositySettings withRays(int other) {
+  /** The same with another number of rays and share of the energy. */
+  public RadiositySettings with(int otherRays, double otherQuality) {
     return new RadiositySettings(
         iterations,
-        quality,
+        otherQuality,
         minMesh,
         maxMesh,
         globalSubdivision,
         regather,
         photometric,
-        other,
+        otherRays,
         seed,
         exposure,
         maxPolygons,

@@ -11,6 +11,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Base64;
 import java.util.Collections;
 import java.util.List;
@@ -383,6 +384,26 @@ class LightPicturesJobTest {
     light(room(0, 0, 0, 4, GREY) + LAMP + quad("0 .1 0, 0 .1 4, 4 .1 4, 4 .1 0", plain), QUICK);
     int[] expected = shown(lit().shapes().get(1), 4, .1, 4);
     assertThat(product[0] * factor * display).isCloseTo(expected[0], offset(4.0));
+  }
+
+  @Test
+  void brighterImagesWhoseNamesDifferByCapitalsHaveAFileEach() throws Exception {
+    byte[] dark = new byte[3 * 16];
+    Arrays.fill(dark, (byte) 60);
+    for (String name : List.of("a/Wood.png", "b/wood.png")) {
+      Path file = scenes.resolve(name);
+      Files.createDirectories(file.getParent());
+      Files.write(file, PngFile.of(16, 1, dark));
+    }
+    String left = tiled("a/Wood.png").replace("4 .1 4, 4 .1 0", "2 .1 4, 2 .1 0");
+    String right = tiled("b/wood.png").replace("0 .1 0, 0 .1 4", "2 .1 0, 2 .1 4");
+    light(room(0, 0, 0, 4, GREY) + LAMP + left + right, QUICK);
+    assertThat(written().keySet())
+        .filteredOn(name -> name.toLowerCase(Locale.ROOT).contains("wood-bright"))
+        .hasSize(2)
+        .extracting(name -> name.toLowerCase(Locale.ROOT))
+        .doesNotHaveDuplicates();
+    assertThat(problems.list()).isEmpty();
   }
 
   /** The picture of light of a shape with an image of its own, where x and z are largest. */

@@ -123,6 +123,24 @@ class RadiosityJobTest {
   }
 
   @Test
+  void aFileThatTheSceneIsMadeOfIsNotWrittenOver() throws Exception {
+    inlined("walls.x3d", room(0, 0, 0, 4, GREY));
+    Path scene = scene("<Inline url='\"../inlineNodes/walls.x3d\"'/>" + LAMP);
+    Path inlines = folder.resolve("inlineNodes");
+    Map<String, String> before = written();
+    for (RadiosityJob job :
+        List.of(
+            new RadiosityJob(scene, scenes.resolve("lit.x3d"), inlines, null, QUICK),
+            new RadiosityJob(
+                scene, inlines.resolve("walls.x3d"), folder.resolve("lit"), null, QUICK))) {
+      assertThatThrownBy(() -> job.run(problems, WorkProgress.NONE, (balance, quality) -> {}))
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("walls.x3d: would be written over");
+    }
+    assertThat(written()).isEqualTo(before);
+  }
+
+  @Test
   void aBudgetIsKeptToThePolygon() throws Exception {
     inlined("walls.x3d", room(0, 0, 0, 4, GREY));
     light(

@@ -60,6 +60,9 @@ class ReleaseCommandTest {
         cp target/x3d-sai.jar "target/selective-renderer-libraries-$v.zip"
         """);
     script(
+        "packaging/libraries/check",
+        "[ -z \"${UNUSABLE:-}\" ] || { echo no method close in Door; exit 1; }\n");
+    script(
         "packaging/package",
         "mkdir -p target/packages; for t; do echo $t >target/packages/a.$t; done\n");
     scripts.write(".gitignore", "target/\n__pycache__/\n");
@@ -106,6 +109,9 @@ class ReleaseCommandTest {
 
             - Hinges.
             """);
+    String notes = release("1.2.0", "--notes").out();
+    scripts.git("remote", "set-url", "origin", "https://me:secret@example.org/doors.git");
+    assertThat(release("1.2.0", "--notes").out()).isEqualTo(notes);
     assertThat(release("1.1.0", "--notes").out()).isEqualTo("### Fixed\n\n- Windows close.\n");
   }
 
@@ -133,6 +139,16 @@ class ReleaseCommandTest {
 
     scripts.git("checkout", "-q", "--detach");
     refused("no branch", "1.2.0");
+  }
+
+  /** The folder of a release is emptied before it is filled. */
+  @Test
+  void filesInTheReleasesOwnFolderCannotBeAdded() throws Exception {
+    scripts.write("target/release/1.2.0/doors.msi", "an installer");
+    Run run = release("1.2.0", "--add", scripts.home.resolve("target/release/1.2.0").toString());
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("add files from elsewhere").hasLineCount(1);
+    assertThat(scripts.read("target/release/1.2.0/doors.msi")).isEqualTo("an installer");
   }
 
   @Test
@@ -229,6 +245,17 @@ class ReleaseCommandTest {
     assertThat(run.err())
         .contains(
             "two builds differ, so there is no release: selective-renderer.jar: other content in pom.xml");
+    assertThat(state()).isEqualTo(before);
+  }
+
+  @Test
+  void librariesThatOtherProjectsCannotUseAreNoRelease() throws Exception {
+    String before = state();
+    scripts.environment.put("UNUSABLE", "yes");
+    Run run = release("1.2.0");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err())
+        .contains("'packaging/libraries/check' failed:", "no method close in Door");
     assertThat(state()).isEqualTo(before);
   }
 

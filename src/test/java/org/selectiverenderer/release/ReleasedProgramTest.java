@@ -95,16 +95,37 @@ class ReleasedProgramTest {
   }
 
   @Test
-  void aSumThatTheUserGivesCountsInsteadOfTheList() throws Exception {
-    String sum = Scripts.sha256(release.resolve("selective-renderer.jar"));
+  void aSumThatTheUserGivesVouchesForAllJarsByTheirList() throws Exception {
+    String sum = Scripts.sha256(release.resolve("SHA256SUMS"));
     scripts.environment.put("SELECTIVE_RENDERER_SHA256", sum);
     assertThat(validate("scene.x3d").status()).isZero();
-    // A later release in the place of the first, with a list that fits.
+    // A later release in the place of the first, with a list that fits: only the other jar differs.
     delete(scripts.home.resolve("target"));
-    publish("a jar of somebody else");
+    publish("a jar", "interfaces of somebody else");
     Run run = validate("scene.x3d");
     assertThat(run.status()).isEqualTo(2);
-    assertThat(run.err()).contains("not " + sum);
+    assertThat(run.err()).contains("sum of SHA256SUMS", "not " + sum);
+    assertThat(scripts.notes()).hasSize(1);
+  }
+
+  @Test
+  void jarsThatAreGoneWithTheirListAreDownloadedAgain() throws Exception {
+    validate("scene.x3d");
+    for (String name : List.of("selective-renderer.jar", "x3d-sai.jar", "SHA256SUMS")) {
+      Files.delete(scripts.home.resolve("target").resolve(name));
+    }
+    Run run = validate("scene.x3d");
+    assertThat(run.status()).isZero();
+    assertThat(run.err()).contains("downloading").hasLineCount(1);
+    assertThat(scripts.read("target/selective-renderer.jar")).isEqualTo("a jar");
+  }
+
+  @Test
+  void aPasswordInTheAddressIsNotTold() throws Exception {
+    scripts.environment.put("SELECTIVE_RENDERER_RELEASES", "file://me:secret@localhost/none");
+    Run run = validate("scene.x3d");
+    assertThat(run.status()).isEqualTo(2);
+    assertThat(run.err()).contains("from file://localhost/none/v1.2.0").doesNotContain("secret");
   }
 
   @Test
@@ -227,8 +248,12 @@ class ReleasedProgramTest {
   }
 
   private void publish(String jar) throws IOException {
+    publish(jar, "interfaces");
+  }
+
+  private void publish(String jar, String sai) throws IOException {
     Path program = Files.writeString(release.resolve("selective-renderer.jar"), jar);
-    Path interfaces = Files.writeString(release.resolve("x3d-sai.jar"), "interfaces");
+    Path interfaces = Files.writeString(release.resolve("x3d-sai.jar"), sai);
     Files.writeString(
         release.resolve("SHA256SUMS"),
         "%s  selective-renderer.jar%n%s  x3d-sai.jar%n"

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** The command line that starts the program a second time, as this process was started. */
@@ -43,15 +44,25 @@ public final class ProgramCommand {
     return flags.stream().filter(flag -> OWN.stream().noneMatch(flag::startsWith)).toList();
   }
 
-  /** In a bundle of jpackage this process is its launcher, and Java's own command lies inside. */
   private static String java() {
     Path folder = Path.of(System.getProperty("java.home"), "bin");
-    return Stream.of("java", "java.exe")
+    return java(folder, System.getProperty(DESKTOP) != null)
+        .or(() -> ProcessHandle.current().info().command())
+        .orElse("java");
+  }
+
+  /**
+   * In a bundle of jpackage this process is its launcher, and Java's own command lies inside.
+   *
+   * @param folder of Java's commands
+   * @param unseen whether nobody sees a terminal: then Windows must not open one, as it does for
+   *     {@code java.exe}
+   */
+  static Optional<String> java(Path folder, boolean unseen) {
+    return Stream.of(unseen ? "javaw.exe" : "java", "java", "java.exe")
         .map(folder::resolve)
         .filter(Files::isExecutable)
         .map(Path::toString)
-        .findFirst()
-        .or(() -> ProcessHandle.current().info().command())
-        .orElse("java");
+        .findFirst();
   }
 }

@@ -84,6 +84,7 @@ final class DrawingProbe {
   /** Of three digits at least. */
   static String millions(double number) {
     double millions = number / 1e6;
-    return String.format(Locale.ROOT, millions < 10 ? "%,.2f" : "%,.0f", millions);
+    return String.format(
+        Locale.ROOT, millions < 10 ? "%,.2f" : millions < 100 ? "%,.1f" : "%,.0f", millions);
   }
 }

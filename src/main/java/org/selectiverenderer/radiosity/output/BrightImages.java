@@ -2,9 +2,12 @@ package org.selectiverenderer.radiosity.output;
 
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import org.selectiverenderer.base.picture.PngFile;
 import org.selectiverenderer.polygon.model.Urls;
 import org.selectiverenderer.radiosity.bake.BrightImage;
@@ -23,6 +26,9 @@ final class BrightImages {
 
   private final Map<Path, Map<Texture.Image, Path>> known = new HashMap<>();
   private final Map<Path, Texture.Image> images = new LinkedHashMap<>();
+
+  /** Names in small letters: some systems do not tell them from capitals. */
+  private final Set<String> taken = new HashSet<>();
 
   /** Appends the texture of a body with a brighter copy of its image. */
   void append(LitFile into, OwnTexture own) {
@@ -56,7 +62,7 @@ final class BrightImages {
   private Path next(LitFile into, String stem) {
     String whole = into.stem() + "-" + stem;
     Path path = into.folder().resolve(whole + ".png");
-    for (int number = 2; images.containsKey(path); number++) {
+    for (int number = 2; !taken.add(path.toString().toLowerCase(Locale.ROOT)); number++) {
       path = into.folder().resolve(whole + "-" + number + ".png");
     }
     return path;

@@ -47,7 +47,7 @@ final class LitFiles {
     return folder.resolve(file + ".x3d");
   }
 
-  private static String stem(String name) {
+  static String stem(String name) {
     int point = name.lastIndexOf('.');
     return point > 0 ? name.substring(0, point) : name;
   }

@@ -106,7 +106,7 @@ final class NoiseFilter {
     int at = LightRecords.NUMBERS * record;
     double radius = Math.min(reach, all[at + LightRecords.RADIUS]);
     for (int k = 0; k <= TRIES; k++) {
-      widths[k] = Math.max(radius, Math.min(most, radius * Math.pow(WIDER, k)));
+      widths[k] = Math.max(radius, Math.min(most, radius * StrictMath.pow(WIDER, k)));
     }
     collect(record, at, radius);
     double low = Double.NEGATIVE_INFINITY;

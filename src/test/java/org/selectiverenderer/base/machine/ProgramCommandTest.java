@@ -2,9 +2,12 @@ package org.selectiverenderer.base.machine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class ProgramCommandTest {
   @Test
@@ -25,5 +28,16 @@ class ProgramCommandTest {
                     "-agentlib:jdwp=transport=dt_socket,address=8000",
                     "-Da=b")))
         .containsExactly("-Xlog:disable", "-Da=b");
+  }
+
+  /** Windows opens a terminal for each java.exe that a process without one starts. */
+  @Test
+  void aStartFromWindowsDesktopOpensNoTerminal(@TempDir Path folder) throws IOException {
+    for (String name : List.of("java.exe", "javaw.exe")) {
+      assertThat(Files.createFile(folder.resolve(name)).toFile().setExecutable(true)).isTrue();
+    }
+    assertThat(ProgramCommand.java(folder, true)).contains(folder.resolve("javaw.exe").toString());
+    assertThat(ProgramCommand.java(folder, false)).contains(folder.resolve("java.exe").toString());
+    assertThat(ProgramCommand.java(folder.resolve("none"), true)).isEmpty();
   }
 }

@@ -66,6 +66,7 @@ class HereProbesTest {
         .isEqualTo("2560x1440 at 0,0 (DP-1), 59.95 Hz, scale 1.50");
     assertThat(DisplayProbe.text(new MonitorMode(monitor, 0, 1))).contains(", unknown rate, ");
     assertThat(DrawingProbe.millions(1_234_567)).isEqualTo("1.23");
+    assertThat(DrawingProbe.millions(12_345_678)).isEqualTo("12.3");
     assertThat(DrawingProbe.millions(1.2e9)).isEqualTo("1,200");
   }
 

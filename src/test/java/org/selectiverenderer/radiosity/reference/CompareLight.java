@@ -21,7 +21,15 @@ import org.selectiverenderer.radiosity.scene.UnlitSceneException;
  */
 final class CompareLight {
   private static final List<String> NAMES =
-      List.of("--viewpoint", "--size", "--samples", "--seed", "--store", "--rays", "--out");
+      List.of(
+          "--viewpoint",
+          "--size",
+          "--samples",
+          "--seed",
+          "--store",
+          "--rays",
+          "--quality",
+          "--out");
 
   /** Rays through a pixel along each axis. */
   private static final int SIDE = 4;
@@ -68,10 +76,11 @@ final class CompareLight {
       return;
     }
     long begun = System.nanoTime();
-    RadiositySettings settings = RadiositySettings.DEFAULT;
-    if (options.containsKey("--rays")) {
-      settings = settings.withRays(number("--rays", options.get("--rays")));
-    }
+    RadiositySettings usual = RadiositySettings.DEFAULT;
+    RadiositySettings settings =
+        usual.with(
+            number("--rays", options.getOrDefault("--rays", "" + usual.rays())),
+            percent(options.getOrDefault("--quality", "" + usual.quality())));
     Lit lit = lit(scene, store, settings);
     out.printf(Locale.ROOT, "lit in %.0f s%n", (System.nanoTime() - begun) / 1e9);
     double[] ours = LitPicture.reflected(scene, hits, Irradiance.of(lit));
@@ -119,6 +128,14 @@ final class CompareLight {
           (System.nanoTime() - begun) / 1e9);
     }
     return picture;
+  }
+
+  private static double percent(String text) {
+    try {
+      return Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      throw new IllegalArgumentException("--quality is a number of percent, not " + text, e);
+    }
   }
 
   private static int number(String option, String text) {

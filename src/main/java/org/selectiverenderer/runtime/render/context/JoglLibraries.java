@@ -25,6 +25,12 @@ public final class JoglLibraries {
   /** Written last; holds which jar the folder was made of. */
   private static final String COMPLETE = "complete";
 
+  /**
+   * In the place of the jar's time, where a package brings both: installers and archives give files
+   * times of their own.
+   */
+  private static final String PACKAGED = "packaged";
+
   private JoglLibraries() {}
 
   /**
@@ -75,9 +81,10 @@ public final class JoglLibraries {
     Path folder = jar.resolveSibling(FOLDER).resolve(platform);
     Path complete = folder.resolve(COMPLETE);
     try {
-      String made = Files.size(jar) + " " + Files.getLastModifiedTime(jar).toMillis();
-      boolean current = Files.exists(complete) && Files.readString(complete).equals(made);
-      if (!current) {
+      String size = Files.size(jar) + " ";
+      String made = size + Files.getLastModifiedTime(jar).toMillis();
+      String there = Files.exists(complete) ? Files.readString(complete) : "";
+      if (!there.equals(made) && !there.equals(size + PACKAGED)) {
         if (!Files.isWritable(jar.toAbsolutePath().getParent()) || !unpack(jar, folder)) {
           return Optional.empty();
         }

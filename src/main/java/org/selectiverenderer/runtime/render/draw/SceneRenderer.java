@@ -85,7 +85,10 @@ public final class SceneRenderer {
    * A processor samples quickly; light by pixel, asked for, is for a picture as a card draws it.
    */
   private TextureFilters filters(GlInfo info) {
-    return info.software() && shading != Shading.PIXEL ? TextureFilters.QUICK : TextureFilters.FINE;
+    if (!info.software()) {
+      return TextureFilters.FINE;
+    }
+    return shading == Shading.PIXEL ? TextureFilters.FINE_BY_PROCESSOR : TextureFilters.QUICK;
   }
 
   /** The shapes of the tree last prepared, shown or not, with what they have on the card. */

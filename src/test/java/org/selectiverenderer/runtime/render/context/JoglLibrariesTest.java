@@ -50,6 +50,21 @@ class JoglLibrariesTest {
     assertThat(library).hasContent("loaded by others");
   }
 
+  /** Its installer may give the jar any time. */
+  @Test
+  void whatAPackageBringsWithTheJarIsNotWrittenAgain() throws Exception {
+    Path jar = jar(Map.of("natives/linux-amd64/libone.so", "one"));
+    Path brought = Files.createDirectories(folder.resolve("natives/linux-amd64"));
+    Files.writeString(brought.resolve("libone.so"), "the package's");
+    Files.writeString(brought.resolve("complete"), Files.size(jar) + " packaged");
+    assertThat(JoglLibraries.folder(jar, "linux-amd64")).contains(brought);
+    assertThat(brought.resolve("libone.so")).hasContent("the package's");
+
+    Path newer = jar(Map.of("natives/linux-amd64/libone.so", "one of a newer version"));
+    assertThat(JoglLibraries.folder(newer, "linux-amd64")).contains(brought);
+    assertThat(brought.resolve("libone.so")).hasContent("one of a newer version");
+  }
+
   @Test
   void aFolderThatWasLeftHalfWayIsCompleted() throws Exception {
     Path jar = jar(Map.of("natives/linux-amd64/libone.so", "one"));
