@@ -109,6 +109,10 @@ final class NoiseFilter {
       widths[k] = Math.max(radius, Math.min(most, radius * StrictMath.pow(WIDER, k)));
     }
     collect(record, at, radius);
+    if (ends[TRIES] == 0) {
+      keepAsItIs(at);
+      return;
+    }
     double low = Double.NEGATIVE_INFINITY;
     double high = Double.POSITIVE_INFINITY;
     int kept = 0;
@@ -338,6 +342,20 @@ final class NoiseFilter {
       }
       solved[row] = sum / matrix[row][row];
     }
+  }
+
+  /**
+   * Of a triangle without an area, whose normal or reach is 0, not even the record itself counts.
+   */
+  private void keepAsItIs(int at) {
+    float[] all = records.numbers();
+    for (int c = 0; c < 3; c++) {
+      out.light[c] = all[at + LightRecords.LIGHT + c];
+    }
+    for (int k = 0; k < 9; k++) {
+      out.turn[k] = all[at + LightRecords.TURN + k];
+    }
+    out.error = all[at + LightRecords.ERROR];
   }
 
   private void write(int at, int end) {

@@ -124,4 +124,23 @@ class NoiseFilterTest {
     assertThat(filter.out.sum()).isZero();
     assertThat(filter.out.error).isEqualTo(1);
   }
+
+  /** As from a triangle without an area. */
+  @Test
+  void aRecordThatReachesNothingKeepsItsLight() {
+    float[] numbers = new float[LightRecords.NUMBERS];
+    numbers[LightRecords.ERROR] = 2;
+    numbers[LightRecords.RAYS] = 16;
+    numbers[LightRecords.LIGHT + 1] = 7;
+    LightRecords records = new LightRecords();
+    records.add(numbers, 0, 0, 0);
+    records.index();
+    each(
+        records,
+        (x, z, evened) -> {
+          assertThat(evened.light).containsExactly(0, 7, 0);
+          assertThat(evened.turn).containsOnly(0);
+          assertThat(evened.error).isEqualTo(2);
+        });
+  }
 }
