@@ -20,10 +20,10 @@ import org.selectiverenderer.radiosity.bake.LightPictures;
 import org.selectiverenderer.radiosity.bake.Lit;
 import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.radiosity.bake.TexelScene;
+import org.selectiverenderer.radiosity.output.InputsKept;
 import org.selectiverenderer.radiosity.output.LampFit;
 import org.selectiverenderer.radiosity.output.LitForm;
 import org.selectiverenderer.radiosity.output.LitSceneWriter;
-import org.selectiverenderer.radiosity.output.SceneFiles;
 import org.selectiverenderer.radiosity.output.TexelForm;
 import org.selectiverenderer.radiosity.output.VertexForm;
 import org.selectiverenderer.radiosity.preview.PreviewCamera;
@@ -140,7 +140,7 @@ public record RadiosityJob(
       if (tree.root().children().isEmpty() && hasError(problems)) {
         throw UnlitSceneException.unread();
       }
-      new SceneFiles(scene, tree).stay(output, inlines);
+      new InputsKept(scene, tree).stay(output, inlines);
       progress.at(WorkProgress.Stage.READING, 0.5);
       LightScene lightScene =
           new LightSceneReader(settings.photometric(), problems)

@@ -14,7 +14,7 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 
 /** The files that a scene is made of: none of its lit copy may take their place. */
-public final class SceneFiles {
+public final class InputsKept {
   private final Set<Path> read = new LinkedHashSet<>();
 
   /** What its Inlines' lit copies are called, in small letters. */
@@ -24,7 +24,7 @@ public final class SceneFiles {
    * @param scene the file of the scene itself
    * @param tree of that scene
    */
-  public SceneFiles(Path scene, InstanceTree tree) {
+  public InputsKept(Path scene, InstanceTree tree) {
     read.add(scene);
     walk(tree.root());
   }
