@@ -74,10 +74,14 @@ record ChildRun(String mainClass, int runs) {
               .redirectErrorStream(true)
               .redirectOutput(log.toFile())
               .start();
-      if (process.waitFor() != 0) {
-        throw new IOException(
-            "running %s failed: %s"
-                .formatted(scene, Files.readString(log, StandardCharsets.UTF_8).strip()));
+      try {
+        if (process.waitFor() != 0) {
+          throw new IOException(
+              "running %s failed: %s"
+                  .formatted(scene, Files.readString(log, StandardCharsets.UTF_8).strip()));
+        }
+      } finally {
+        process.destroyForcibly(); // The measurement may be interrupted, as by Ctrl-C.
       }
       return JsonTree.read(stats);
     } finally {

@@ -3,6 +3,7 @@ package org.selectiverenderer.cli.output;
 import java.io.IOException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * Lets a command end in good order when the user presses Ctrl-C: asks it to stop, and holds the
@@ -40,6 +41,34 @@ public final class Interruption {
       done.countDown();
       remove(hook);
     }
+  }
+
+  /** What a command does until its thread is interrupted. */
+  @FunctionalInterface
+  public interface Waiting<T> {
+    T run() throws IOException, InterruptedException;
+  }
+
+  /**
+   * Waits for what others do, such as processes that the work has started and ends in its turn when
+   * it is interrupted.
+   *
+   * @throws CommandFailure if the work is interrupted
+   */
+  public static <T> T interrupts(Waiting<T> work) throws IOException {
+    Thread working = Thread.currentThread();
+    AtomicReference<T> result = new AtomicReference<>();
+    stops(
+        working::interrupt,
+        () -> {
+          try {
+            result.set(work.run());
+          } catch (InterruptedException e) {
+            working.interrupt();
+            throw CommandFailure.environment("interrupted");
+          }
+        });
+    return result.get();
   }
 
   private static void remove(Thread hook) {

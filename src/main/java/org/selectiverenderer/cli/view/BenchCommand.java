@@ -20,6 +20,7 @@ import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.Interruption;
 import org.selectiverenderer.cli.output.OutputFile;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 import picocli.CommandLine.Command;
@@ -107,19 +108,14 @@ public final class BenchCommand extends CliCommand {
       return ExitStatus.DONE;
     }
     OutputFile.check("--output", output);
-    try {
-      ObjectNode report = growth ? growth() : whole();
-      if (output != null) {
-        OutputFile.write(output, JsonText.of(report));
-      }
-      if (output == null || format == Format.text) {
-        console().out().print(format == Format.text ? text(report) : JsonText.of(report));
-      }
-      return ExitStatus.DONE;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw CommandFailure.environment("interrupted");
+    ObjectNode report = Interruption.interrupts(() -> growth ? growth() : whole());
+    if (output != null) {
+      OutputFile.write(output, JsonText.of(report));
     }
+    if (output == null || format == Format.text) {
+      console().out().print(format == Format.text ? text(report) : JsonText.of(report));
+    }
+    return ExitStatus.DONE;
   }
 
   private void writeScenes(Path folder) throws IOException {

@@ -10,6 +10,7 @@ import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
+import org.selectiverenderer.cli.output.Interruption;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.doctor.Probe;
 import org.selectiverenderer.doctor.probe.Probes;
@@ -61,12 +62,10 @@ public final class DoctorCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    try {
-      return one == null ? examine() : answer(one);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw CommandFailure.environment("interrupted");
+    if (one != null) {
+      ChildStarter.endWithParent();
     }
+    return Interruption.interrupts(() -> one == null ? examine() : answer(one));
   }
 
   private ExitStatus examine() throws IOException, InterruptedException {

@@ -48,6 +48,16 @@ public final class ChildStarter {
                 mainClass, flags, Stream.concat(arguments.stream(), Stream.of(probe)).toList()));
   }
 
+  /**
+   * For a child: whatever ends the process that began it, this one ends with it. Where that one was
+   * killed, nobody else would know of a library that hangs.
+   */
+  public static void endWithParent() {
+    ProcessHandle.current()
+        .parent()
+        .ifPresent(parent -> parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
+  }
+
   /** The lines of a probe; where it fails the last one says so. */
   List<Diagnosis> run(Probe probe) throws InterruptedException {
     Path folder = Path.of(System.getProperty("java.io.tmpdir", "."));

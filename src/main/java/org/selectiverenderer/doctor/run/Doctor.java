@@ -18,6 +18,9 @@ import org.selectiverenderer.doctor.Probe;
  * measure follow alone.
  */
 public final class Doctor {
+  /** For what is cancelled: it ends a process, and no more. */
+  private static final long LAST_ACTS_MS = 1000;
+
   private final ChildStarter children;
   private final String home;
 
@@ -30,21 +33,34 @@ public final class Doctor {
   }
 
   /**
-   * Makes all probes.
+   * Makes all probes. None is left behind, nor a process that makes one, however this ends.
    *
    * @return their lines, in the order of the probes
    * @throws InterruptedException if the waiting thread is interrupted
    */
   public List<Diagnosis> examine(List<Probe> probes) throws InterruptedException {
     Semaphore places = new Semaphore(Runtime.getRuntime().availableProcessors());
-    List<FutureTask<List<Diagnosis>>> tasks = new ArrayList<>();
-    for (Probe probe : probes) {
-      FutureTask<List<Diagnosis>> task = new FutureTask<>(() -> placed(probe, places));
-      tasks.add(task);
-      if (probe.place() != Probe.Place.ALONE) {
-        start("doctor-" + probe.name(), task);
+    List<FutureTask<List<Diagnosis>>> tasks =
+        probes.stream().map(probe -> new FutureTask<>(() -> placed(probe, places))).toList();
+    List<Thread> threads = new ArrayList<>();
+    try {
+      for (int index = 0; index < probes.size(); index++) {
+        if (probes.get(index).place() != Probe.Place.ALONE) {
+          threads.add(start("doctor-" + probes.get(index).name(), tasks.get(index)));
+        }
+      }
+      return lines(probes, tasks);
+    } finally {
+      tasks.forEach(task -> task.cancel(true));
+      for (Thread thread : threads) {
+        thread.join(LAST_ACTS_MS);
       }
     }
+  }
+
+  /** Waits for the tasks, those that are to be alone at the end. */
+  private List<Diagnosis> lines(List<Probe> probes, List<FutureTask<List<Diagnosis>>> tasks)
+      throws InterruptedException {
     for (boolean alone : new boolean[] {false, true}) {
       for (int index = 0; index < probes.size(); index++) {
         if ((probes.get(index).place() == Probe.Place.ALONE) == alone) {
@@ -117,10 +133,11 @@ public final class Doctor {
     return new Diagnosis(Diagnosis.Status.MISSING, probe.subject(), reason, todo, probe.needed());
   }
 
-  private static void start(String name, Runnable task) {
+  private static Thread start(String name, Runnable task) {
     Thread thread = new Thread(task, name);
     thread.setDaemon(true); // One that hangs keeps nobody waiting.
     thread.start();
+    return thread;
   }
 
   private static List<Diagnosis> await(FutureTask<List<Diagnosis>> task)
@@ -128,6 +145,9 @@ public final class Doctor {
     try {
       return task.get();
     } catch (ExecutionException e) {
+      if (e.getCause() instanceof InterruptedException interrupted) {
+        throw interrupted; // The task ran on this thread.
+      }
       throw new IllegalStateException(e.getCause()); // Of our own: probes' failures are lines.
     }
   }

@@ -1,13 +1,24 @@
 package org.selectiverenderer.doctor.run;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
 import org.lwjgl.system.MemoryUtil;
+import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.Interruption;
 import org.selectiverenderer.doctor.Diagnosis;
+import org.selectiverenderer.doctor.Probe;
 
 /** A child process that does what drivers do. */
 public final class DoctorChild {
+  /** The variable that names a file, which is made when the child hangs. */
+  static final String READY = "DOCTOR_CHILD_READY";
+
   private DoctorChild() {}
 
-  public static void main(String[] arguments) throws InterruptedException {
+  public static void main(String[] arguments) throws IOException, InterruptedException {
     switch (arguments[0]) {
       case "answers" -> {
         System.err.println("a library says this and that");
@@ -19,9 +30,31 @@ public final class DoctorChild {
         send(Diagnosis.ok("child", "before the crash"));
         MemoryUtil.memPutByte(8, (byte) 1); // Nobody's memory.
       }
-      case "hangs" -> Thread.sleep(600_000);
+      case "hangs" -> hang();
+      case "examines" -> examine();
       case "mutters" -> System.out.println("libGL error: no driver\n");
       default -> throw new IllegalArgumentException(arguments[0]);
+    }
+  }
+
+  private static void hang() throws IOException, InterruptedException {
+    ChildStarter.endWithParent();
+    String ready = System.getenv(READY);
+    if (ready != null) {
+      Files.createFile(Path.of(ready));
+    }
+    Thread.sleep(600_000);
+  }
+
+  /** Not a child: what begins them, as the command does. */
+  private static void examine() throws IOException {
+    Probe hangs =
+        new Probe("hangs", "hangs", true, Probe.Place.APART, Duration.ofMinutes(10), found -> {});
+    Doctor doctor = new Doctor(new ChildStarter(DoctorTest::child), "/home/ada");
+    try {
+      Interruption.interrupts(() -> doctor.examine(List.of(hangs)));
+    } catch (CommandFailure e) {
+      System.exit(2);
     }
   }
 

@@ -23,7 +23,7 @@ class DoctorTest {
 
   private final Doctor doctor = new Doctor(new ChildStarter(DoctorTest::child), "/home/ada");
 
-  private static List<String> child(String name, List<String> flags) {
+  static List<String> child(String name, List<String> flags) {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(flags);
