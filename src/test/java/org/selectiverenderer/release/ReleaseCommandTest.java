@@ -176,7 +176,7 @@ class ReleaseCommandTest {
     assertThat(run.out())
         .contains(
             "git push origin main v1.2.0",
-            "gh release create v1.2.0",
+            "gh release create v1.2.0 --verify-tag --title 1.2.0 --notes-file ",
             "git reset --hard " + before.substring(0, 9));
 
     // Built twice, of the commit that is tagged; it states the version and the day everywhere.
@@ -234,6 +234,14 @@ class ReleaseCommandTest {
     assertThat(run.out()).doesNotContain("git push", "git reset");
     assertThat(state()).isEqualTo(before);
     assertThat(scripts.home.resolve("target/release/1.2.0/SHA256SUMS")).isNotEmptyFile();
+  }
+
+  @Test
+  void aVersionBeforeAReleaseIsNotOfferedAsTheLatest() throws Exception {
+    scripts.write("CHANGELOG.md", CHANGELOG.replace("[1.2.0]", "[1.2.0-rc.1]"));
+    commit("A candidate");
+    assertThat(release("1.2.0-rc.1").out())
+        .contains("gh release create v1.2.0-rc.1 --verify-tag --title 1.2.0-rc.1 --prerelease ");
   }
 
   @Test
