@@ -6,8 +6,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
 /** What can be said of the launcher for Windows by reading it. */
@@ -27,16 +30,27 @@ class WindowsLauncherTest {
   void hasNoBlocks() throws IOException {
     assertThat(lines())
         .filteredOn(line -> !line.startsWith("rem "))
-        .allSatisfy(line -> assertThat(QUOTED.matcher(line).replaceAll("")).doesNotContain("("));
+        .allSatisfy(
+            line ->
+                assertThat(QUOTED.matcher(line.replace(" in (java.exe) do ", "")).replaceAll(""))
+                    .doesNotContain("("));
   }
 
   @Test
   void goesToLabelsThatAreThere() throws IOException {
     List<String> wanted =
-        Pattern.compile("goto (\\w+)").matcher(text()).results().map(r -> r.group(1)).toList();
+        Pattern.compile("(?:goto |call :)(\\w+)")
+            .matcher(text())
+            .results()
+            .map(result -> result.group(1))
+            .toList();
 
-    assertThat(wanted).contains("start", "nojava");
-    assertThat(lines()).containsAll(wanted.stream().map(label -> ":" + label).toList());
+    assertThat(wanted).contains("start", "nojava", "isjava");
+    assertThat(lines())
+        .filteredOn(line -> line.startsWith(":"))
+        .doesNotHaveDuplicates()
+        .containsExactlyInAnyOrderElementsOf(
+            wanted.stream().distinct().map(label -> ":" + label).toList());
   }
 
   /** With single line feeds cmd.exe misses labels. */
@@ -56,5 +70,70 @@ class WindowsLauncherTest {
         assertThat(lines.get(i - 1)).doesNotStartWith("if ").doesNotStartWith("set ");
       }
     }
+  }
+
+  private static String script() throws IOException {
+    return Files.readString(Path.of("selective-renderer"));
+  }
+
+  private static Set<String> found(String pattern, String text) {
+    return Pattern.compile(pattern)
+        .matcher(text)
+        .results()
+        .map(MatchResult::group)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** All but those with which the other launcher makes its archive of classes. */
+  @Test
+  void givesJavaTheFlagsOfTheOtherLauncher() throws IOException {
+    String flag =
+        "(?<=[ =\"])-(?:X\\w*[:\\w+-]*|D(?:joml|selective)[.\\w-]+|-(?:enable|sun)-[\\w-]+)(?:=[\\w-]+)?";
+    Set<String> flags = found(flag, script().replace(',', ' '));
+    flags.removeIf(each -> each.matches(".*(ClassList|Archive|ErrorFile|Xshare|XshowSettings).*"));
+    Set<String> own = found(flag, text());
+
+    assertThat(flags).contains("-Djoml.nounsafe=true", "-Xmx1200m", "-XX:+UseSerialGC");
+    assertThat(own).isEqualTo(flags);
+  }
+
+  @Test
+  void readsTheVariablesOfTheOtherLauncher() throws IOException {
+    String variable = "(?:SELECTIVE_RENDERER|JAVA)_(?!VERSION|RUNTIME)[A-Z_]+";
+    Set<String> variables = found(variable, script());
+    variables.remove("SELECTIVE_RENDERER_CLASSES"); // For the archive of classes.
+    assertThat(found(variable, text())).isEqualTo(variables).hasSize(3);
+  }
+
+  @Test
+  void startsTheSameCommandsLightly() throws IOException {
+    String light = found("run [\\w |]+\\) flags=.*light", script()).iterator().next();
+    Set<String> commands = found("\\w+(?= [|]|\\) )", light);
+    assertThat(commands).contains("run", "doctor");
+    assertThat(found("(?<=\"%~1\"==\")\\w+(?=\" set \"SR_FLAGS=%SR_FLAGS% %SR_LIGHT%)", text()))
+        .isEqualTo(commands);
+  }
+
+  /** In a package, after a download, and where it builds. */
+  @Test
+  void knowsTheFilesOfTheOtherLauncher() throws IOException {
+    String windows = text().replace('\\', '/');
+    for (String file :
+        List.of(
+            "runtime/bin/java", "target/downloaded", "target/x3d-sai.jar", "/launcher-build.log")) {
+      assertThat(script()).contains(file);
+      assertThat(windows).contains(file);
+    }
+    assertThat(script()).contains("find pom.xml src/main src/sai tools -newer", "store=$home/app");
+    assertThat(windows)
+        .contains("$roots = 'pom.xml', 'src/main', 'src/sai', 'tools'", "SR_STORE=%SR_HOME%app");
+  }
+
+  @Test
+  void saysWhatTheOtherLauncherSays() throws IOException {
+    Set<String> sentences = found("(?<=fail \")[^\"$]{30,}(?=\")", script());
+    assertThat(sentences).hasSizeGreaterThan(2);
+    assertThat(text()).contains(sentences);
+    assertThat(text().chars()).allMatch(letter -> letter < 128);
   }
 }
