@@ -426,7 +426,7 @@ class LightPicturesJobTest {
         .contains("url='\"room-lit-wood-bright.png\"' repeatT='false'>")
         .contains("<TextureProperties DEF='Sharp' anisotropicDegree='8'")
         .contains("<MetadataString DEF='Source'", "name='source' value='\"oak\"'")
-        .contains("<ImageTexture DEF='Wood' url='\"wood.png\"'");
+        .contains("<ImageTexture DEF='Wood'", "url='\"wood.png\"'");
     Texture.Image bright =
         ((Texture) lit().shapes().get(1).surface().detail().units().get(0).source()).image();
     assertThat(bright.rgba()[0] & 0xff).isEqualTo(240);
