@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.selectiverenderer.base.files.WholeFile;
 
 /** A file that charts are to be drawn into. */
 public final class ChartFile {
@@ -59,7 +60,7 @@ public final class ChartFile {
     if (page.height() > MAX_HEIGHT) {
       throw new IOException(file + ": too many charts for one picture; choose some with --scope");
     }
-    Files.write(file, kind == Kind.SVG ? svg(page, title) : png(page));
+    WholeFile.write(file, kind == Kind.SVG ? svg(page, title) : png(page));
   }
 
   private static byte[] svg(BarChartPage page, String title) {

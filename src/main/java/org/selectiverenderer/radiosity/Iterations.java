@@ -2,6 +2,7 @@ package org.selectiverenderer.radiosity;
 
 import java.util.function.Consumer;
 import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.MemoryNeed;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 import org.selectiverenderer.radiosity.solve.LightPatches;
 import org.selectiverenderer.radiosity.solve.Solution;
@@ -27,6 +28,9 @@ record Iterations(Solution solution, long rays) {
    * The share of them where texels take their light from elsewhere: see {@link Transport.Effort}.
    */
   private static final int FEWER = 4;
+
+  /** Patches of one triangle: those of 100 parts to an edge. */
+  private static final double MOST_PARTS = 10_000;
 
   /**
    * Passes light on until the wanted share of the energy is distributed. If it is cancelled, the
@@ -64,6 +68,28 @@ record Iterations(Solution solution, long rays) {
    * @throws UnlitSceneException if there is not enough
    */
   static void checkMemory(LightScene scene, MeshPlan plan) throws UnlitSceneException {
-    MemoryNeed.check(scene, plan, PATCH * plan.maxMesh(), PATCH_RAYS);
+    double facets = 0;
+    for (MeshPlan.Region region : plan.regions()) {
+      facets = Math.max(facets, region.polygons());
+    }
+    MemoryNeed.ofPatches(
+        patches(scene, PATCH * plan.maxMesh()),
+        PATCH_RAYS,
+        facets,
+        "a maximum mesh size of %s m makes".formatted(RadiositySettings.shortest(plan.maxMesh())));
+  }
+
+  /** Most that there will be: right-angled halves of squares with this side as longest. */
+  private static double patches(LightScene scene, double length) {
+    double[] normal = new double[3];
+    double sum = 0;
+    for (int i = 0; i < scene.triangles().count(); i++) {
+      double area = scene.triangles().normal(i, normal);
+      double parts = Math.min(MOST_PARTS, 4 * area / (length * length));
+      if (parts > 1) {
+        sum += scene.triangles().twoSided()[i] ? 2 * parts : parts;
+      }
+    }
+    return sum;
   }
 }

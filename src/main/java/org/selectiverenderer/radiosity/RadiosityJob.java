@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileTransaction;
-import org.selectiverenderer.base.files.NotWritten;
+import org.selectiverenderer.base.files.WholeFile;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
@@ -140,7 +140,7 @@ public record RadiosityJob(
       if (tree.root().children().isEmpty() && hasError(problems)) {
         throw UnlitSceneException.unread();
       }
-      new InputsKept(scene, tree).stay(output, inlines);
+      new InputsKept(scene, tree, access.named()).stay(output, inlines, preview);
       progress.at(WorkProgress.Stage.READING, 0.5);
       LightScene lightScene =
           new LightSceneReader(settings.photometric(), problems)
@@ -248,15 +248,13 @@ public record RadiosityJob(
         texts.size(), pictures.values().stream().map(bytes -> bytes.length).toList());
   }
 
-  /**
-   * Over the last one, in its place: it is looked at and thrown away, so the disk need not have it.
-   */
+  /** Over the last one, in its place, so that a viewer that has it open shows the new one. */
   private void show(@Nullable PreviewPicture picture, Function<PreviewPicture, byte[]> png) {
     if (preview != null && picture != null) {
       try {
-        Files.write(preview, png.apply(picture));
+        WholeFile.writeInto(preview, png.apply(picture));
       } catch (IOException e) {
-        throw new UncheckedIOException(NotWritten.named(preview, e));
+        throw new UncheckedIOException(e);
       }
     }
   }

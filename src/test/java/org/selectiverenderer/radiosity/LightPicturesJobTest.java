@@ -406,6 +406,33 @@ class LightPicturesJobTest {
     assertThat(problems.list()).isEmpty();
   }
 
+  @Test
+  void aBrighterImageKeepsWhatItsNodeSaysAndLeavesTheNameToTheImageItself() throws Exception {
+    byte[] dark = new byte[3 * 16];
+    Arrays.fill(dark, (byte) 60);
+    Files.write(scenes.resolve("wood.png"), PngFile.of(16, 1, dark));
+    String says =
+        "' repeatT='false' DEF='Wood'>"
+            + "<TextureProperties DEF='Sharp' anisotropicDegree='8' magnificationFilter='NICEST'/>"
+            + "<MetadataString DEF='Source' name='source' value='\"oak\"'/></ImageTexture>";
+    String shaded = tiled("wood.png").replaceFirst("'/><Tex", says + "<Tex");
+    String again = shaded.replaceFirst("<ImageT.*</ImageTexture>", "<ImageTexture USE='Wood'/>");
+    String byItself =
+        "<Shape><Appearance><UnlitMaterial/><ImageTexture USE='Wood'/></Appearance>"
+            + "<Box size='.1 .1 .1'/></Shape>";
+    light(room(0, 0, 0, 4, GREY) + LAMP + shaded + again + byItself, QUICK);
+    assertThat(problems.list()).isEmpty();
+    assertThat(litText())
+        .contains("url='\"room-lit-wood-bright.png\"' repeatT='false'>")
+        .contains("<TextureProperties DEF='Sharp' anisotropicDegree='8'")
+        .contains("<MetadataString DEF='Source'", "name='source' value='\"oak\"'")
+        .contains("<ImageTexture DEF='Wood'", "url='\"wood.png\"'");
+    Texture.Image bright =
+        ((Texture) lit().shapes().get(1).surface().detail().units().get(0).source()).image();
+    assertThat(bright.rgba()[0] & 0xff).isEqualTo(240);
+    assertThat(lit().shapes().get(3).surface().texture().image().rgba()[0] & 0xff).isEqualTo(60);
+  }
+
   /** The picture of light of a shape with an image of its own, where x and z are largest. */
   private static int[] light(ShapeInstance shape, int unit) {
     var detail = shape.surface().detail();

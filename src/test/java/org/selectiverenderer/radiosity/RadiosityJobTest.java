@@ -21,6 +21,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.selectiverenderer.base.picture.PngFile;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 import org.selectiverenderer.radiosity.work.WorkProgress;
@@ -97,7 +98,9 @@ class RadiosityJobTest {
     Map<String, String> texts = new TreeMap<>();
     try (Stream<Path> files = Files.walk(folder)) {
       for (Path file : files.filter(Files::isRegularFile).toList()) {
-        texts.put(folder.relativize(file).toString(), Files.readString(file));
+        texts.put(
+            folder.relativize(file).toString(),
+            Files.readString(file, StandardCharsets.ISO_8859_1));
       }
     }
     return texts;
@@ -138,6 +141,37 @@ class RadiosityJobTest {
           .hasMessageContaining("walls.x3d: would be written over");
     }
     assertThat(written()).isEqualTo(before);
+  }
+
+  @Test
+  void aPictureThatTheSceneShowsIsNotWrittenOver() throws Exception {
+    Path picture = Files.write(scenes.resolve("wood.png"), PngFile.of(1, 1, new byte[3]));
+    Path light = Files.copy(picture, scenes.resolve("room-lit-light.png"));
+    Path brighter = Files.copy(picture, folder.resolve("inlineNodes/Walls-2-tiles-bright.png"));
+    String shows =
+        "<Shape><Appearance><Material/><ImageTexture url='\"%s\"'/></Appearance><Box/></Shape>";
+    Path parts = Files.createDirectories(scenes.resolve("parts"));
+    Files.writeString(parts.resolve("walls.x3d"), SmallScene.x3d(room(0, 0, 0, 4, GREY)));
+    Path inlines = folder.resolve("inlineNodes");
+    for (Path shown : List.of(picture, light, brighter)) {
+      Path scene =
+          scene(
+              "<Inline url='\"parts/walls.x3d\"'/>"
+                  + LAMP
+                  + shows.formatted(scenes.relativize(shown)));
+      Map<String, String> before = written();
+      RadiosityJob job =
+          new RadiosityJob(
+              scene,
+              scenes.resolve("room-lit.x3d"),
+              inlines,
+              shown.equals(picture) ? scenes.resolve("../scenes/wood.png") : null,
+              QUICK);
+      assertThatThrownBy(() -> job.run(problems, WorkProgress.NONE, (balance, quality) -> {}))
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining(shown.getFileName() + ": would be written over");
+      assertThat(written()).isEqualTo(before);
+    }
   }
 
   @Test

@@ -1,5 +1,6 @@
 package org.selectiverenderer.app.run;
 
+import java.io.IOException;
 import java.util.Optional;
 import org.selectiverenderer.app.head.SampleListener;
 import org.selectiverenderer.app.timeline.TimelineEvent;
@@ -8,6 +9,13 @@ import org.selectiverenderer.openxr.HeadsetNews;
 
 /** Hears what a run has to say. Called on the stepping thread, or while loading, in order. */
 public interface RunListener {
+  /**
+   * The scene has been read with all that it names; no frame has been stepped.
+   *
+   * @throws IOException with one line, if it is not to be run
+   */
+  default void opened() throws IOException {}
+
   /** Something is wrong with the scene. */
   void problem(Problem problem);
 

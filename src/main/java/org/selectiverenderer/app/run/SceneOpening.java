@@ -14,19 +14,28 @@ final class SceneOpening implements AutoCloseable {
   private final FutureTask<Walkthrough> task;
 
   SceneOpening(SceneSettings scene, RunListener listener) {
-    task =
-        new FutureTask<>(
-            () ->
-                Walkthrough.open(
-                    scene.file(),
-                    scene.rendering(),
-                    scene.access(),
-                    listener::problem,
-                    listener::happened,
-                    listener::printed));
+    task = new FutureTask<>(() -> open(scene, listener));
     Thread thread = new Thread(task, "scene-opener");
     thread.setDaemon(true);
     thread.start();
+  }
+
+  private static Walkthrough open(SceneSettings scene, RunListener listener) throws IOException {
+    Walkthrough walk =
+        Walkthrough.open(
+            scene.file(),
+            scene.rendering(),
+            scene.access(),
+            listener::problem,
+            listener::happened,
+            listener::printed);
+    try {
+      listener.opened();
+      return walk;
+    } catch (IOException | RuntimeException | Error e) {
+      walk.close();
+      throw e;
+    }
   }
 
   /** Whether {@link #await()} returns at once. */

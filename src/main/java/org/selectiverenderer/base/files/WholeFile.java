@@ -2,6 +2,7 @@ package org.selectiverenderer.base.files;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
@@ -25,6 +26,50 @@ public final class WholeFile {
     FileTransaction writing = new FileTransaction(actions);
     writing.add(file, content);
     writing.commit();
+  }
+
+  /**
+   * Replaces a file that the user named, or makes it. One whose name nothing can take though it may
+   * be written to itself is written into: its folder is write-protected, or somebody else's with
+   * others' files, or the file is a mount.
+   *
+   * @throws IOException with the file's name, if it cannot be written either way
+   */
+  public static void write(Path file, byte[] content) throws IOException {
+    write(file, content, FileActions.REAL);
+  }
+
+  /** The same by other actions. */
+  public static void write(Path file, byte[] content, FileActions actions) throws IOException {
+    try {
+      replace(file, content, actions);
+    } catch (NotWritten e) {
+      if (!keepsItsName(file, e)) {
+        throw e;
+      }
+      writeInto(file, content);
+    }
+  }
+
+  /** A full disk is no such reason. */
+  private static boolean keepsItsName(Path file, NotWritten failure) {
+    return failure.getCause() instanceof FileSystemException
+        && Files.isRegularFile(file)
+        && Files.isWritable(file);
+  }
+
+  /**
+   * Writes into a file itself, so that who has it open sees the change; for what may be lost, such
+   * as a picture of work that goes on.
+   *
+   * @throws IOException with the file's name
+   */
+  public static void writeInto(Path file, byte[] content) throws IOException {
+    try {
+      Files.write(file, content);
+    } catch (IOException e) {
+      throw NotWritten.named(file, e);
+    }
   }
 
   /**

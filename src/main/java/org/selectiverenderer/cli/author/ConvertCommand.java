@@ -10,12 +10,18 @@ import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandFiles;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
+import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.document.file.LeftBehind;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
+import org.selectiverenderer.x3d.files.ContentAccess;
+import org.selectiverenderer.x3d.files.ContentBase;
+import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.X3dReader;
+import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentFault;
 import org.selectiverenderer.x3d.source.Gzip;
 import org.selectiverenderer.x3d.source.XmlDocument;
@@ -82,6 +88,7 @@ public final class ConvertCommand extends CliCommand {
     if (document.broken()) {
       return ExitStatus.PROBLEMS;
     }
+    keepInlined(document);
     byte[] plain = format.text(document, catalogue, problems).getBytes(StandardCharsets.UTF_8);
     FileTransaction writing = new FileTransaction();
     writing.add(output, SceneFormat.packed(output.toString()) ? Gzip.packed(plain) : plain);
@@ -93,5 +100,20 @@ public final class ConvertCommand extends CliCommand {
             output.toAbsolutePath().getParent());
     FilesNotFound.tell(left, output, console());
     return ExitStatus.of(problems);
+  }
+
+  /** Refuses to write over a file that the scene names. */
+  private void keepInlined(XmlDocument document) throws IOException {
+    ContentAccess named = ContentAccess.none();
+    Path folder = scene.toAbsolutePath().getParent();
+    if (folder != null) {
+      ContentRoot root = new ContentRoot(folder, named);
+      for (DocumentElement element : document.elements()) {
+        for (String url : XmlValues.strings(element.text("url").orElse(""))) {
+          root.note(url, ContentBase.folder(folder));
+        }
+      }
+    }
+    new CommandFiles().writes("OUT", output).check(named.named());
   }
 }

@@ -12,6 +12,7 @@ import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
+import org.selectiverenderer.cli.output.CommandFiles;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.polygon.model.Model;
@@ -43,6 +44,7 @@ record ModelReduction(
     if (read.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
+    new CommandFiles().writes("--output", output).check(access.named());
     Model model = read.get();
     ModelSize size = ModelSize.of(model.meshes());
     if (GoalText.beyond(goal, size, file, problems)) {

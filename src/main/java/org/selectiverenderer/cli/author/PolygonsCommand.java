@@ -15,6 +15,7 @@ import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.ScenesArgument;
 import org.selectiverenderer.cli.output.CommandFailure;
+import org.selectiverenderer.cli.output.CommandFiles;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
@@ -96,6 +97,10 @@ public final class PolygonsCommand extends CliCommand {
     }
     Problems problems = new Problems(console()::problem);
     SceneStatistics statistics = count(files.file(), problems);
+    new CommandFiles()
+        .reads("the scene", files.file())
+        .writes("--chart", chart)
+        .check(allowed.named());
     console().out().print(format == Format.csv ? StatisticsCsv.of(statistics) : text(statistics));
     console().out().flush();
     if (chartFile.isPresent()) {

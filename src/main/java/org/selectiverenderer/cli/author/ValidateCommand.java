@@ -167,6 +167,7 @@ public final class ValidateCommand extends CliCommand {
         .filter(file -> file.inMemory() == null)
         .forEach(file -> written.reads("", file.path()));
     written.check(); // Before it is written: Inlines are known now only.
+    written.check(settings.get().access().named());
     boolean colours = console().colours() && output == null;
     print(format.write(report, new ReportFormat.Style(colours, least, ProgramVersion.number())));
     // Of more findings than are kept nobody can say which ones a baseline knows.

@@ -13,6 +13,7 @@ import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.AccessOptions;
 import org.selectiverenderer.cli.option.DryRunOption;
 import org.selectiverenderer.cli.option.SceneArgument;
+import org.selectiverenderer.cli.output.CommandFiles;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.OutputFile;
@@ -124,6 +125,7 @@ public final class VersionsCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     if (!dryRun.asked()) {
+      new CommandFiles().writes("--output", output).check(request.access().named());
       LeftFiles.tell(plan.get().write(), console());
     }
     print(plan.get());

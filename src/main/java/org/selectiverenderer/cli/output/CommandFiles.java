@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.files.FileTransaction;
+import org.selectiverenderer.x3d.files.FilesNamed;
 
 /**
  * The files that a command reads and writes. Looked at before the work begins: none may be written
@@ -57,6 +58,25 @@ public final class CommandFiles {
       for (Named other : written.subList(0, i)) {
         if (same(output.file(), other.file())) {
           throw CommandFailure.usage(output + ": is written by " + other + " too");
+        }
+      }
+    }
+  }
+
+  /**
+   * Refuses what would be written over a file that a scene is made of: what it inlines, shows or
+   * plays. Asked when the scene has been read, before the work begins.
+   *
+   * @throws IOException with one line
+   */
+  public void check(FilesNamed named) throws IOException {
+    for (Named output : written) {
+      if (Files.exists(output.file())) {
+        for (Path input : named.list()) {
+          if (same(output.file(), input)) {
+            throw new IOException(
+                output + ": the scene is made of this file, which would be lost; name another");
+          }
         }
       }
     }

@@ -2,7 +2,6 @@ package org.selectiverenderer.cli.output;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -30,33 +29,10 @@ public final class OutputFile {
 
   /** The same by other actions. */
   static void write(Path file, String text, FileActions actions) throws IOException {
-    byte[] content = text.getBytes(StandardCharsets.UTF_8);
     try {
-      WholeFile.replace(file, content, actions);
+      WholeFile.write(file, text.getBytes(StandardCharsets.UTF_8), actions);
     } catch (NotWritten e) {
-      if (!keepsItsName(file, e)) {
-        throw new IOException(file + ": " + e.reason(), e);
-      }
-      writeInto(file, content);
-    }
-  }
-
-  /**
-   * Whether nothing can take a file's name though it may be written to itself: its folder is
-   * write-protected, or somebody else's with others' files, or the file is a mount. A full disk is
-   * no such reason.
-   */
-  private static boolean keepsItsName(Path file, NotWritten failure) {
-    return failure.getCause() instanceof FileSystemException
-        && Files.isRegularFile(file)
-        && Files.isWritable(file);
-  }
-
-  private static void writeInto(Path file, byte[] content) throws IOException {
-    try {
-      Files.write(file, content);
-    } catch (IOException e) {
-      throw NotWritten.named(file, e);
+      throw new IOException(file + ": " + e.reason(), e);
     }
   }
 

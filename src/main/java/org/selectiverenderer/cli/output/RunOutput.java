@@ -1,5 +1,6 @@
 package org.selectiverenderer.cli.output;
 
+import java.io.IOException;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.app.head.SampleListener;
@@ -12,13 +13,37 @@ import org.selectiverenderer.base.problem.Problem;
  *
  * @param timeline takes the time line
  * @param samples hears of every frame
+ * @param begun called when the scene has been read, before the first frame
  */
 public record RunOutput(
-    Console console, Consumer<TimelineEvent> timeline, Optional<SampleListener> samples)
+    Console console,
+    Consumer<TimelineEvent> timeline,
+    Optional<SampleListener> samples,
+    Beginning begun)
     implements RunListener {
+  /** What is done before the first frame. */
+  @FunctionalInterface
+  public interface Beginning {
+    /**
+     * @throws IOException with one line, if the scene is not to be run
+     */
+    void begin() throws IOException;
+  }
+
+  /** With nothing to do before the first frame. */
+  public RunOutput(
+      Console console, Consumer<TimelineEvent> timeline, Optional<SampleListener> samples) {
+    this(console, timeline, samples, () -> {});
+  }
+
   /** With nobody who hears of every frame. */
   public RunOutput(Console console, Consumer<TimelineEvent> timeline) {
     this(console, timeline, Optional.empty());
+  }
+
+  @Override
+  public void opened() throws IOException {
+    begun.begin();
   }
 
   @Override

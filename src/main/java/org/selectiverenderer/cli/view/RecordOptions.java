@@ -42,12 +42,8 @@ final class RecordOptions {
     return pictures;
   }
 
-  /**
-   * The time line's file, open; empty for none.
-   *
-   * @throws IOException when it cannot be written
-   */
-  Optional<TimelineFile> openTimeline() throws IOException {
+  /** The time line's file, not open yet; empty for none. */
+  Optional<TimelineFile> timeline() {
     return timeline == null ? Optional.empty() : Optional.of(new TimelineFile(timeline));
   }
 

@@ -46,6 +46,7 @@ import org.selectiverenderer.runtime.viewer.CameraPath;
 import org.selectiverenderer.runtime.viewer.CameraPathReader;
 import org.selectiverenderer.runtime.walk.MouseMapping;
 import org.selectiverenderer.tracker.TrackerSpec;
+import org.selectiverenderer.x3d.files.ContentAccess;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -142,7 +143,7 @@ public final class RunCommand extends CliCommand {
       return ViewOptions.list(scene.file(), console());
     }
     TrackerSpec tracker = head.tracker(display.worn());
-    check(tracker);
+    CommandFiles files = check(tracker);
     Problems pathProblems = new Problems(console()::problem);
     boolean session =
         tracker instanceof TrackerSpec.Replay replay && Replays.hasPositions(replay.file());
@@ -159,9 +160,10 @@ public final class RunCommand extends CliCommand {
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
+    ContentAccess allowed = access.access();
     RunSettings settings =
         new RunSettings(scene.file(), condition.settings())
-            .allowing(access.access())
+            .allowing(allowed)
             .muted(mute)
             .with(motion(walked, session))
             .with(display(presentation.get()))
@@ -172,7 +174,8 @@ public final class RunCommand extends CliCommand {
     Interruption.stops(
         stop::stop,
         () -> {
-          RunResult result = show(settings, stop);
+          RunResult result = show(settings, () -> files.check(allowed.named()), stop);
+          files.check(allowed.named()); // A running scene may have come to name more.
           records.write(result, console());
           if (result.problems() || pathProblems.any()) {
             ended.set(ExitStatus.PROBLEMS);
@@ -229,7 +232,8 @@ public final class RunCommand extends CliCommand {
     return wanted.as(DisplayMode.SIDE_BY_SIDE);
   }
 
-  private void check(TrackerSpec tracker) throws IOException {
+  /** Looks at the options, and returns what is read and written. */
+  private CommandFiles check(TrackerSpec tracker) throws IOException {
     if (duration != null && !(duration > 0)) {
       throw CommandFailure.usage("--duration must be a number of seconds above 0");
     }
@@ -252,14 +256,28 @@ public final class RunCommand extends CliCommand {
     files.check();
     head.checkNew();
     GlAvailability.check().ifPresent(this::noDisplay);
+    return files;
   }
 
-  private RunResult show(RunSettings settings, RunStop stop) throws IOException {
+  /**
+   * @param begun called when the scene has been read
+   */
+  private RunResult show(RunSettings settings, RunOutput.Beginning begun, RunStop stop)
+      throws IOException {
     try (LabStreams streams = streams();
-        TimelineFile file = records.openTimeline().orElse(null)) {
+        TimelineFile file = records.timeline().orElse(null)) {
       Consumer<TimelineEvent> written = file == null ? event -> {} : file;
       RunOutput output =
-          new RunOutput(console(), written.andThen(streams::happened), streams.samples());
+          new RunOutput(
+              console(),
+              written.andThen(streams::happened),
+              streams.samples(),
+              () -> {
+                begun.begin();
+                if (file != null) {
+                  file.open();
+                }
+              });
       if (display.worn()) {
         return SceneRunner.inHeadset(settings, headset(settings), output, stop);
       }

@@ -17,6 +17,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.LibraryProperties;
 import org.selectiverenderer.cli.option.ConditionOptions;
+import org.selectiverenderer.cli.output.CommandFiles;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.runtime.viewer.CameraPath;
@@ -80,6 +81,11 @@ public final class SaiCommand extends CliCommand {
     if (!Files.isRegularFile(scene)) {
       throw new IOException(scene + ": the file does not exist");
     }
+    new CommandFiles()
+        .reads("the scene", scene)
+        .reads("--path", path)
+        .writes("--timeline", timeline)
+        .check();
     Problems pathProblems = new Problems(console()::problem);
     Optional<CameraPath> walked =
         path == null ? Optional.empty() : CameraPathReader.read(path, pathProblems);
@@ -92,6 +98,7 @@ public final class SaiCommand extends CliCommand {
       return show(walked, event -> {}, status);
     }
     try (TimelineFile file = new TimelineFile(timeline)) {
+      file.open();
       return show(walked, file, status);
     }
   }

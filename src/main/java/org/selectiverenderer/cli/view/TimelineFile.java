@@ -6,27 +6,40 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.timeline.TimelineJson;
 
-/** A time line on its way into a file, line by line as it happens. */
+/**
+ * A time line on its way into a file, line by line as it happens. What the file held stays until it
+ * is opened.
+ */
 final class TimelineFile implements Consumer<TimelineEvent>, AutoCloseable {
   private final Path file;
-  private final PrintWriter writer;
   private final TimelineJson json = new TimelineJson();
+  private volatile @Nullable PrintWriter writer;
+
+  TimelineFile(Path file) {
+    this.file = file;
+  }
 
   /**
-   * @throws IOException when the file cannot be written
+   * Begins the file anew.
+   *
+   * @throws IOException when it cannot be written
    */
-  TimelineFile(Path file) throws IOException {
-    this.file = file;
+  void open() throws IOException {
     writer = new PrintWriter(Files.newBufferedWriter(file, StandardCharsets.UTF_8));
   }
 
   @Override
   public void accept(TimelineEvent event) {
-    writer.print(json.line(event) + "\n");
-    writer.flush();
+    PrintWriter to = writer;
+    if (to == null) {
+      throw new IllegalStateException("nothing happens before the time line's file is open");
+    }
+    to.print(json.line(event) + "\n");
+    to.flush();
   }
 
   /**
@@ -34,8 +47,12 @@ final class TimelineFile implements Consumer<TimelineEvent>, AutoCloseable {
    */
   @Override
   public void close() throws IOException {
-    writer.close();
-    if (writer.checkError()) {
+    PrintWriter opened = writer;
+    if (opened == null) {
+      return;
+    }
+    opened.close();
+    if (opened.checkError()) {
       throw new IOException(file + ": the time line could not be written");
     }
   }

@@ -26,6 +26,7 @@ import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.FileLibraries;
 import org.selectiverenderer.x3d.read.Libraries;
+import org.selectiverenderer.x3d.read.NodeWalk;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dReader;
 
@@ -140,6 +141,16 @@ final class SceneFiles {
   private void follow(SceneFile file, ContentBase from) {
     Set<ParsedNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());
     file.file().nodes().forEach(node -> follow(node, file, from, seen));
+    NodeWalk.visit(file.file().nodes(), node -> note(node, from));
+  }
+
+  /** What is shown or played counts nothing, but is not to be written over. */
+  private void note(ParsedNode node, ContentBase from) {
+    if (!Structure.isInline(node) && node.type().field("url").isPresent()) {
+      for (String url : node.strings("url")) {
+        root.note(url, node.base(from));
+      }
+    }
   }
 
   private void follow(ParsedNode node, SceneFile file, ContentBase from, Set<ParsedNode> seen) {

@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.scene.MemoryNeed;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 
 /** Makes the {@link Atlas} of a scene: charts, their sizes, their pages, the places of texels. */
@@ -26,12 +27,6 @@ public final class AtlasMaker {
 
   /** Of a page's texels those that charts and gutters fill, about. */
   private static final double FILLED = 0.9;
-
-  /** Bytes that a texel takes while light is gathered: its place, its light, its picture. */
-  private static final long WORK = 48;
-
-  /** Of Java's memory: the scene itself is in the rest. */
-  private static final double SHARE = 0.6;
 
   private final AtlasSettings settings;
   private final Problems problems;
@@ -71,7 +66,7 @@ public final class AtlasMaker {
       }
     }
     List<PagePlanner.Page> pages = withinBudget(groups, boxes, planner, densities);
-    checkMemory(pages);
+    MemoryNeed.ofTexels(pages.stream().mapToLong(PagePlanner.Page::texels).sum());
     for (int i = 0; i < count; i++) {
       if (bounded[i]) {
         problems.info(
@@ -159,17 +154,6 @@ public final class AtlasMaker {
             + budget
             + "lower --texels-per-metre or raise --texture-budget"
         : needed + " even at the least density" + budget + "raise --texture-budget";
-  }
-
-  private static void checkMemory(List<PagePlanner.Page> pages) throws UnlitSceneException {
-    long needed = WORK * pages.stream().mapToLong(PagePlanner.Page::texels).sum();
-    long there = Runtime.getRuntime().maxMemory();
-    if (needed > SHARE * there) {
-      throw new UnlitSceneException(
-          "light in textures takes about %s MB of memory, too much of Java's %s MB; lower"
-                  .formatted(megabytes(needed), megabytes(there))
-              + " --texture-budget, or give Java more with SELECTIVE_RENDERER_JAVA_OPTS=-Xmx4g");
-    }
   }
 
   private static Atlas draw(

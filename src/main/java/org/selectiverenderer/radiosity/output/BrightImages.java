@@ -30,7 +30,11 @@ final class BrightImages {
   /** Names in small letters: some systems do not tell them from capitals. */
   private final Set<String> taken = new HashSet<>();
 
-  /** Appends the texture of a body with a brighter copy of its image. */
+  /**
+   * Appends the texture of a body with a brighter copy of its image, and what else its node says.
+   * The node's name stays with the image itself, which another shape of the file may show: what
+   * leads to that name must not change this copy.
+   */
   void append(LitFile into, OwnTexture own) {
     Texture.Image image = own.texture().image();
     Node node = own.node().orElseThrow();
@@ -47,7 +51,7 @@ final class BrightImages {
     if (!own.texture().repeatT()) {
       out.attribute("repeatT", "false");
     }
-    into.nodes().nodes(node, "metadata", into);
+    into.nodes().nodes(node, "", into);
     out.close();
   }
 

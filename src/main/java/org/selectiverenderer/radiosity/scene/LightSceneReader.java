@@ -27,9 +27,6 @@ public final class LightSceneReader {
    */
   private static final double WIDE = 0.1;
 
-  /** Bytes for each triangle: its corners, box, tree, facets, vertices and text. */
-  private static final long BYTES = 700;
-
   private final boolean photometric;
   private final Problems problems;
 
@@ -88,13 +85,7 @@ public final class LightSceneReader {
       throw new UnlitSceneException(
           "there is nothing to light: the scene has no triangles with a Material");
     }
-    long needed = BYTES * count;
-    long there = Runtime.getRuntime().maxMemory();
-    if (needed > there) {
-      throw new UnlitSceneException(
-          "lighting %d triangles takes about %d MB of memory, and there are %d MB; give Java more with -Xmx"
-              .formatted(count, needed >> 20, there >> 20));
-    }
+    MemoryNeed.ofTriangles(count);
     for (Body body : bodies) {
       for (float coordinate : body.positions()) {
         if (Math.abs(coordinate) > FARTHEST) {

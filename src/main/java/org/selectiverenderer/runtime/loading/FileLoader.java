@@ -21,6 +21,7 @@ import org.selectiverenderer.x3d.files.Failure;
 import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.FileLibraries;
 import org.selectiverenderer.x3d.read.Libraries;
+import org.selectiverenderer.x3d.read.NodeWalk;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.PrototypeLibrary;
 import org.selectiverenderer.x3d.read.X3dFile;

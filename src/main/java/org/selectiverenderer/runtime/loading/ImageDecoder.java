@@ -51,7 +51,12 @@ final class ImageDecoder {
       return DdsImage.read(small ? bytes : whole(file), budget);
     }
     Optional<Texture.Image> png = small ? png(bytes, budget) : Optional.empty();
-    return png.isPresent() ? png.get() : byLibrary(file, budget);
+    return png.isPresent() ? png.get() : byLibrary(small ? known(file, bytes) : file, budget);
+  }
+
+  /** A file that has been read, which the library and its helpers open more than once. */
+  private static Content known(Content file, byte[] bytes) {
+    return new Content.OfBytes(file.key(), file.name(), file.base(), bytes);
   }
 
   private static Optional<Texture.Image> png(byte[] whole, AtomicLong budget) throws IOException {

@@ -10,11 +10,17 @@ import java.util.stream.Stream;
  * @param folders whose files, those below included, every scene may name
  * @param network what may be fetched, and what has been; one object serves a session, so that
  *     nothing is fetched twice
+ * @param named what the scenes have named so far
  */
-public record ContentAccess(List<Path> folders, Network network) {
+public record ContentAccess(List<Path> folders, Network network, FilesNamed named) {
   /** Keeps copies, so that it stays as it is. */
   public ContentAccess {
     folders = List.copyOf(folders);
+  }
+
+  /** With nothing named yet. */
+  public ContentAccess(List<Path> folders, Network network) {
+    this(folders, network, new FilesNamed());
   }
 
   /** Nothing more. */

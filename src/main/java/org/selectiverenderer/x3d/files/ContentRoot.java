@@ -137,6 +137,23 @@ public final class ContentRoot {
     return find(location, fragment, base);
   }
 
+  /**
+   * Notes the file of this machine that a url means, if it means one, as {@link #resolve} does, for
+   * whoever does not read it. Fetches nothing.
+   */
+  public void note(String url, ContentBase base) {
+    String location = url.strip();
+    if (!DataUrl.is(location) && !WebUrl.is(location) && !overNetwork(base)) {
+      resolve(url, base);
+    }
+  }
+
+  private static boolean overNetwork(ContentBase base) {
+    return base instanceof ContentBase.Web
+        || base instanceof ContentBase.FirstOf both
+            && (overNetwork(both.first()) || overNetwork(both.second()));
+  }
+
   private Target find(String location, String fragment, ContentBase base) {
     if (base instanceof ContentBase.FirstOf both) {
       Target first = find(location, fragment, both.first());
@@ -209,6 +226,7 @@ public final class ContentRoot {
       return new Target.Refused(
           similar.isEmpty() ? Cause.MISSING : Cause.CASE, "is missing" + similar);
     }
+    access.named().add(real);
     return new Target.Found(content(real), fragment);
   }
 

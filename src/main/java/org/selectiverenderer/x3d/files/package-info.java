@@ -11,7 +11,9 @@
  * <p>In: a scene's folder, urls. Out: {@link org.selectiverenderer.x3d.files.Content} with a name,
  * bytes and a place where its own urls start, or why there is none. Nothing is fetched unless the
  * user allows the host; then by {@link org.selectiverenderer.x3d.files.Network}, the only place
- * that does. Uses {@code x3d.catalogue}, {@code base.json} and {@code base.problem}.
+ * that does. The files that scenes have named ({@link org.selectiverenderer.x3d.files.FilesNamed})
+ * are known to whoever writes others. Uses {@code x3d.catalogue}, {@code base.json} and {@code
+ * base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.x3d.files;

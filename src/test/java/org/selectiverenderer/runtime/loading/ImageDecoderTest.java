@@ -7,14 +7,21 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.files.Content;
@@ -43,6 +50,28 @@ class ImageDecoderTest {
   void componentsAreCountedAsTheFileHasThem() throws IOException {
     assertThat(decode(BufferedImage.TYPE_INT_ARGB, 0x80FF0000, -1).components()).isEqualTo(4);
     assertThat(decode(BufferedImage.TYPE_BYTE_GRAY, 0xFF808080, -1).components()).isEqualTo(1);
+  }
+
+  /** A pipe can be read once: whoever opens it again waits for ever. */
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void aJpegIsOpenedOnce() throws Exception {
+    ByteArrayOutputStream jpeg = new ByteArrayOutputStream();
+    ImageIO.write(new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB), "jpeg", jpeg);
+    Path pipe = folder.resolve("a.jpg");
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    CompletableFuture<Texture.Image> read =
+        CompletableFuture.supplyAsync(
+            () -> {
+              try {
+                return ImageDecoder.read(
+                    new Content.OfFile(pipe, "a.jpg"), new AtomicLong(Long.MAX_VALUE));
+              } catch (IOException e) {
+                throw new UncheckedIOException(e);
+              }
+            });
+    Files.write(pipe, jpeg.toByteArray());
+    assertThat(read.get(20, TimeUnit.SECONDS).width()).isEqualTo(8);
   }
 
   private Texture.Image decodeGrey(int type, int sample) throws IOException {

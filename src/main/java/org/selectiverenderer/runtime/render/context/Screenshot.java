@@ -5,8 +5,8 @@ import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import org.selectiverenderer.base.files.WholeFile;
 import org.selectiverenderer.base.picture.PngFile;
 
 /**
@@ -49,6 +49,6 @@ public record Screenshot(int width, int height, byte[] rgba) {
         System.arraycopy(rgba, 4 * (y * width + x), rgb, at, 3);
       }
     }
-    Files.write(file, PngFile.of(width, height, rgb));
+    WholeFile.write(file, PngFile.of(width, height, rgb));
   }
 }

@@ -1,4 +1,4 @@
-package org.selectiverenderer.runtime.loading;
+package org.selectiverenderer.x3d.read;
 
 import java.util.ArrayDeque;
 import java.util.Collections;
@@ -9,13 +9,13 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
-import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Visits every node of a file once, parents before children. */
-final class NodeWalk {
+/** Visits the nodes of a file. */
+public final class NodeWalk {
   private NodeWalk() {}
 
-  static void visit(List<ParsedNode> roots, Consumer<ParsedNode> visitor) {
+  /** Visits every node once, parents before children. */
+  public static void visit(List<ParsedNode> roots, Consumer<ParsedNode> visitor) {
     Set<ParsedNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());
     Deque<ParsedNode> open = new ArrayDeque<>(roots);
     while (!open.isEmpty()) {
