@@ -120,6 +120,7 @@ final class DirectPass {
     private final int number;
     private final Lamp lamp;
     private final LampShadow shadow = new LampShadow(scene, points);
+    private final UnhiddenLight unhidden = new UnhiddenLight(points.onTexel());
     private final TexelPlace place = new TexelPlace(scene, solution, texels);
     private final double[] open = new double[3];
     private int page = -1;
@@ -171,7 +172,7 @@ final class DirectPass {
       int x = (texel - first) % map.width();
       int y = (texel - first) / map.width();
       place.at(texel);
-      lamp.unshadowed(place.point, place.normal, open);
+      unhidden.of(lamp, place, open);
       if (!(open[0] + open[1] + open[2] > 0)) {
         return;
       }
@@ -225,7 +226,7 @@ final class DirectPass {
         }
       }
       place.at(texel);
-      lamp.unshadowed(place.point, place.normal, open);
+      unhidden.of(lamp, place, open);
       add(texel, sum / count / WHOLE);
     }
 
