@@ -16,6 +16,10 @@ public final class GlowLamp implements Lamp {
   private final float[] luminance;
   private final double area;
 
+  // The box around it.
+  private final double[] low = new double[3];
+  private final double[] high = new double[3];
+
   /**
    * @param first of its consecutive triangles
    * @param luminance r, g, b, cd/m2
@@ -32,6 +36,12 @@ public final class GlowLamp implements Lamp {
       sums[i] = sum;
     }
     area = sum;
+    Arrays.fill(low, Double.POSITIVE_INFINITY);
+    Arrays.fill(high, Double.NEGATIVE_INFINITY);
+    for (int i = 9 * first; i < 9 * (first + count); i++) {
+      low[i % 3] = Math.min(low[i % 3], triangles.corners()[i]);
+      high[i % 3] = Math.max(high[i % 3], triangles.corners()[i]);
+    }
   }
 
   /** Square metres. */
@@ -119,6 +129,16 @@ public final class GlowLamp implements Lamp {
   @Override
   public double near() {
     return sums.length <= MOST_EXACT ? Math.sqrt(area) : 0;
+  }
+
+  @Override
+  public double away(double[] point) {
+    double square = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double d = Math.max(low[axis] - point[axis], point[axis] - high[axis]);
+      square += Math.max(0, d) * Math.max(0, d);
+    }
+    return Math.sqrt(square);
   }
 
   @Override

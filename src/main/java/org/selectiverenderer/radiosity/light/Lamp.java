@@ -29,6 +29,9 @@ public sealed interface Lamp permits PointLamp, SunLamp, RectangleLamp, GlowLamp
    */
   double near();
 
+  /** No farther than it is from a point, metres; infinite for the sun. */
+  double away(double[] point);
+
   /** Whether it is a point or infinitely far, so that its shadows have hard edges. */
   boolean hard();
 

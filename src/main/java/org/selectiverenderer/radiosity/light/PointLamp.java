@@ -45,6 +45,15 @@ public record PointLamp(
   }
 
   @Override
+  public double away(double[] point) {
+    double square = 0;
+    for (int i = 0; i < 3; i++) {
+      square += (point[i] - place[i]) * (point[i] - place[i]);
+    }
+    return Math.sqrt(square);
+  }
+
+  @Override
   public boolean hard() {
     return true;
   }

@@ -101,6 +101,26 @@ public record RectangleLamp(
   }
 
   @Override
+  public double away(double[] point) {
+    double height = 0;
+    double x = 0;
+    double y = 0;
+    double width = 0;
+    double tall = 0;
+    for (int i = 0; i < 3; i++) {
+      double d = point[i] - centre[i];
+      height += d * axis[i];
+      x += d * half[i];
+      y += d * up[i];
+      width += half[i] * half[i];
+      tall += up[i] * up[i];
+    }
+    x = Math.max(0, (Math.abs(x) - width) / Math.sqrt(width));
+    y = Math.max(0, (Math.abs(y) - tall) / Math.sqrt(tall));
+    return Math.sqrt(height * height + x * x + y * y);
+  }
+
+  @Override
   public boolean hard() {
     return false;
   }

@@ -28,6 +28,11 @@ public record SunLamp(double[] towards, float[] lux, double lumens) implements L
   }
 
   @Override
+  public double away(double[] point) {
+    return Double.POSITIVE_INFINITY;
+  }
+
+  @Override
   public boolean hard() {
     return true;
   }

@@ -100,6 +100,7 @@ final class DirectPass {
     private final int number;
     private final Lamp lamp;
     private final LampShadow shadow = new LampShadow(scene, points);
+    private final UnhiddenLight unhidden = new UnhiddenLight(points.onTexel());
     private final TexelPlace place = new TexelPlace(scene, solution, texels);
     private final double[] open = new double[3];
     private final ShareGrid grid = new ShareGrid(texels, shares);
@@ -127,7 +128,7 @@ final class DirectPass {
     /** Finds the share and adds its light, unless that is to be evened out first. */
     void find(int texel) {
       place.at(texel);
-      lamp.unshadowed(place.point, place.normal, open);
+      unhidden.of(lamp, place, open);
       if (!(open[0] + open[1] + open[2] > 0)) {
         return;
       }
@@ -169,7 +170,7 @@ final class DirectPass {
       }
       around.go(texel);
       place.at(texel);
-      lamp.unshadowed(place.point, place.normal, open);
+      unhidden.of(lamp, place, open);
       add(texel, around.meanOfAlike());
     }
   }

@@ -139,24 +139,27 @@ final class TexelPlace {
    * A start somewhere in the texel's square, on the surface there.
    *
    * @param s from 0 to 1, with {@code t} where in the square
+   * @return false where the surface ends before; then it is at its edge
    */
-  void start(double s, double t, double[] out) {
+  boolean start(double s, double t, double[] out) {
     int x = local % map.width();
     int y = local / map.width();
     double dx = s - 0.5;
     double dy = t - 0.5;
     if (own.to(x + dx, y + dy)) {
       start(triangle, own.u, own.v, out);
-      return;
+      return true;
     }
     int toX = dx < 0 ? x - 1 : x + 1;
     int toY = dy < 0 ? y - 1 : y + 1;
-    if (!next(toX, y, x + dx, y + dy, out)
-        && !next(x, toY, x + dx, y + dy, out)
-        && !next(toX, toY, x + dx, y + dy, out)) {
-      own.inside();
-      start(triangle, own.u, own.v, out);
+    if (next(toX, y, x + dx, y + dy, out)
+        || next(x, toY, x + dx, y + dy, out)
+        || next(toX, toY, x + dx, y + dy, out)) {
+      return true;
     }
+    own.inside();
+    start(triangle, own.u, own.v, out);
+    return false;
   }
 
   /** Takes the triangle of a neighbouring texel, if the place lies on it. */

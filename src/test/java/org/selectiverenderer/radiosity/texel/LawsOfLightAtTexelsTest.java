@@ -98,6 +98,35 @@ class LawsOfLightAtTexelsTest {
         });
   }
 
+  /**
+   * Howell's catalogue, C-14, of a lamp that stands on the floor: light begins with a step in its
+   * plane, which lies in the first row of texels, before or behind their middle.
+   */
+  @Test
+  void aLampOnTheFloorGivesAllOfItsLightWhereverTexelsLie() throws Exception {
+    String lamp =
+        "<SpotLight location='0.5 0.5 0' direction='0 0 1'>"
+            + "<MetadataSet containerField='metadata' name='photometric'>"
+            + "<MetadataFloat containerField='value' name='size' value='1 1'/>"
+            + "<MetadataFloat containerField='value' name='luminance' value='1000'/>"
+            + "</MetadataSet></SpotLight>";
+    for (double behind : new double[] {0.02, 0.05, 0.1}) {
+      String floor =
+          quad("0 0 1, 1 0 1, 1 0 %1$s, 0 0 %1$s".formatted(String.valueOf(-behind)), BLACK);
+      double[] sum = new double[2];
+      TexelLight.of(floor + lamp, 8, 0.3)
+          .each(
+              0,
+              (p, lux) -> {
+                sum[0] += lux;
+                sum[1]++;
+              });
+      assertThat(sum[0] / sum[1] * (1 + behind) / (Math.PI * 1000))
+          .as("%s m behind the lamp", behind)
+          .isCloseTo(0.20004, within(0.002));
+    }
+  }
+
   @Test
   void theEdgeOfAPointLampsShadowIsAsSharpAsATexel() throws Exception {
     String blocker =
