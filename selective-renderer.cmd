@@ -42,6 +42,7 @@ call :isjava "1[7-9]" "[2-9][0-9]"
 if errorlevel 1 goto oldjava
 set "SR_FLAGS=-XX:+IgnoreUnrecognizedVMOptions -XX:+DisplayVMOutputToStderr -Xlog:disable"
 set "SR_FLAGS=%SR_FLAGS% -Djoml.nounsafe=true"
+if defined SR_PACKAGED set "SR_FLAGS=%SR_FLAGS% -Dselective-renderer.installed=true"
 set "SR_GRANTS=--enable-native-access=ALL-UNNAMED --sun-misc-unsafe-memory-access=allow"
 call :isjava "2[4-9]" "[3-9][0-9]"
 if not errorlevel 1 set "SR_FLAGS=%SR_FLAGS% %SR_GRANTS%"

@@ -58,8 +58,8 @@ def libraries(folder):
     return made
 
 
-def recipe(name, tag, commit):
-    """How to make the same bytes again."""
+def recipe(name, tag, commit, archives=()):
+    """How to make the same bytes again, those of the libraries' archives too."""
     time = datetime.datetime.fromtimestamp(int(git("log", "-1", "--format=%ct", commit)), datetime.timezone.utc)
     maven = run("mvn", "-B", "--version", env=os.environ | {"MAVEN_ARGS": ""})
     maven = re.sub(r"\x1b\[[0-9;]*m", "", maven)  # Maven 3 writes bold letters wherever it runs.
@@ -69,7 +69,9 @@ def recipe(name, tag, commit):
         f"{name}\n\nCommit {commit}\nof {time:%Y-%m-%d %H:%M:%S} UTC, built twice with the same bytes by\n"
         + "".join(f"  {line}\n" for line in programs)
         + f"\nWith the same Java one gets these bytes again:\n\n  git checkout {tag}\n"
-        + "  mvn -DskipTests clean package\n  sha256sum target/selective-renderer.jar target/x3d-sai.jar\n"
+        + "  mvn -DskipTests clean package\n"
+        + f"  {LIBRARIES}\n" * bool(archives)
+        + "  sha256sum " + " ".join(f"target/{file}" for file in (*JARS, *archives)) + "\n"
     )
 
 

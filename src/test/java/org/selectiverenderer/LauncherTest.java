@@ -137,7 +137,9 @@ class LauncherTest {
     assertThat(run.err()).isEmpty();
     assertThat(run.status()).isZero();
     assertThat(notes())
-        .contains("packaged " + runtime.getParent().resolve("app/selective-renderer.jar"))
+        .contains(
+            "packaged " + runtime.getParent().resolve("app/selective-renderer.jar"),
+            "packaged -Dselective-renderer.installed=true")
         .noneMatch(note -> note.startsWith("mvn"))
         .noneMatch(note -> note.startsWith("java "));
   }

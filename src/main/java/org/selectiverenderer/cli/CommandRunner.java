@@ -5,6 +5,7 @@ import java.io.StringWriter;
 import java.util.List;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.base.TypedProgram;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
@@ -31,7 +32,7 @@ final class CommandRunner {
     try {
       int code = commandLine(commands, help).execute(args);
       // Written here, as picocli prints a stack trace when its own output fails.
-      console.out().print(help);
+      console.out().print(TypedProgram.in(help.toString()));
       console.out().flush();
       return ExitStatus.of(code);
     } catch (OutputFailure | Error e) { // Output can fail as late as in the flush.

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.output.Console;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 
 /** Which commands a command line brings up. */
@@ -36,6 +38,23 @@ class CommandCatalogueTest {
     assertThat(CommandCatalogue.draws(new String[] {"run", "--help"})).isFalse();
     assertThat(CommandCatalogue.draws(new String[] {"run"})).isFalse();
     assertThat(CommandCatalogue.draws(new String[] {"validate", "a.x3d"})).isFalse();
+  }
+
+  /** A line that the help breaks cannot be copied. */
+  @Test
+  void examplesFitIntoALineOfTheHelp() {
+    var model = new CommandRunner(console).model(CommandCatalogue.commands(console));
+    int width = model.getCommandSpec().usageMessage().width();
+    assertThat(examples(model))
+        .hasSizeGreaterThan(40)
+        .allSatisfy(line -> assertThat(line).hasSizeLessThan(width));
+  }
+
+  private static List<String> examples(CommandLine command) {
+    return Stream.concat(
+            Stream.of(command.getCommandSpec().usageMessage().footer()),
+            command.getSubcommands().values().stream().flatMap(sub -> examples(sub).stream()))
+        .toList();
   }
 
   private List<CliCommand> commands(String... args) {

@@ -220,7 +220,11 @@ class ReleaseCommandTest {
           .hasSize(1 + Files.readAllLines(made.resolve("SHA256SUMS")).size());
     }
     assertThat(Files.readString(made.resolve("BUILD.txt")))
-        .contains("Apache Maven 3.9.9", scripts.git("rev-parse", "v1.2.0^{}"));
+        .contains(
+            "Apache Maven 3.9.9",
+            scripts.git("rev-parse", "v1.2.0^{}"),
+            "  git checkout v1.2.0\n  mvn -DskipTests clean package\n  packaging/libraries/build\n",
+            "target/x3d-sai.jar target/selective-renderer-libraries-1.2.0.zip\n");
   }
 
   @Test

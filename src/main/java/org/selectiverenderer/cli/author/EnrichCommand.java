@@ -23,13 +23,15 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "enrich",
     description = {
-      "Writes schema metadata into a scene.",
-      "Opens a window; with --ratings or --apply it works without one. Only metadata "
-          + "changes, everything else stays byte for byte. The previous file is kept with "
-          + "the ending .bak."
+      "Opens the enricher, the window in which authors say which objects people expect where.",
+      "With --ratings or --apply it writes schema metadata into a scene without a window. Only"
+          + " metadata changes, everything else stays byte for byte. The previous file is kept with"
+          + " the ending .bak."
     },
-    footer =
-        "  ./selective-renderer enrich scenes/apartment-plain.x3d --ratings ratings.csv --dry-run")
+    footer = {
+      "  ./selective-renderer enrich scenes/apartment-plain.x3d",
+      "  ./selective-renderer enrich scenes/apartment-plain.x3d --ratings ratings.csv --dry-run"
+    })
 public final class EnrichCommand extends CliCommand {
   /** Opens the enricher's window. */
   @FunctionalInterface

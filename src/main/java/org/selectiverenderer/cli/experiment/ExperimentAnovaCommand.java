@@ -36,9 +36,10 @@ import picocli.CommandLine.Parameters;
           + "--within alone, between participants with --between alone. Each of them, and "
           + "--covariate, may be given several times."
     },
-    footer =
-        "  ./selective-renderer experiment anova scores.csv --dv d_prime --subject participant"
-            + " --within object_type --between condition")
+    footer = {
+      "  ./selective-renderer experiment anova scores.csv --dv d_prime --subject participant \\",
+      "      --within object_type --between condition"
+    })
 final class ExperimentAnovaCommand extends CliCommand {
   /** More have too many interactions for anyone to read. */
   private static final int MOST_FACTORS = 5;

@@ -32,8 +32,8 @@ import picocli.CommandLine.Option;
       "The questions come in the order in which the participant would see them on the screen."
     },
     footer =
-        "  ./selective-renderer experiment paper mystudy --participant 001 --condition high"
-            + " --output 001.html --csv 001.csv")
+        "  ./selective-renderer experiment paper mystudy --participant 001 --output 001.html --csv"
+            + " 001.csv")
 final class ExperimentPaperCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
 

@@ -8,6 +8,7 @@ import java.util.concurrent.CountDownLatch;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.base.TypedProgram;
 import org.selectiverenderer.cli.option.TrackerFlags;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.CommandFiles;
@@ -173,9 +174,10 @@ public final class TrackCommand extends CliCommand {
           try (EmulatedInterTrax2 device = EmulatedInterTrax2.start(path, settings)) {
             console()
                 .message(
-                    "the emulated InterTrax2 is ready; type in another terminal: "
-                        + "./selective-renderer track intertrax2:"
-                        + device.link());
+                    TypedProgram.in(
+                        "the emulated InterTrax2 is ready; type in another terminal: "
+                            + "./selective-renderer track intertrax2:"
+                            + device.link()));
             Interruption.await(stopping, duration);
           }
         });

@@ -1,0 +1,36 @@
+package org.selectiverenderer.cli.base;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Properties;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** An example can be copied as it is printed. */
+class TypedProgramTest {
+  private static final String EXAMPLE = "Example:\n  ./selective-renderer run room.x3d\n";
+
+  private static Properties of(String key, String value) {
+    Properties properties = new Properties();
+    properties.setProperty("os.name", "Linux");
+    properties.setProperty(key, value);
+    return properties;
+  }
+
+  @Test
+  void amongTheSourcesItIsTheLauncherOfTheFolder() {
+    assertThat(TypedProgram.in(EXAMPLE, of("os.name", "Mac OS X"))).isEqualTo(EXAMPLE);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "selective-renderer.installed, true",
+    "jpackage.app-path, /opt/Selective Renderer",
+    "os.name, Windows 11"
+  })
+  void elsewhereItIsTheNameAlone(String key, String value) {
+    assertThat(TypedProgram.in(EXAMPLE, of(key, value)))
+        .isEqualTo("Example:\n  selective-renderer run room.x3d\n");
+  }
+}
