@@ -182,6 +182,9 @@ public record RadiosityJob(
                     : (pages, curve) -> show(picture, shown -> shown.of(pages, curve)));
     show(picture, shown -> shown.of(lit.pages(), lit.curve()));
     LightPictures painted = LightPictures.of(lit);
+    if (settings.store().highlights()) {
+      TextureNotes.withoutHighlights(work.light(), painted.use(), work.problems());
+    }
     LampFit lamps = new LampFit(lit.curve(), settings.photometric(), unit);
     TexelForm form = new TexelForm(lit, painted, lamps, settings.store().highlights());
     Written written = write(work, form, progress, "pictures");

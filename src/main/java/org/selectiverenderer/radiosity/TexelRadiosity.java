@@ -10,6 +10,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.AtlasMaker;
 import org.selectiverenderer.radiosity.atlas.AtlasSettings;
+import org.selectiverenderer.radiosity.bake.ShiningImages;
 import org.selectiverenderer.radiosity.bake.TexelScene;
 import org.selectiverenderer.radiosity.bake.ToneCurve;
 import org.selectiverenderer.radiosity.mesh.Facet;
@@ -64,7 +65,11 @@ final class TexelRadiosity {
     MeshPlan plan = MeshPlan.of(scene, settings);
     Iterations.checkMemory(scene, plan);
     Map<Integer, List<Facet>> divided = divided(scene, plan);
-    Atlas atlas = new AtlasMaker(atlasSettings(), problems).make(scene, fileOf);
+    double[] wished =
+        settings.store().highlights()
+            ? ShiningImages.texels(scene)
+            : new double[scene.bodies().size()];
+    Atlas atlas = new AtlasMaker(atlasSettings(), problems).make(scene, fileOf, wished);
     Iterations iterations = Iterations.of(scene, plan, settings, progress, each);
     Solution solution = iterations.solution();
     TexelGatherer.Effort effort =

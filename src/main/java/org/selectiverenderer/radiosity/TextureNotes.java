@@ -1,9 +1,12 @@
 package org.selectiverenderer.radiosity;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.bake.OwnTexture;
+import org.selectiverenderer.radiosity.bake.ShiningImages;
+import org.selectiverenderer.radiosity.bake.TextureUse;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.runtime.instance.SurfaceDetail;
@@ -37,6 +40,25 @@ final class TextureNotes {
           flat.get(0).shape().node().location(),
           "the texture coordinates lie in one line or point, so the texture is drawn as stripes or"
               + " one colour, with light and without (%s)".formatted(shapes(flat.size())));
+    }
+  }
+
+  /** What shines and does so no more, when it is known which images stay apart. */
+  static void withoutHighlights(LightScene scene, TextureUse use, Problems problems) {
+    List<Body> matt = new ArrayList<>();
+    for (int i = 0; i < scene.bodies().size(); i++) {
+      Body body = scene.bodies().get(i);
+      if (use.apart(i) && ShiningImages.shines(body.shape().surface())) {
+        matt.add(body);
+      }
+    }
+    if (!matt.isEmpty()) {
+      problems.info(
+          matt.get(0).shape().node().location(),
+          ("the surface loses its highlights, since its image is much finer than its light, repeats"
+                  + " often or has holes, and stays apart; raise --texels-per-metre or"
+                  + " --texture-budget, or give it an image with fewer pixels (%s)")
+              .formatted(shapes(matt.size())));
     }
   }
 

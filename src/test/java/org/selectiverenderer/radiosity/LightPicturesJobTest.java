@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.offset;
 import static org.selectiverenderer.radiosity.SmallScene.quad;
 import static org.selectiverenderer.radiosity.SmallScene.room;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -21,6 +22,7 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.concurrent.ForkJoinPool;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -498,6 +500,56 @@ class LightPicturesJobTest {
     int[] white = shown(shape, 4, .1, 4);
     assertThat(red[0]).isGreaterThan(2 * red[1]);
     assertThat(white[1]).isGreaterThan(white[0] * 3 / 4);
+  }
+
+  /** A floor of 4 m with an image of 64 pixels, two for each texel that its light has by itself. */
+  @Test
+  void whatShinesHasItsImageInThePictureOfItsLight() throws Exception {
+    byte[] halves = new byte[3 * 64 * 64];
+    for (int i = 0; i < halves.length; i++) {
+      halves[i] = (byte) (i % 3 == 0 || i / 3 % 64 > 31 ? 220 : 20);
+    }
+    Files.write(scenes.resolve("halves.png"), PngFile.of(64, 64, halves));
+    String matt = tiled("halves.png").replace("40 40", "1 1");
+    RadiosityJob.Report before = light(room(0, 0, 0, 4, GREY) + LAMP + matt, QUICK);
+    assertThat(before.pictures().multiplied()).isEqualTo(1);
+
+    String shiny = matt.replace("<Material", "<Material specularColor='.8 .8 .8' shininess='.5'");
+    RadiosityJob.Report report = light(room(0, 0, 0, 4, GREY) + LAMP + shiny, QUICK);
+    assertThat(problems.list()).isEmpty();
+    assertThat(report.pictures().multiplied()).isZero();
+    assertThat(report.pictures().shining()).isEqualTo(1);
+    ShapeInstance floor = lit().shapes().get(1);
+    assertThat(floor.surface().specular()).containsExactly(0.8f, 0.8f, 0.8f);
+    assertThat(litText()).contains("containerField='emissiveTexture'").doesNotContain("halves.png");
+    assertThat(lit().lights().get(0).light().on()).isTrue();
+    BufferedImage picture = ImageIO.read(scenes.resolve("room-lit-light.png").toFile());
+    int reds = 0;
+    int whites = 0;
+    for (int y = 0; y < picture.getHeight(); y++) {
+      for (int x = 0; x < picture.getWidth(); x++) {
+        int red = picture.getRGB(x, y) >> 16 & 0xff;
+        int green = picture.getRGB(x, y) >> 8 & 0xff;
+        reds += red > 30 && red > 3 * green ? 1 : 0;
+        whites += red > 30 && green > red * 3 / 4 ? 1 : 0;
+      }
+    }
+    assertThat(reds).isGreaterThan(64 * 64 / 4);
+    assertThat(whites).isGreaterThan(64 * 64 / 4);
+  }
+
+  @Test
+  void whatShinesWithAnImageMuchFinerThanItsLightStaysMattAndIsSaid() throws Exception {
+    Files.write(scenes.resolve("tiles.png"), PngFile.of(64, 64, new byte[3 * 64 * 64]));
+    String shiny = tiled("tiles.png").replace("<Material", "<Material specularColor='.8 .8 .8'");
+    RadiosityJob.Report report = light(room(0, 0, 0, 4, GREY) + LAMP + shiny, QUICK);
+    assertThat(report.pictures().multiplied()).isEqualTo(1);
+    assertThat(litText()).contains("<MultiTexture", "on='false'");
+    assertThat(problems.list()).hasSize(1);
+    assertThat(problems.list().get(0).toString())
+        .contains("room.x3d:")
+        .contains("the surface loses its highlights")
+        .endsWith("(1 shape)");
   }
 
   @Test

@@ -58,7 +58,7 @@ public final class EdgeSplitter {
       add(point(i), point(i % 3 == 2 ? i - 2 : i + 1), i / 3);
     }
     for (long key : beside.keySet()) {
-      queue((int) (key >>> 32), (int) key);
+      queue(EdgeKey.from(key), EdgeKey.to(key));
     }
   }
 
@@ -168,6 +168,6 @@ public final class EdgeSplitter {
   }
 
   private static long key(int a, int b) {
-    return (long) Math.min(a, b) << 32 | Math.max(a, b);
+    return EdgeKey.of(Math.min(a, b), Math.max(a, b));
   }
 }

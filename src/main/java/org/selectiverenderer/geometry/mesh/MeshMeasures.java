@@ -1,11 +1,8 @@
 package org.selectiverenderer.geometry.mesh;
 
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.HashSet;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import org.joml.Vector3d;
 
 /** What can be measured of a mesh. */
@@ -47,44 +44,48 @@ public final class MeshMeasures {
    * has none.
    */
   public static int openEdges(TriangleMesh mesh) {
-    Map<Long, Integer> balance = new HashMap<>(2 * mesh.triangles().length);
-    int repeated = 0;
-    int[] t = mesh.triangles();
-    for (int i = 0; i < t.length; i++) {
-      int from = t[i];
-      int to = t[i % 3 == 2 ? i - 2 : i + 1];
-      if (balance.merge(edge(from, to), 1, Integer::sum) > 1) {
-        repeated++;
-      }
-    }
-    int open = repeated;
-    for (long key : balance.keySet()) {
-      if (!balance.containsKey(edge((int) key, (int) (key >>> 32)))) {
+    long[] edges = edges(mesh);
+    int open = 0;
+    for (int i = 0; i < edges.length; i++) {
+      boolean repeated = i > 0 && edges[i] == edges[i - 1];
+      if (repeated || !contains(edges, edge((int) edges[i], (int) (edges[i] >>> 32)))) {
         open++;
       }
     }
     return open;
   }
 
+  /** The directed edges of all triangles, sorted. */
+  private static long[] edges(TriangleMesh mesh) {
+    int[] t = mesh.triangles();
+    long[] edges = new long[t.length];
+    for (int i = 0; i < t.length; i++) {
+      edges[i] = edge(t[i], t[i % 3 == 2 ? i - 2 : i + 1]);
+    }
+    Arrays.sort(edges);
+    return edges;
+  }
+
+  private static boolean contains(long[] edges, long edge) {
+    return Arrays.binarySearch(edges, edge) >= 0;
+  }
+
   /** The border's edges, from and to, as the triangles beside them run; in the triangles' order. */
   public static List<int[]> border(TriangleMesh mesh) {
-    Set<Long> edges = new HashSet<>(2 * mesh.triangles().length);
+    long[] edges = edges(mesh);
     int[] t = mesh.triangles();
-    for (int i = 0; i < t.length; i++) {
-      edges.add(edge(t[i], t[i % 3 == 2 ? i - 2 : i + 1]));
-    }
     List<int[]> border = new ArrayList<>();
     for (int i = 0; i < t.length; i++) {
       int to = t[i % 3 == 2 ? i - 2 : i + 1];
-      if (!edges.contains(edge(to, t[i]))) {
+      if (!contains(edges, edge(to, t[i]))) {
         border.add(new int[] {t[i], to});
       }
     }
     return border;
   }
 
-  /** A key for the edge from a point to another; other than that for the way back. */
-  public static long edge(int from, int to) {
+  /** From and to, side by side. */
+  private static long edge(int from, int to) {
     return (long) from << 32 | to;
   }
 }

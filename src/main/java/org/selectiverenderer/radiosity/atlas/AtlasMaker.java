@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -48,6 +49,17 @@ public final class AtlasMaker {
    * @throws UnlitSceneException if the budget or Java's memory cannot hold it, with one sentence
    */
   public Atlas make(LightScene scene, int[] groupOf) throws UnlitSceneException {
+    return make(scene, groupOf, new double[scene.bodies().size()]);
+  }
+
+  /**
+   * Likewise.
+   *
+   * @param wished by body: texels from which on something besides its light can be part of its
+   *     picture; 0 for none. It gets them or, where that is far finer than otherwise, or too much
+   *     for the budget, none of them
+   */
+  public Atlas make(LightScene scene, int[] groupOf, double[] wished) throws UnlitSceneException {
     int count = scene.bodies().size();
     @Nullable BodyCharts[] charts = new BodyCharts[count];
     IntStream.range(0, count)
@@ -65,7 +77,12 @@ public final class AtlasMaker {
         bounded[i] = bound(scene.bodies().get(i), i, boxes, planner, densities);
       }
     }
-    List<PagePlanner.Page> pages = withinBudget(groups, boxes, planner, densities);
+    List<PagePlanner.Page> pages =
+        finer(groups, boxes, planner, Density.finer(densities, wished, charts, boxes, planner))
+            .orElse(null);
+    if (pages == null) {
+      pages = withinBudget(groups, boxes, planner, densities);
+    }
     MemoryNeed.ofTexels(pages.stream().mapToLong(PagePlanner.Page::texels).sum());
     for (int i = 0; i < count; i++) {
       if (bounded[i]) {
@@ -94,6 +111,26 @@ public final class AtlasMaker {
       bounded = true;
     }
     return bounded;
+  }
+
+  /** Pages where some bodies are finer; empty if none is, or they are too many for the budget. */
+  private Optional<List<PagePlanner.Page>> finer(
+      Map<Integer, List<Integer>> groups,
+      TexelBoxes boxes,
+      PagePlanner planner,
+      Optional<double[]> densities) {
+    if (densities.isEmpty()) {
+      return Optional.empty();
+    }
+    long[] texels = new long[densities.get().length];
+    for (List<Integer> bodies : groups.values()) {
+      bodies.forEach(body -> texels[body] = boxes.size(body, densities.get()[body]));
+    }
+    return Optional.ofNullable(pages(groups, planner, texels))
+        .filter(
+            made ->
+                made.stream().mapToLong(PagePlanner.Page::texels).sum()
+                    <= settings.budgetBytes() / AtlasSettings.BYTES_PER_TEXEL);
   }
 
   private List<PagePlanner.Page> withinBudget(

@@ -18,6 +18,18 @@ record BodyCharts(int[] chartOf, float[] flat, float[] width, float[] height) {
     return width.length;
   }
 
+  /** The area of all charts as they lie flat, square metres. */
+  double area() {
+    double sum = 0;
+    for (int at = 0; at < flat.length; at += 6) {
+      double cross =
+          ((double) flat[at + 2] - flat[at]) * (flat[at + 5] - flat[at + 1])
+              - ((double) flat[at + 3] - flat[at + 1]) * (flat[at + 4] - flat[at]);
+      sum += Math.abs(cross) / 2;
+    }
+    return sum;
+  }
+
   static BodyCharts of(WeldedBody body) {
     ChartGrower grower = new ChartGrower(body);
     grower.grow();

@@ -15,7 +15,7 @@ import org.selectiverenderer.radiosity.scene.Photometry;
  */
 public final class TextureUse {
   /** Pixels for each texel up to which an image becomes part of the light's picture. */
-  private static final double FEW = 1.5;
+  static final double FEW = 1.5;
 
   /** A mean darker than this is taken for this: what is black stays black by itself. */
   private static final double LEAST = 1e-3;

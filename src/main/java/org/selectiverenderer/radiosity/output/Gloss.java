@@ -3,6 +3,7 @@ package org.selectiverenderer.radiosity.output;
 import java.util.Arrays;
 import java.util.BitSet;
 import org.selectiverenderer.base.decimal.DecimalText;
+import org.selectiverenderer.radiosity.bake.ShiningImages;
 import org.selectiverenderer.radiosity.bake.TextureUse;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
@@ -10,16 +11,10 @@ import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * The bodies that shine: whose specular colour is bright and whose highlights are small enough to
- * be seen as such. A wide, weak one is hardly told from the diffuse light beneath it.
+ * The bodies that shine and whose colours are all in one picture: the Materials that add highlights
+ * to it.
  */
 final class Gloss {
-  /** Of the brightest part of the specular colour. */
-  private static final float BRIGHT = 0.3f;
-
-  /** Of shininess: an exponent of 26, a highlight of some 20 degrees. */
-  private static final float SMALL = 0.2f;
-
   private static final int DECIMALS = 3;
 
   private final BitSet bodies;
@@ -33,19 +28,13 @@ final class Gloss {
     return new Gloss(new BitSet());
   }
 
-  /** Of images that stay apart a Material with highlights can have none. */
+  /** Beside an image that stays apart there can be none: see {@link ShiningImages}. */
   static Gloss of(LightScene scene, TextureUse use) {
     BitSet bodies = new BitSet();
     for (int i = 0; i < scene.bodies().size(); i++) {
-      bodies.set(i, !use.apart(i) && shines(scene.bodies().get(i).shape().surface()));
+      bodies.set(i, !use.apart(i) && ShiningImages.shines(scene.bodies().get(i).shape().surface()));
     }
     return new Gloss(bodies);
-  }
-
-  private static boolean shines(Surface surface) {
-    float[] specular = surface.specular();
-    float most = Math.max(specular[0], Math.max(specular[1], specular[2]));
-    return surface.lit() && most >= BRIGHT && surface.shininess() >= SMALL;
   }
 
   boolean on(int body) {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.selectiverenderer.geometry.mesh.EdgeKey;
 
 /**
  * Triangles as strips, in which each further one takes a single number: less than half of the text.
@@ -31,7 +32,7 @@ final class Strips {
     before = new int[corners.length];
     used = new boolean[corners.length / 3];
     for (int corner = corners.length - 1; corner >= 0; corner--) {
-      Integer last = lastAt.put(edge(corners[corner], corners[next(corner)]), corner);
+      Integer last = lastAt.put(EdgeKey.of(corners[corner], corners[next(corner)]), corner);
       before[corner] = last == null ? NONE : last;
     }
   }
@@ -105,7 +106,7 @@ final class Strips {
   }
 
   private int unused(int from, int to) {
-    int corner = lastAt.getOrDefault(edge(from, to), NONE);
+    int corner = lastAt.getOrDefault(EdgeKey.of(from, to), NONE);
     while (corner != NONE && used[corner / 3]) {
       corner = before[corner];
     }
@@ -114,9 +115,5 @@ final class Strips {
 
   private static int next(int corner) {
     return corner % 3 == 2 ? corner - 2 : corner + 1;
-  }
-
-  private static long edge(int from, int to) {
-    return (long) from << 32 | to;
   }
 }
