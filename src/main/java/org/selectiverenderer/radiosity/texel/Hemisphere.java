@@ -124,19 +124,19 @@ final class Hemisphere {
     out.distance = inverse > 0 ? met / inverse : Double.POSITIVE_INFINITY;
   }
 
-  /** Whether one ray ends within some texels of a place. */
-  boolean near(TexelPlace place, int i, int turn, double most) {
+  /** How many texels away one ray ends, if that is within some texels; else infinite. */
+  double near(TexelPlace place, int i, int turn, double most) {
     place.start(start);
     sets.directions()
         .about(place.normal, (PointSet.hash(turn) & SETS - 1) * sets.rays() + i, direction);
     if (dot(direction, place.facing) < FLAT) {
-      return false;
+      return Double.POSITIVE_INFINITY;
     }
     ray.from(start, direction);
     ray.length = most * place.size();
     ray.pass = 0.5;
     scene.visibility().nearest(ray, place.version);
-    return ray.triangle != Ray.NOTHING;
+    return ray.triangle != Ray.NOTHING ? ray.length / place.size() : Double.POSITIVE_INFINITY;
   }
 
   /** Whether a place lies inside of something or is covered closely, as few rays tell. */

@@ -176,7 +176,8 @@ final class IndirectPass {
 
   /** Looks at a place of the reader; whether anything is known there. */
   boolean at(RecordReader reader, int texel, TexelPlace place) {
-    return reader.at(place.point, place.normal, group(place), nearby.reach(texel, place));
+    return reader.at(
+        place.point, place.normal, place.flat(), group(place), nearby.reach(texel, place));
   }
 
   /** All references and what has no versions see one scene; any other version sees its own. */

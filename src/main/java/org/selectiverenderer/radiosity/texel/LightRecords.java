@@ -9,14 +9,16 @@ import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
  * counts. Added to by one thread, then read by several.
  */
 final class LightRecords {
-  // Where the numbers of a record begin: place, normal, radius, error, light, turn, rays.
+  // Where the numbers of a record begin: place, normal, radius, error, light, turn, rays, whether
+  // it is shaded flat.
   static final int NORMAL = 3;
   static final int RADIUS = 6;
   static final int ERROR = 7;
   static final int LIGHT = 8;
   static final int TURN = 11;
   static final int RAYS = 20;
-  static final int NUMBERS = 21;
+  static final int FLAT = 21;
+  static final int NUMBERS = 22;
 
   private float[] numbers = new float[0];
   private int[] groups = new int[0];
@@ -67,6 +69,7 @@ final class LightRecords {
       block[at + TURN + i] = (float) record.turn[i];
     }
     block[at + RAYS] = record.rays;
+    block[at + FLAT] = place.flat() ? 1 : 0;
   }
 
   /** Takes the mean with what more rays from the same place have found; called once for each. */

@@ -20,6 +20,9 @@ final class NearbyPass {
   /** How far things are near, texels. */
   private static final double NEAR = 6;
 
+  /** Parts of a texel in which that is told. */
+  private static final int STEPS = 16;
+
   /** Texels around whose rays count, to each side, and how many of them have to meet something. */
   private static final int AROUND = 2;
 
@@ -31,13 +34,27 @@ final class NearbyPass {
   /** Near to things, records count up to so many texels away. */
   private static final double REACH = 3;
 
+  /**
+   * In corners light changes from one texel to the next: of the texels right around the ray of one
+   * ends within so many texels, and there records count up to so many texels away.
+   */
+  private static final double CORNER = 2;
+
+  private static final int RIGHT_AROUND = 1;
+  private static final double CORNER_REACH = 1.4;
+
   private final Texels texels;
-  private final boolean[] meets;
+
+  /**
+   * How far a short ray went from each texel, in steps of a 16th of a texel; 0 if it met nothing.
+   */
+  private final byte[] meets;
+
   private final LongAdder rays = new LongAdder();
 
   private NearbyPass(Texels texels) {
     this.texels = texels;
-    meets = new boolean[texels.count()];
+    meets = new byte[texels.count()];
   }
 
   long rays() {
@@ -85,7 +102,8 @@ final class NearbyPass {
     int x = (texel - texels.first(page)) % width;
     int y = (texel - texels.first(page)) / width;
     int i = 7 * (y % CELL * CELL + x % CELL) % (CELL * CELL);
-    meets[texel] = hemisphere.near(place, i % hemisphere.most(), y / CELL * width + x / CELL, NEAR);
+    double far = hemisphere.near(place, i % hemisphere.most(), y / CELL * width + x / CELL, NEAR);
+    meets[texel] = far > NEAR ? 0 : (byte) (1 + STEPS * far);
   }
 
   /** How far away records may be for a texel, metres. */
@@ -95,14 +113,25 @@ final class NearbyPass {
     int first = texels.first(page);
     int x = (texel - first) % map.width();
     int y = (texel - first) / map.width();
-    int chart = map.chart()[texel - first];
+    if (found(map, first, x, y, RIGHT_AROUND, CORNER) > 0) {
+      return CORNER_REACH * place.size();
+    }
+    return found(map, first, x, y, AROUND, NEAR) >= ENOUGH
+        ? REACH * place.size()
+        : Double.POSITIVE_INFINITY;
+  }
+
+  /** How many texels of one chart around a texel have met something within some texels. */
+  private int found(TexelMap map, int first, int x, int y, int around, double most) {
+    int chart = map.chart()[y * map.width() + x];
     int found = 0;
-    for (int ny = Math.max(0, y - AROUND); ny <= Math.min(map.height() - 1, y + AROUND); ny++) {
-      for (int nx = Math.max(0, x - AROUND); nx <= Math.min(map.width() - 1, x + AROUND); nx++) {
+    for (int ny = Math.max(0, y - around); ny <= Math.min(map.height() - 1, y + around); ny++) {
+      for (int nx = Math.max(0, x - around); nx <= Math.min(map.width() - 1, x + around); nx++) {
         int there = ny * map.width() + nx;
-        found += meets[first + there] && map.chart()[there] == chart ? 1 : 0;
+        byte met = meets[first + there];
+        found += met > 0 && met <= 1 + STEPS * most && map.chart()[there] == chart ? 1 : 0;
       }
     }
-    return found >= ENOUGH ? REACH * place.size() : Double.POSITIVE_INFINITY;
+    return found;
   }
 }

@@ -26,12 +26,6 @@ final class NoiseFilter {
   /** With fewer records a paraboloid is not worth it. */
   private static final int FEW = 12;
 
-  /** Cosine of the angle between normals from which on a record says nothing. */
-  private static final double TURNED = 0.85;
-
-  /** How far before or behind of a record's plane, in its radius, another one may lie. */
-  private static final double ABOVE = 0.15;
-
   /** Keeps surfaces through few records flat. */
   private static final double RIDGE = 0.001;
 
@@ -173,7 +167,7 @@ final class NoiseFilter {
       for (int i = 0; i < count; i++) {
         if (records.groups()[found[i]] == group
             && within(at, LightRecords.NUMBERS * found[i], from, to)
-            && note(at, LightRecords.NUMBERS * found[i], ABOVE * radius, used)) {
+            && note(at, LightRecords.NUMBERS * found[i], radius, used)) {
           around[used++] = found[i];
         }
       }
@@ -218,7 +212,7 @@ final class NoiseFilter {
   }
 
   /** Notes where another record lies and what it says of this place; false if it says nothing. */
-  private boolean note(int at, int other, double most, int to) {
+  private boolean note(int at, int other, double radius, int to) {
     float[] all = records.numbers();
     double dx = (double) all[other] - all[at];
     double dy = (double) all[other + 1] - all[at + 1];
@@ -229,15 +223,15 @@ final class NoiseFilter {
     double ox = all[other + 3];
     double oy = all[other + 4];
     double oz = all[other + 5];
-    double cosine = nx * ox + ny * oy + nz * oz;
-    double above = dx * (nx + ox) + dy * (ny + oy) + dz * (nz + oz);
-    if (cosine <= TURNED || Math.abs(above) > 2 * most) {
+    boolean flat = all[at + LightRecords.FLAT] > 0 && all[other + LightRecords.FLAT] > 0;
+    if (!OneSurface.may(dx, dy, dz, nx, ny, nz, ox, oy, oz, flat, radius)) {
       return false;
     }
+    double cosine = nx * ox + ny * oy + nz * oz;
     x[to] = dx * across[0] + dy * across[1] + dz * across[2];
     y[to] = dx * along[0] + dy * along[1] + dz * along[2];
     rays[to] = all[other + LightRecords.RAYS];
-    base[to] = rays[to] * (cosine - TURNED) / (1 - TURNED);
+    base[to] = rays[to] * (cosine - OneSurface.TURNED) / (1 - OneSurface.TURNED);
     value[to] = 0;
     for (int c = 0; c < 3; c++) {
       value[to] += turned(all, other, c, nx - ox, ny - oy, nz - oz);

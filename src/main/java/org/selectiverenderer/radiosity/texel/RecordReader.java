@@ -8,12 +8,6 @@ import java.util.Arrays;
  * one place with one normal have the same light there. One per thread.
  */
 final class RecordReader {
-  /** Cosine of the angle between normals from which on a record says nothing. */
-  private static final double TURNED = 0.85;
-
-  /** How far before or behind of a record's plane, in its radius, a place may lie. */
-  private static final double ABOVE = 0.15;
-
   /** Keeps planes through few records flat. */
   private static final double RIDGE = 0.003;
 
@@ -78,9 +72,10 @@ final class RecordReader {
   /**
    * Whether anything is known at a place that was included.
    *
+   * @param flat whether it is shaded flat
    * @param most records farther away than this do not count, metres
    */
-  boolean at(double[] point, double[] normal, int group, double most) {
+  boolean at(double[] point, double[] normal, boolean flat, int group, double most) {
     Tangents.of(normal, across, along);
     used = 0;
     weight = 0;
@@ -88,7 +83,7 @@ final class RecordReader {
     double radii = 0;
     for (int i = 0; i < count; i++) {
       if (records.groups()[near[i]] == group) {
-        radii += weigh(near[i], point, normal, most);
+        radii += weigh(near[i], point, normal, flat, most);
       }
     }
     if (used == 0) {
@@ -100,7 +95,7 @@ final class RecordReader {
   }
 
   /** Notes a record's weight, place and light, if it counts; returns weight times radius. */
-  private double weigh(int record, double[] point, double[] normal, double most) {
+  private double weigh(int record, double[] point, double[] normal, boolean flat, double most) {
     float[] r = records.numbers();
     int at = LightRecords.NUMBERS * record;
     double dx = r[at] - point[0];
@@ -114,15 +109,14 @@ final class RecordReader {
     double nx = r[at + 3];
     double ny = r[at + 4];
     double nz = r[at + 5];
+    boolean bothFlat = flat && r[at + LightRecords.FLAT] > 0;
+    if (!OneSurface.may(
+        dx, dy, dz, nx, ny, nz, normal[0], normal[1], normal[2], bothFlat, radius)) {
+      return 0;
+    }
     double cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
-    if (cosine <= TURNED) {
-      return 0;
-    }
-    double above = dx * (nx + normal[0]) + dy * (ny + normal[1]) + dz * (nz + normal[2]);
-    if (Math.abs(above) > 2 * ABOVE * radius) {
-      return 0;
-    }
-    double w = (1 - square) * (1 - square) * (cosine - TURNED) / (1 - TURNED);
+    double w = (1 - square) * (1 - square) * (cosine - OneSurface.TURNED);
+    w /= 1 - OneSurface.TURNED;
     int to = 5 * used;
     values[to] = dx * across[0] + dy * across[1] + dz * across[2];
     values[to + 1] = dx * along[0] + dy * along[1] + dz * along[2];

@@ -62,6 +62,11 @@ final class TexelPlace {
     return map.chart()[local];
   }
 
+  /** Whether it is shaded as flat as its triangle is. */
+  boolean flat() {
+    return flat;
+  }
+
   /** Goes to a texel that belongs to a chart. */
   void at(int texel) {
     if (page < 0 || texel < texels.first(page) || texel >= texels.first(page) + map.texels()) {

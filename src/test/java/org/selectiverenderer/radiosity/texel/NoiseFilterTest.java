@@ -3,6 +3,7 @@ package org.selectiverenderer.radiosity.texel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.Random;
 import java.util.function.DoubleBinaryOperator;
 import org.junit.jupiter.api.Test;
@@ -123,6 +124,37 @@ class NoiseFilterTest {
     filter.filter(records.size() - 1, Double.POSITIVE_INFINITY, 1, 0);
     assertThat(filter.out.sum()).isZero();
     assertThat(filter.out.error).isEqualTo(1);
+  }
+
+  /** As of a wall that goes on two millimetres farther back, behind a skirting board. */
+  @Test
+  void aDarkSheetRightBehindAFlatOneSaysNothing() {
+    LightRecords both = records((x, z) -> 100, 4);
+    int first = both.size();
+    for (int i = 0; i < first; i++) {
+      float[] all = both.numbers();
+      all[LightRecords.NUMBERS * i + LightRecords.FLAT] = 1;
+      float[] dark =
+          Arrays.copyOfRange(all, LightRecords.NUMBERS * i, LightRecords.NUMBERS * (i + 1));
+      dark[1] = -0.002f;
+      for (int c = 0; c < 3; c++) {
+        dark[LightRecords.LIGHT + c] = 0;
+      }
+      if (dark[0] > 1) {
+        dark[0] += (float) (SPACING / 2);
+        both.add(dark, 0, 0, first + i);
+      }
+    }
+    both.index();
+    int[] seen = {0};
+    each(
+        both,
+        (x, z, evened) -> {
+          if (seen[0]++ < first) {
+            assertThat(evened.sum()).as("%s %s", x, z).isCloseTo(100, within(16.0));
+          }
+        });
+    assertThat(seen[0]).isGreaterThan(first);
   }
 
   /** As from a triangle without an area. */

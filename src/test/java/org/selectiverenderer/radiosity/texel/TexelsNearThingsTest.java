@@ -7,6 +7,7 @@ import static org.selectiverenderer.radiosity.SmallScene.room;
 
 import java.util.concurrent.ForkJoinPool;
 import org.junit.jupiter.api.Test;
+import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /** Light at texels beside, under and inside of things, and on joints. */
@@ -58,6 +59,53 @@ class TexelsNearThingsTest {
     double far = lit.at(0, 2, 0, 3.2);
     assertThat(near).isLessThan(0.85 * far);
     assertThat(near).isPositive();
+  }
+
+  /**
+   * Closed form: a long strip of height h and radiance L that stands on a floor gives it pi L / 2
+   * (1 - x / sqrt(x^2 + h^2)) at the distance x, which falls to a half within two texels.
+   */
+  @Test
+  void besideALowBoardLightFallsAsSteeplyAsItDoes() throws Exception {
+    double height = 0.1;
+    String floor = quad("-4 0 1, 4 0 1, 4 0 0, -4 0 0", "diffuseColor='0 0 0'");
+    String board = quad("-4 0 0, 4 0 0, 4 0.1 0, -4 0.1 0", GREY);
+    TexelLight lit =
+        TexelLight.of(floor + board + "<DirectionalLight direction='0 0 -1'/>", 24, 0.1);
+    double radiance = Photometry.linear(0.735) * Photometry.WHITE; // The sun gives 250 pi lx.
+    double[] sums = new double[6];
+    double[] counts = new double[6];
+    lit.each(
+        0,
+        (p, lux) -> {
+          int row = (int) (p[2] * 24);
+          if (row < sums.length && Math.abs(p[0]) < 3) {
+            double expected = 1 - p[2] / Math.hypot(p[2], height);
+            sums[row] += lux / (Math.PI * radiance / 2) - expected;
+            counts[row]++;
+          }
+        });
+    for (int row = 0; row < sums.length; row++) {
+      assertThat(sums[row] / counts[row]).as("row %s", row).isCloseTo(0, within(0.07));
+    }
+  }
+
+  /** A wall is often set back a little behind its skirting board; here it is a floor. */
+  @Test
+  void whatLiesRightBehindASkirtingBoardDoesNotDarkenTheWallBesideIt() throws Exception {
+    String floor = quad("0 0 3.9, 4 0 3.9, 4 0 0, 0 0 0", GREY);
+    String setBack = quad("0 -0.002 4, 4 -0.002 4, 4 -0.002 3.9, 0 -0.002 3.9", GREY);
+    String walls = room(0, 0, 0, 4, GREY).replace("4 5 1 0 -1", "");
+    String board = box(2, 0.035, 3.951, "4 0.07 0.1");
+    TexelLight alone = TexelLight.of(floor + walls + board + LAMP, 24, 0.4);
+    TexelLight both = TexelLight.of(floor + setBack + walls + board + LAMP, 24, 0.4);
+    double half = 0.5 / 24;
+    for (double x = 0.5; x < 3.5; x += 0.25) {
+      double expected = alone.at(0, x, 0, 3.9 - half);
+      assertThat(both.at(0, x, 0, 3.9 - half))
+          .as("%s", x)
+          .isCloseTo(expected, within(0.03 * expected));
+    }
   }
 
   @Test
