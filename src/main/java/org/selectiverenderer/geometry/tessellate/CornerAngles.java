@@ -32,14 +32,16 @@ final class CornerAngles {
       float atB = arcCosine(-(ux * vx + uy * vy + uz * vz) * u * v);
       angles[i] = atA;
       angles[i + 1] = atB;
-      angles[i + 2] = Math.max(0, (float) Math.PI - atA - atB);
+      float atC = (float) Math.PI - atA - atB;
+      angles[i + 2] = atC < 0 ? 0 : atC;
     }
     return angles;
   }
 
   /** Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.45; error below 7e-5. */
   private static float arcCosine(double cosine) {
-    double x = Math.min(1, Math.abs(cosine));
+    double size = Math.abs(cosine);
+    double x = size > 1 ? 1 : size; // Math.min heeds the sign of zero, and takes longer than this.
     double angle =
         Math.sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - x * 0.0187293)));
     return (float) (cosine < 0 ? Math.PI - angle : angle);

@@ -27,6 +27,12 @@ public record SceneBytes(
   private static final int LARGEST_ARRAY = Integer.MAX_VALUE - 16;
 
   /**
+   * What is read at once: Java reads into memory of its own first, which would otherwise be taken
+   * from the system anew for each file that is larger than those before.
+   */
+  private static final int PORTION = 1 << 16;
+
+  /**
    * Reads to the end or to a limit.
    *
    * @param expected the length if it is known, to save copying
@@ -72,7 +78,7 @@ public record SceneBytes(
     while (true) {
       int count;
       try {
-        count = in.read(bytes, length, bytes.length - length);
+        count = in.read(bytes, length, Math.min(PORTION, bytes.length - length));
       } catch (ZipException | EOFException e) {
         return new SceneBytes(
             bytes, length, true, "the gzip compression is damaged or cut off here", null);

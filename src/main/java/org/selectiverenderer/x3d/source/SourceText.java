@@ -78,7 +78,7 @@ public final class SourceText implements CharSequence {
           case "", "utf-8", "utf8", "us-ascii", "iso-8859-1" -> true;
           default -> false;
         };
-    if (usual && ascii(bytes, start, length)) {
+    if (usual && AsciiBytes.only(bytes, start, length)) {
       byte[] text = marked ? Arrays.copyOfRange(bytes, start, length) : bytes;
       Charset named = charset(declared);
       return new SourceText(
@@ -102,14 +102,6 @@ public final class SourceText implements CharSequence {
   public static SourceText of(CharSequence text) {
     CharBuffer characters = CharBuffer.wrap(text);
     return of(new byte[0], characters, null, StandardCharsets.UTF_8, 0);
-  }
-
-  private static boolean ascii(byte[] bytes, int from, int to) {
-    int all = 0;
-    for (int i = from; i < to; i++) {
-      all |= bytes[i];
-    }
-    return all >= 0;
   }
 
   private static String declaredEncoding(byte[] bytes, int length) {
@@ -183,26 +175,33 @@ public final class SourceText implements CharSequence {
     if (length < ATTRIBUTES * SHORTEST_ATTRIBUTE) {
       return -1;
     }
-    byte[] ascii = bytes;
-    char[] letters = decoded;
     int tag = 0;
     int count = 0;
-    for (int i = 0; i < length - 1; i++) {
-      int c = letters != null ? letters[i] : ascii[i];
-      if ((c | 1) != '=') {
-        continue; // neither '<' nor '=', which differ in this bit only: goes through all of a file
-      }
-      if (c == '<') {
-        tag = i;
+    for (int at = mark(0); at < length - 1; at = mark(at + 1)) {
+      if (charAt(at) == '<') {
+        tag = at;
         count = 0;
       } else {
-        char next = charAt(i + 1);
+        char next = charAt(at + 1);
         if ((next == '"' || next == '\'' || next <= ' ') && ++count > ATTRIBUTES) {
           return tag;
         }
       }
     }
     return -1;
+  }
+
+  /** Where the next {@code <} or {@code =} stands; the length if there is none. */
+  private int mark(int from) {
+    char[] letters = decoded;
+    if (letters == null) {
+      return AsciiBytes.mark(bytes, from, length);
+    }
+    int at = from;
+    while (at < length && (letters[at] & ~1) != '<') {
+      at++;
+    }
+    return at;
   }
 
   /** The text up to an offset. */

@@ -3,24 +3,16 @@ package org.selectiverenderer.runtime.render.gpu;
 import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLException;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** A linked shader program, GLSL 3.30. */
 public final class Program {
-  private static final String FOLDER = "/org/selectiverenderer/runtime/render/";
-  private static final Pattern INCLUDE = Pattern.compile("(?m)^#include (\\S+)$");
-
   /** Names of what passes through a geometry shader, which no name may do unchanged. */
   private static final String HANDED_ON =
       Stream.of("eyeNormal", "eyePosition", "vertexColor", "fogPlace", "cutPlace", "along")
@@ -37,26 +29,29 @@ public final class Program {
    * @throws GLException if the driver rejects the text; its log is in the message
    */
   public Program(GL3 gl, String name, List<String> defines) {
-    this(gl, name, defines, null);
+    this(gl, new ShaderTexts(), name, defines, null);
   }
 
   /**
    * Likewise.
    *
+   * @param texts where the texts are kept for further programs of the same resources
    * @param geometry names the resource {@code geometry.geom.glsl}, or null for none. What the
    *     vertex shader hands on has an underscore after its name then
    */
-  Program(GL3 gl, String name, List<String> defines, @Nullable String geometry) {
+  Program(GL3 gl, ShaderTexts texts, String name, List<String> defines, @Nullable String geometry) {
     StringBuilder head = new StringBuilder("#version 330 core\n");
     defines.forEach(define -> head.append("#define ").append(define).append('\n'));
     String vertexHead = geometry == null ? head.toString() : head + HANDED_ON;
-    int vertex = compile(gl, GL2ES2.GL_VERTEX_SHADER, name + ".vert.glsl", vertexHead);
-    int fragment = compile(gl, GL2ES2.GL_FRAGMENT_SHADER, name + ".frag.glsl", head.toString());
+    int vertex = compile(gl, GL2ES2.GL_VERTEX_SHADER, texts, name + ".vert.glsl", vertexHead);
+    int fragment =
+        compile(gl, GL2ES2.GL_FRAGMENT_SHADER, texts, name + ".frag.glsl", head.toString());
     id = gl.glCreateProgram();
     gl.glAttachShader(id, vertex);
     gl.glAttachShader(id, fragment);
     if (geometry != null) {
-      int middle = compile(gl, GL3.GL_GEOMETRY_SHADER, geometry + ".geom.glsl", head.toString());
+      int middle =
+          compile(gl, GL3.GL_GEOMETRY_SHADER, texts, geometry + ".geom.glsl", head.toString());
       gl.glAttachShader(id, middle);
       gl.glDeleteShader(middle);
     }
@@ -73,9 +68,9 @@ public final class Program {
     }
   }
 
-  private static int compile(GL3 gl, int kind, String resource, String head) {
+  private static int compile(GL3 gl, int kind, ShaderTexts texts, String resource, String head) {
     int shader = gl.glCreateShader(kind);
-    gl.glShaderSource(shader, 2, new String[] {head, text(resource)}, null, 0);
+    gl.glShaderSource(shader, 2, new String[] {head, texts.of(resource)}, null, 0);
     gl.glCompileShader(shader);
     int[] state = new int[1];
     gl.glGetShaderiv(shader, GL2ES2.GL_COMPILE_STATUS, state, 0);
@@ -90,23 +85,6 @@ public final class Program {
 
   private static String text(byte[] log, int[] length) {
     return new String(log, 0, length[0], StandardCharsets.UTF_8).strip();
-  }
-
-  private static String text(String resource) {
-    return INCLUDE
-        .matcher(read(resource))
-        .replaceAll(line -> Matcher.quoteReplacement(text(line.group(1))));
-  }
-
-  private static String read(String resource) {
-    try (InputStream in = Program.class.getResourceAsStream(FOLDER + resource)) {
-      if (in == null) {
-        throw new IllegalStateException("the program was built without its shader " + resource);
-      }
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException("the shader " + resource + " cannot be read", e);
-    }
   }
 
   public void use(GL3 gl) {

@@ -36,10 +36,14 @@ public final class ShapeProgram {
   private float @Nullable [] currentEnvironment;
   private float currentPointSize;
 
-  ShapeProgram(GL3 gl, ShapeVariant variant, LightCounts counts, Scenery scenery) {
+  /**
+   * @param texts where the texts of all such programs are kept
+   */
+  ShapeProgram(
+      GL3 gl, ShaderTexts texts, ShapeVariant variant, LightCounts counts, Scenery scenery) {
     List<String> defines = new ArrayList<>(variant.defines(counts));
     defines.addAll(scenery.defines());
-    program = new Program(gl, "shape", defines, scenery.stroke().geometry());
+    program = new Program(gl, texts, "shape", defines, scenery.stroke().geometry());
     object = program.uniform(gl, "object");
     material = program.uniform(gl, "material");
     textureTransform = program.uniform(gl, "texture_");

@@ -9,19 +9,22 @@ import org.jspecify.annotations.Nullable;
 /** The shape programs made so far: one per variant and kinds of lights. */
 public final class ShapePrograms {
   private final Map<ShapeVariant, Family> families = new HashMap<>();
+  private final ShaderTexts texts = new ShaderTexts();
 
   /** The programs of one variant, which differ in their lights. */
   public static final class Family {
     private final ShapeVariant variant;
     private final @Nullable Family front;
+    private final ShaderTexts texts;
     private final Map<LightCounts, ShapeProgram> byLights = new HashMap<>();
     private final Map<Scenic, ShapeProgram> scenic = new HashMap<>();
 
     private record Scenic(LightCounts lights, Scenery scenery) {}
 
-    private Family(ShapeVariant variant, @Nullable Family front) {
+    private Family(ShapeVariant variant, @Nullable Family front, ShaderTexts texts) {
       this.variant = variant;
       this.front = front;
+      this.texts = texts;
     }
 
     /** The programs for where nothing but front sides is seen, which light no back. */
@@ -33,7 +36,7 @@ public final class ShapePrograms {
     public ShapeProgram get(GL3 gl, LightCounts lights) {
       LightCounts counted = variant.lit() ? lights : LightCounts.NONE;
       return byLights.computeIfAbsent(
-          counted, counts -> new ShapeProgram(gl, variant, counts, Scenery.NONE));
+          counted, counts -> new ShapeProgram(gl, texts, variant, counts, Scenery.NONE));
     }
 
     /** Likewise, with what the scenery takes. */
@@ -44,7 +47,7 @@ public final class ShapePrograms {
       LightCounts counted = variant.lit() ? lights : LightCounts.NONE;
       return scenic.computeIfAbsent(
           new Scenic(counted, scenery),
-          key -> new ShapeProgram(gl, variant, key.lights(), key.scenery()));
+          key -> new ShapeProgram(gl, texts, variant, key.lights(), key.scenery()));
     }
 
     private Stream<ShapeProgram> programs() {
@@ -56,7 +59,7 @@ public final class ShapePrograms {
     Family known = families.get(variant);
     if (known == null) {
       ShapeVariant front = variant.front();
-      known = new Family(variant, front.equals(variant) ? null : get(front));
+      known = new Family(variant, front.equals(variant) ? null : get(front), texts);
       families.put(variant, known);
     }
     return known;

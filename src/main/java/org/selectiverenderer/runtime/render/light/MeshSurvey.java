@@ -32,12 +32,12 @@ public record MeshSurvey(double longest, double largest, double bent, double ben
       float ab = square(p, a, b);
       float bc = square(p, b, c);
       float ca = square(p, c, a);
-      longest = Math.max(longest, Math.max(ab, Math.max(bc, ca)));
-      float cosine = Math.min(dot(normals, a, b), Math.min(dot(normals, b, c), dot(normals, c, a)));
+      longest = greater(longest, greater(ab, greater(bc, ca)));
+      float cosine = less(dot(normals, a, b), less(dot(normals, b, c), dot(normals, c, a)));
       double size = size(ab, bc, ca);
-      largest = Math.max(largest, size);
-      bent = cosine < Fineness.WIDE ? Math.max(bent, size) : bent;
-      bentLittle = cosine < Fineness.NARROW ? Math.max(bentLittle, size) : bentLittle;
+      largest = greater(largest, size);
+      bent = cosine < Fineness.WIDE ? greater(bent, size) : bent;
+      bentLittle = cosine < Fineness.NARROW ? greater(bentLittle, size) : bentLittle;
     }
     return new MeshSurvey(
         Math.sqrt(longest), Math.sqrt(largest), Math.sqrt(bent), Math.sqrt(bentLittle));
@@ -48,7 +48,7 @@ public record MeshSurvey(double longest, double largest, double bent, double ben
    * of twice the height above that, whichever is less.
    */
   static double size(double ab, double bc, double ca) {
-    double longest = Math.max(ab, Math.max(bc, ca));
+    double longest = greater(ab, greater(bc, ca));
     double area =
         2 * (ab * bc + bc * ca + ca * ab) - ab * ab - bc * bc - ca * ca; // sixteen times its square
     return longest > 0 ? Math.min(longest, area / longest) : 0;
@@ -57,6 +57,16 @@ public record MeshSurvey(double longest, double largest, double bent, double ben
   /** The largest triangle whose normals lie farther apart than a limit. */
   double bent(double cosine) {
     return cosine >= Fineness.NARROW ? bentLittle : bent;
+  }
+
+  // By comparison, as here nothing depends on NaN and the sign of zero: to heed those takes longer
+  // than all the rest.
+  private static double greater(double a, double b) {
+    return b > a ? b : a;
+  }
+
+  private static float less(float a, float b) {
+    return b < a ? b : a;
   }
 
   private static float dot(float[] n, int a, int b) {

@@ -56,7 +56,8 @@ final class ClusterBounds {
       double dx = positions[v] - out[at];
       double dy = positions[v + 1] - out[at + 1];
       double dz = positions[v + 2] - out[at + 2];
-      radius = Math.max(radius, dx * dx + dy * dy + dz * dz);
+      double squared = dx * dx + dy * dy + dz * dz;
+      radius = squared > radius ? squared : radius;
     }
     out[at + 3] = Math.nextUp((float) (Math.sqrt(radius) * (1 + 1e-6)));
   }

@@ -1,0 +1,5 @@
+/** Tests of {@code runtime.render.gpu} that need no pictures. */
+@NullMarked
+package org.selectiverenderer.runtime.render.gpu;
+
+import org.jspecify.annotations.NullMarked;
