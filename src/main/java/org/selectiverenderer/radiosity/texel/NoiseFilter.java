@@ -1,8 +1,6 @@
 package org.selectiverenderer.radiosity.texel;
 
 import java.util.Arrays;
-import org.selectiverenderer.geometry.tree.BoxTree;
-import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
 
 /**
  * Takes the noise out of records: each becomes the plane through the records around it, as far
@@ -30,16 +28,13 @@ final class NoiseFilter {
   private static final double RIDGE = 0.001;
 
   private final LightRecords records;
-  private final BoxTree tree;
-  private final double[] box = new double[6];
+  private final NearRecords near;
   private final double[] across = new double[3];
   private final double[] along = new double[3];
   private final double[] widths = new double[TRIES + 1];
   private final int[] ends = new int[TRIES + 1];
 
   // Of the records around, in the order of the first try that each is in.
-  private int[] found = new int[64];
-  private int count;
   private int[] around = new int[64];
   private double[] x = new double[64];
   private double[] y = new double[64];
@@ -70,22 +65,9 @@ final class NoiseFilter {
   /** What has become of the last record; its error is one that its neighbours have as well. */
   final LightRecord out = new LightRecord();
 
-  /** Places of all records: their spheres do not matter here. */
-  static BoxTree tree(LightRecords records) {
-    float[] all = records.numbers();
-    return BoxTreeBuilder.build(
-        records.size(),
-        (item, box) -> {
-          for (int axis = 0; axis < 3; axis++) {
-            box[axis] = all[LightRecords.NUMBERS * item + axis];
-            box[axis + 3] = box[axis];
-          }
-        });
-  }
-
-  NoiseFilter(LightRecords records, BoxTree tree) {
+  NoiseFilter(LightRecords records, NearRecords.Places places) {
     this.records = records;
-    this.tree = tree;
+    near = new NearRecords(places, TRIES + 1);
   }
 
   /**
@@ -150,65 +132,44 @@ final class NoiseFilter {
 
   /** Finds the records around, those of the narrowest try first. */
   private void collect(int record, int at, double radius) {
+    near.find(record, widths);
+    makeRoom(near.end(TRIES));
     float[] all = records.numbers();
-    double most = widths[TRIES];
-    for (int axis = 0; axis < 3; axis++) {
-      box[axis] = all[at + axis] - most;
-      box[axis + 3] = all[at + axis] + most;
-    }
-    count = 0;
-    tree.overlap(box, this::keep);
     Tangents.of(all, at + LightRecords.NORMAL, across, along);
     int used = 0;
-    int group = records.groups()[record];
-    double from = -1;
+    int i = 0;
     for (int k = 0; k <= TRIES; k++) {
-      double to = widths[k];
-      for (int i = 0; i < count; i++) {
-        if (records.groups()[found[i]] == group
-            && within(at, LightRecords.NUMBERS * found[i], from, to)
-            && note(at, LightRecords.NUMBERS * found[i], radius, used)) {
-          around[used++] = found[i];
+      for (; i < near.end(k); i++) {
+        int other = near.record(i);
+        if (note(at, LightRecords.NUMBERS * other, radius, used)) {
+          around[used++] = other;
         }
       }
       ends[k] = used;
-      from = to;
     }
     variance = 0;
     double sum = 0;
-    for (int i = 0; i < used; i++) {
-      float[] each = records.numbers();
-      double e = each[LightRecords.NUMBERS * around[i] + LightRecords.ERROR];
-      variance += base[i] * rays[i] * e * e;
-      sum += base[i];
+    for (int j = 0; j < used; j++) {
+      double e = all[LightRecords.NUMBERS * around[j] + LightRecords.ERROR];
+      variance += base[j] * rays[j] * e * e;
+      sum += base[j];
     }
     variance /= sum;
   }
 
-  private void keep(int record) {
-    if (count == found.length) {
-      int more = 2 * count;
-      found = Arrays.copyOf(found, more);
-      around = Arrays.copyOf(around, more);
-      x = Arrays.copyOf(x, more);
-      y = Arrays.copyOf(y, more);
-      base = Arrays.copyOf(base, more);
-      rays = Arrays.copyOf(rays, more);
-      value = Arrays.copyOf(value, more);
-      weight = Arrays.copyOf(weight, more);
-      share = Arrays.copyOf(share, more);
+  private void makeRoom(int count) {
+    if (count <= around.length) {
+      return;
     }
-    found[count++] = record;
-  }
-
-  private boolean within(int at, int other, double from, double to) {
-    float[] all = records.numbers();
-    double square = 0;
-    for (int axis = 0; axis < 3; axis++) {
-      double d = (double) all[other + axis] - all[at + axis];
-      square += d * d;
-    }
-    return square < to * to && (from < 0 || square >= from * from);
+    int more = Math.max(count, 2 * around.length);
+    around = new int[more];
+    x = new double[more];
+    y = new double[more];
+    base = new double[more];
+    rays = new double[more];
+    value = new double[more];
+    weight = new double[more];
+    share = new double[more];
   }
 
   /** Notes where another record lies and what it says of this place; false if it says nothing. */

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
-import org.selectiverenderer.geometry.tree.BoxTree;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.work.ParallelWork;
@@ -78,7 +77,7 @@ final class NoiseRounds {
 
   /** Does it; false if it was cancelled, and then the records are as they were. */
   boolean run(WorkProgress progress, DoubleConsumer done) {
-    BoxTree tree = NoiseFilter.tree(records);
+    NearRecords.Places places = new NearRecords.Places(records);
     int[] which = IntStream.range(0, records.size()).toArray();
     double left = 0;
     for (int i = 0; i < records.size(); i++) {
@@ -86,7 +85,7 @@ final class NoiseRounds {
     }
     for (int round = 0; ; round++) {
       double before = (double) round / (ROUNDS + 1);
-      if (!filter(tree, which, progress)) {
+      if (!filter(places, which, progress)) {
         return false;
       }
       which = round < ROUNDS ? noisy(left) : new int[0];
@@ -104,14 +103,14 @@ final class NoiseRounds {
     return true;
   }
 
-  private boolean filter(BoxTree tree, int[] which, WorkProgress progress) {
+  private boolean filter(NearRecords.Places places, int[] which, WorkProgress progress) {
     return ParallelWork.run(
         which.length,
         CHUNK,
         progress,
         share -> {},
         (from, to) -> {
-          NoiseFilter filter = new NoiseFilter(records, tree);
+          NoiseFilter filter = new NoiseFilter(records, places);
           TexelPlace place = new TexelPlace(scene, solution, texels);
           for (int i = from; i < to; i++) {
             int texel = records.texels()[which[i]];

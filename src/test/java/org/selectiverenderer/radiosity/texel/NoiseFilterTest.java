@@ -42,7 +42,7 @@ class NoiseFilterTest {
   }
 
   private static void each(LightRecords records, Look look) {
-    NoiseFilter filter = new NoiseFilter(records, NoiseFilter.tree(records));
+    NoiseFilter filter = new NoiseFilter(records, new NearRecords.Places(records));
     for (int i = 0; i < records.size(); i++) {
       filter.filter(i, Double.POSITIVE_INFINITY, 1, 0);
       float[] all = records.numbers();
@@ -120,7 +120,7 @@ class NoiseFilterTest {
     below[LightRecords.RAYS] = 16;
     records.add(below, 0, 0, 0);
     records.index();
-    NoiseFilter filter = new NoiseFilter(records, NoiseFilter.tree(records));
+    NoiseFilter filter = new NoiseFilter(records, new NearRecords.Places(records));
     filter.filter(records.size() - 1, Double.POSITIVE_INFINITY, 1, 0);
     assertThat(filter.out.sum()).isZero();
     assertThat(filter.out.error).isEqualTo(1);

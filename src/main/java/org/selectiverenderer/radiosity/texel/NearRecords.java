@@ -1,0 +1,133 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.Arrays;
+import org.selectiverenderer.geometry.tree.BoxTree;
+import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
+
+/**
+ * The records around one of them, by how far away they are. They are asked for once for each
+ * record, so their places are kept side by side, apart from all else that is known of them. One per
+ * thread.
+ */
+final class NearRecords {
+  private final Places places;
+  private final double[] squares;
+  private final int[] ends;
+  private final double[] box = new double[6];
+  private double x;
+  private double y;
+  private double z;
+  private int group;
+  private int[] found = new int[64];
+  private int[] rings = new int[64];
+  private int[] sorted = new int[64];
+  private int count;
+
+  /** Where records are and what they belong to, for all threads. */
+  static final class Places {
+    private final float[] points;
+    private final int[] groups;
+    private final BoxTree tree;
+
+    /** Of the records as they are now: those added later are not found. */
+    Places(LightRecords records) {
+      float[] all = records.numbers();
+      points = new float[3 * records.size()];
+      for (int i = 0; i < records.size(); i++) {
+        System.arraycopy(all, LightRecords.NUMBERS * i, points, 3 * i, 3);
+      }
+      groups = records.groups();
+      tree =
+          BoxTreeBuilder.build(
+              records.size(),
+              (item, box) -> {
+                for (int axis = 0; axis < 3; axis++) {
+                  box[axis] = points[3 * item + axis];
+                  box[axis + 3] = box[axis];
+                }
+              });
+    }
+  }
+
+  /**
+   * @param rings into how many rings those around are divided
+   */
+  NearRecords(Places places, int rings) {
+    this.places = places;
+    squares = new double[rings];
+    ends = new int[rings];
+  }
+
+  /**
+   * Finds those of a record's group, itself too.
+   *
+   * @param widths the outer radius of each ring, metres; none less than the one before
+   */
+  void find(int record, double[] widths) {
+    float[] points = places.points;
+    x = points[3 * record];
+    y = points[3 * record + 1];
+    z = points[3 * record + 2];
+    group = places.groups[record];
+    double most = widths[squares.length - 1];
+    for (int axis = 0; axis < 3; axis++) {
+      box[axis] = points[3 * record + axis] - most;
+      box[axis + 3] = points[3 * record + axis] + most;
+    }
+    for (int ring = 0; ring < squares.length; ring++) {
+      squares[ring] = widths[ring] * widths[ring];
+    }
+    Arrays.fill(ends, 0);
+    count = 0;
+    places.tree.overlap(box, this::keep);
+    sort();
+  }
+
+  private void keep(int other) {
+    if (places.groups[other] != group) {
+      return;
+    }
+    double dx = places.points[3 * other] - x;
+    double dy = places.points[3 * other + 1] - y;
+    double dz = places.points[3 * other + 2] - z;
+    double square = dx * dx + dy * dy + dz * dz;
+    int ring = 0;
+    while (ring < squares.length && square >= squares[ring]) {
+      ring++;
+    }
+    if (ring == squares.length) {
+      return;
+    }
+    if (count == found.length) {
+      found = Arrays.copyOf(found, 2 * count);
+      rings = Arrays.copyOf(rings, 2 * count);
+      sorted = new int[2 * count];
+    }
+    found[count] = other;
+    rings[count++] = ring;
+    ends[ring]++;
+  }
+
+  /** Puts the inner ones first. Within a ring they stay as they were found. */
+  private void sort() {
+    int start = 0;
+    for (int ring = 0; ring < ends.length; ring++) {
+      int inRing = ends[ring];
+      ends[ring] = start;
+      start += inRing;
+    }
+    for (int i = 0; i < count; i++) {
+      sorted[ends[rings[i]]++] = found[i];
+    }
+  }
+
+  /** Where a ring's records end; those of the next begin there. */
+  int end(int ring) {
+    return ends[ring];
+  }
+
+  /** One of the records found, the inner ones first. */
+  int record(int i) {
+    return sorted[i];
+  }
+}
