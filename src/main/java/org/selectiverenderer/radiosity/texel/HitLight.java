@@ -59,7 +59,8 @@ final class HitLight {
 
   /** Writes the irradiance r, g, b from the lamps at the place that a ray has met, lx. */
   void direct(Ray ray, int patch, double[] out) {
-    int texel = ray.behind ? -1 : texel(ray, scene.bodyOf()[ray.triangle]);
+    boolean shown = ray.behind == texels.sides().behind(ray.triangle);
+    int texel = shown ? texel(ray, scene.bodyOf()[ray.triangle]) : -1;
     boolean known = texel >= 0 && texels.wanted(texel);
     for (int c = 0; c < 3; c++) {
       out[c] = known ? direct[3 * texel + c] : solution.direct()[3 * patch + c];

@@ -58,7 +58,7 @@ public final class TexelGatherer {
       TexelChoice choice,
       WorkProgress progress,
       @org.jspecify.annotations.Nullable Consumer<LightPages> each) {
-    Texels texels = new Texels(atlas, choice);
+    Texels texels = new Texels(atlas, choice, SeenSides.of(scene, solution, effort.seed()));
     PatchLight patches = new PatchLight(scene, solution, texels);
     DirectPass lamps = new DirectPass(scene, solution, texels, effort.lampRays(), effort.seed());
     float[] direct =

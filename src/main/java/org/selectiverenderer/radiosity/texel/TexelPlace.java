@@ -81,27 +81,9 @@ final class TexelPlace {
     float v = map.v()[local];
     triangles.point(triangle, u, v, point);
     triangles.normal(triangle, facing);
-    boolean behind = behind(u, v);
+    boolean behind = texels.sides().behind(triangle);
+    patch = solution.patches().at(triangle, u, v, behind);
     shade(u, v, behind);
-  }
-
-  /** Of two sides the one whose patch is brighter counts; sets the patch. */
-  private boolean behind(float u, float v) {
-    patch = solution.patches().at(triangle, u, v, false);
-    if (!triangles.twoSided()[triangle]) {
-      return false;
-    }
-    boolean behind = arriving(patch + 1) > arriving(patch);
-    patch += behind ? 1 : 0;
-    return behind;
-  }
-
-  private double arriving(int of) {
-    double sum = solution.buried()[of] ? -1 : 0;
-    for (int i = 3 * of; i < 3 * of + 3; i++) {
-      sum += solution.direct()[i] + solution.indirect()[i];
-    }
-    return sum;
   }
 
   private void shade(float u, float v, boolean behind) {

@@ -15,12 +15,14 @@ final class Texels {
   static final int TILE = 8;
 
   private final Atlas atlas;
+  private final SeenSides sides;
   private final int[] first;
   private final int[] firstTile;
   private final boolean[] wanted;
 
-  Texels(Atlas atlas, TexelChoice choice) {
+  Texels(Atlas atlas, TexelChoice choice, SeenSides sides) {
     this.atlas = atlas;
+    this.sides = sides;
     int pages = atlas.pages().size();
     first = new int[pages + 1];
     firstTile = new int[pages + 1];
@@ -40,6 +42,11 @@ final class Texels {
 
   Atlas atlas() {
     return atlas;
+  }
+
+  /** Of what has two, whose light they hold. */
+  SeenSides sides() {
+    return sides;
   }
 
   int count() {

@@ -1,0 +1,42 @@
+package org.selectiverenderer.radiosity.atlas;
+
+import java.util.Arrays;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
+
+/**
+ * Which triangles of a body hang together: over edges on which their windings agree, so that the
+ * fronts of all of them are one side of a sheet.
+ */
+public final class Sheets {
+  private Sheets() {}
+
+  /** The number of its sheet by triangle of a body; the first one is 0, and none is left out. */
+  public static int[] of(LightScene scene, Body body) {
+    WeldedBody welded = new WeldedBody(scene, body);
+    int[] sheets = new int[body.triangles()];
+    Arrays.fill(sheets, WeldedBody.NONE);
+    int[] open = new int[sheets.length];
+    int count = 0;
+    for (int first = 0; first < sheets.length; first++) {
+      if (sheets[first] != WeldedBody.NONE) {
+        continue;
+      }
+      int waiting = 0;
+      open[waiting++] = first;
+      sheets[first] = count;
+      while (waiting > 0) {
+        int triangle = open[--waiting];
+        for (int edge = 0; edge < 3; edge++) {
+          int next = welded.neighbour(triangle, edge);
+          if (next != WeldedBody.NONE && sheets[next] == WeldedBody.NONE) {
+            sheets[next] = count;
+            open[waiting++] = next;
+          }
+        }
+      }
+      count++;
+    }
+    return sheets;
+  }
+}

@@ -1,0 +1,167 @@
+package org.selectiverenderer.radiosity.texel;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.selectiverenderer.radiosity.atlas.Sheets;
+import org.selectiverenderer.radiosity.sampling.Directions;
+import org.selectiverenderer.radiosity.sampling.PointSet;
+import org.selectiverenderer.radiosity.scene.Body;
+import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.trace.Ray;
+
+/**
+ * Which side of what is seen from both sides its picture shows: a picture has one light for both.
+ * It is one side for all of a sheet, as else the inside of a bin would show in spots on its
+ * outside. That side counts which has more light and more free space before it, one times the
+ * other: from far more places people see the outside of a bin than its inside, and nobody sees what
+ * is dark or lies against a wall. Immutable.
+ */
+final class SeenSides {
+  /** Places on a sheet, and rays from each to either side, by which its free space is told. */
+  private static final int PLACES = 64;
+
+  private static final int RAYS = 4;
+
+  private final boolean[] behind;
+
+  private SeenSides(boolean[] behind) {
+    this.behind = behind;
+  }
+
+  static SeenSides of(LightScene scene, Solution solution, int seed) {
+    boolean[] behind = new boolean[scene.triangles().count()];
+    Directions directions = new Directions(new PointSet(PLACES * RAYS, seed, 24));
+    IntStream.range(0, scene.bodies().size())
+        .parallel()
+        .mapToObj(scene.bodies()::get)
+        .filter(body -> body.triangles() > 0)
+        .filter(body -> scene.triangles().twoSided()[body.firstTriangle()])
+        .forEach(body -> new Look(scene, solution, body, directions).into(behind));
+    return new SeenSides(behind);
+  }
+
+  /** Whether the side behind counts. */
+  boolean behind(int triangle) {
+    return behind[triangle];
+  }
+
+  /** At the sheets of one body; for one thread. */
+  private static final class Look {
+    private final LightScene scene;
+    private final Solution solution;
+    private final Body body;
+    private final Directions directions;
+    private final int[] sheets;
+    private final int count;
+    private final double[] areas;
+
+    // By sheet, in front and behind: sums over its places of light and of lengths of rays.
+    private final double[] light;
+    private final double[] space;
+
+    private final Ray ray = new Ray();
+    private final double[] point = new double[3];
+    private final double[] start = new double[3];
+    private final double[] normal = new double[3];
+    private final double[] direction = new double[3];
+
+    Look(LightScene scene, Solution solution, Body body, Directions directions) {
+      this.scene = scene;
+      this.solution = solution;
+      this.body = body;
+      this.directions = directions;
+      sheets = Sheets.of(scene, body);
+      count = Arrays.stream(sheets).max().orElse(-1) + 1;
+      areas = new double[count];
+      light = new double[2 * count];
+      space = new double[2 * count];
+    }
+
+    void into(boolean[] behind) {
+      for (int i = 0; i < sheets.length; i++) {
+        areas[sheets[i]] += scene.triangles().normal(body.firstTriangle() + i, normal);
+      }
+      look();
+      for (int i = 0; i < sheets.length; i++) {
+        int at = 2 * sheets[i];
+        behind[body.firstTriangle() + i] = light[at + 1] * space[at + 1] > light[at] * space[at];
+      }
+    }
+
+    /** Looks from places that lie evenly on each sheet. */
+    private void look() {
+      double[] passed = new double[count];
+      int[] places = new int[count];
+      double extent = extent();
+      for (int i = 0; i < sheets.length; i++) {
+        int sheet = sheets[i];
+        int triangle = body.firstTriangle() + i;
+        double area = scene.triangles().normal(triangle, normal);
+        passed[sheet] += area;
+        while (area > 0
+            && places[sheet] < PLACES
+            && passed[sheet] * PLACES >= (places[sheet] + 0.5) * areas[sheet]) {
+          look(triangle, sheet, places[sheet]++, extent);
+        }
+      }
+    }
+
+    private void look(int triangle, int sheet, int place, double extent) {
+      // Points spread over the triangle by multiples of irrational numbers (Roberts 2018).
+      double u = place * 0.7548776662466927 % 1;
+      double v = place * 0.5698402909980532 % 1;
+      if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+      }
+      scene.triangles().point(triangle, u, v, point);
+      for (int side = 0; side < 2; side++) {
+        light[2 * sheet + side] += arriving(solution.patches().at(triangle, u, v, side == 1));
+        scene.triangles().normal(triangle, normal);
+        for (int axis = 0; axis < 3; axis++) {
+          normal[axis] *= side == 0 ? 1 : -1;
+          start[axis] = point[axis] + scene.offset() * normal[axis];
+        }
+        for (int k = 0; k < RAYS; k++) {
+          space[2 * sheet + side] += free(RAYS * place + k, extent);
+        }
+      }
+    }
+
+    private double arriving(int patch) {
+      double sum = 0;
+      for (int i = 3 * patch; i < 3 * patch + 3 && !solution.buried()[patch]; i++) {
+        sum += solution.direct()[i] + solution.indirect()[i];
+      }
+      return sum;
+    }
+
+    /** How far one ray goes; what meets nothing leads where nobody is. */
+    private double free(int turn, double extent) {
+      directions.about(normal, turn, direction);
+      ray.from(start, direction);
+      ray.length = Double.POSITIVE_INFINITY;
+      ray.pass = 0.5;
+      scene.visibility().nearest(ray, body.version());
+      if (ray.triangle == Ray.NOTHING) {
+        return extent;
+      }
+      return ray.behind && !scene.triangles().twoSided()[ray.triangle] ? 0 : ray.length;
+    }
+
+    private double extent() {
+      double square = 0;
+      for (int axis = 0; axis < 3; axis++) {
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = axis; i < body.positions().length; i += 3) {
+          least = Math.min(least, body.positions()[i]);
+          most = Math.max(most, body.positions()[i]);
+        }
+        square += (most - least) * (most - least);
+      }
+      return Math.sqrt(square);
+    }
+  }
+}
