@@ -60,7 +60,7 @@ final class Likeness {
       if (near >= 0 && surface.square(near, point[0], point[1], point[2]) <= largest) {
         continue;
       }
-      near = surface.nearest(point[0], point[1], point[2], square);
+      near = surface.nearest(point[0], point[1], point[2], near, square);
       largest = Math.max(largest, square[0]);
     }
     return largest;
@@ -108,13 +108,14 @@ final class Likeness {
     double[] normal = new double[6];
     double[] square = new double[1];
     int triangle = 0;
+    int nearest = -1;
     for (int i = 0; i < SAMPLES; i++) {
       double wanted = (i + 0.5) / SAMPLES * area;
       while (triangle < upTo.length - 1 && upTo[triangle] < wanted) {
         triangle++;
       }
       sample(from, triangle, i, point);
-      int nearest = surface.nearest(point[0], point[1], point[2], square);
+      nearest = surface.nearest(point[0], point[1], point[2], nearest, square);
       mean(to, nearest, normal);
       double cosine = point[3] * normal[3] + point[4] * normal[4] + point[5] * normal[5];
       boolean sameMaterial =

@@ -8,6 +8,12 @@ final class SurfaceIndex {
   private static final int LEAF = 4;
   private static final int DEEPEST = 64;
 
+  /** Far more than what rounding takes from a squared distance, as a share. */
+  private static final double ROUNDING = 1e-6;
+
+  /** The same as a share of the square of the surface's extent. */
+  private static final double CANCELLING = 1e-9;
+
   private final float[] v;
   private final int[] indices;
   private final int[] order;
@@ -18,6 +24,7 @@ final class SurfaceIndex {
   private int[] from;
   private int[] to;
   private int nodes;
+  private final double room;
 
   SurfaceIndex(JoinedMesh mesh) {
     v = mesh.vertices();
@@ -37,6 +44,11 @@ final class SurfaceIndex {
     from = new int[most];
     to = new int[most];
     build(0, order.length, centres, 0);
+    double square = 0;
+    for (int axis = 0; axis < 3 && order.length > 0; axis++) {
+      square += Math.pow((double) boxes[3 + axis] - boxes[axis], 2);
+    }
+    room = CANCELLING * square;
   }
 
   private float at(int vertex, int axis) {
@@ -112,26 +124,34 @@ final class SurfaceIndex {
   /**
    * The triangle nearest to a point.
    *
+   * @param near a triangle that is likely to be near, or -1: what is farther need not be looked
+   *     into. The answer does not depend on it
    * @param nearest takes the squared distance
    * @return its number
    */
-  int nearest(double x, double y, double z, double[] nearest) {
+  int nearest(double x, double y, double z, int near, double[] nearest) {
     int[] open = new int[DEEPEST + 8];
+    double[] away = new double[DEEPEST + 8];
     int count = 0;
-    open[count++] = 0;
-    double best = Double.POSITIVE_INFINITY;
+    open[count] = 0;
+    away[count++] = toBox(0, x, y, z);
+    double best = within(x, y, z, near);
     int found = -1;
     while (count > 0) {
       int node = open[--count];
-      if (toBox(node, x, y, z) >= best) {
+      if (away[count] >= best) {
         continue;
       }
       if (to[node] < 0) {
         int left = from[node];
         int right = -to[node];
-        boolean leftFirst = toBox(left, x, y, z) <= toBox(right, x, y, z);
-        open[count++] = leftFirst ? right : left;
-        open[count++] = leftFirst ? left : right;
+        double toLeft = toBox(left, x, y, z);
+        double toRight = toBox(right, x, y, z);
+        boolean leftFirst = toLeft <= toRight;
+        open[count] = leftFirst ? right : left;
+        away[count++] = leftFirst ? toRight : toLeft;
+        open[count] = leftFirst ? left : right;
+        away[count++] = leftFirst ? toLeft : toRight;
         continue;
       }
       for (int i = from[node]; i < to[node]; i++) {
@@ -144,6 +164,14 @@ final class SurfaceIndex {
     }
     nearest[0] = best;
     return found;
+  }
+
+  /** A squared distance that something is nearer than, with room for what is lost by rounding. */
+  private double within(double x, double y, double z, int near) {
+    double distance = near < 0 ? Double.NaN : square(near, x, y, z);
+    return distance >= 0
+        ? Math.max(Math.nextUp(distance), distance * (1 + ROUNDING) + room)
+        : Double.POSITIVE_INFINITY;
   }
 
   /** The squared distance of a point from a triangle. */

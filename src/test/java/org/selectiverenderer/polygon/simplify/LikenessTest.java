@@ -32,6 +32,13 @@ class LikenessTest {
   }
 
   @Test
+  void aSurfaceThatIsAPointIsNearToo() {
+    JoinedMesh point =
+        new JoinedMesh(new float[3 * JoinedMesh.STRIDE], new int[] {0, 1, 2}, new int[] {0, 1, 2});
+    assertThat(new SurfaceIndex(point).nearest(0, 0, 0, 0, new double[1])).isZero();
+  }
+
+  @Test
   void theNearestTriangleIsTheOneThatAFullSearchFinds() {
     JoinedMesh ball = joined(Shapes.ball(9, 14));
     SurfaceIndex index = new SurfaceIndex(ball);
@@ -46,9 +53,13 @@ class LikenessTest {
         least =
             Math.min(least, PointToTriangle.square(ball.vertices(), ball.indices(), t, x, y, z));
       }
-      int found = index.nearest(x, y, z, square);
+      int found = index.nearest(x, y, z, -1, square);
       assertThat(square[0]).isCloseTo(least, within(1e-12));
       assertThat(index.square(found, x, y, z)).isEqualTo(square[0]);
+      // Where to begin changes nothing.
+      for (int near : new int[] {found, random.nextInt(ball.polygons())}) {
+        assertThat(index.nearest(x, y, z, near, square)).isEqualTo(found);
+      }
     }
   }
 }
