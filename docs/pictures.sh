@@ -247,7 +247,8 @@ operator() { # OUT
 study() {
   if [ ! -d "$tmp/study" ]; then
     "$program" experiment new "$tmp/study" --scene scenes/apartment.x3d >/dev/null
-    sed -i '/^ *"practice":/d' "$tmp/study/study.json" # The kitchen comes first.
+    # The kitchen comes first: no practice, and nothing that is asked after it.
+    sed -i -e '/^ *"practice":/d' -e '/"when": "after-practice"/d' "$tmp/study/study.json"
   fi
 }
 
