@@ -114,8 +114,8 @@ shot() {
     --screenshot "$file" >/dev/null
 }
 
-# small IN OUT OPTIONS...: a picture as it is published, without when and where it was taken. One of a
-# single colour was taken before there was anything to be seen.
+# small IN OUT OPTIONS...: a picture as it is published, without when and where it was taken, and on a
+# canvas of its own size. One of a single colour was taken before there was anything to be seen.
 small() {
   local in=$1 to=$2
   shift 2
@@ -124,8 +124,8 @@ small() {
     return 1
   fi
   case $to in
-    *.jpg) convert "$in" "$@" -strip -quality 88 "$to" ;;
-    *) convert "$in" "$@" -strip -define png:compression-level=9 -define png:exclude-chunk=date,tIME "$to" ;;
+    *.jpg) convert "$in" "$@" +repage -strip -quality 88 "$to" ;;
+    *) convert "$in" "$@" +repage -strip -define png:compression-level=9 -define png:exclude-chunk=date,tIME "$to" ;;
   esac
 }
 
@@ -238,7 +238,7 @@ operator() { # OUT
     sleep 5
     screen 2240x1400 "$program" run "$root/scenes/apartment.x3d" --viewpoint KitchenMiddle \
       --display side-by-side --tracker intertrax2:tracker --head-log p01.csv --operator --mute \
-      --size 1120x560 --duration 17 --operator-screenshot operator.png >/dev/null || true
+      --size 1120x420 --duration 17 --operator-screenshot operator.png >/dev/null || true
     kill "$emulator"
   )
   small "$tmp/operator.png" "$1" -resize 1120x
@@ -247,7 +247,8 @@ operator() { # OUT
 study() {
   if [ ! -d "$tmp/study" ]; then
     "$program" experiment new "$tmp/study" --scene scenes/apartment.x3d >/dev/null
-    sed -i '/^ *"practice":/d' "$tmp/study/study.json" # The kitchen comes first.
+    # The kitchen comes first: no practice, and nothing that is asked after it.
+    sed -i -e '/^ *"practice":/d' -e '/"when": "after-practice"/d' "$tmp/study/study.json"
   fi
 }
 
@@ -261,6 +262,11 @@ titled() {
     shift 4
     "$@" >/dev/null 2>&1 &
     window=$(timeout 180 xdotool search --sync --onlyvisible --name "$word" | head -1)
+    if [ -z "$window" ]; then # Else import would wait for a click, for ever.
+      echo "pictures: no window named $word came up" >&2
+      kill $!
+      exit 1
+    fi
     sleep "$seconds"
     if [ -n "$key" ]; then
       xdotool mousemove 800 600 key "$key"
