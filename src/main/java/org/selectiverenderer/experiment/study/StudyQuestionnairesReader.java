@@ -48,7 +48,9 @@ final class StudyQuestionnairesReader {
     if (moment == Moment.AFTER_AREA && !areas) {
       keys.fault("when", "the study has no areas to ask after");
     } else if (moment == Moment.AFTER_PRACTICE && !practice) {
-      keys.fault("when", "the study has no practice to ask after");
+      keys.fault(
+          "when",
+          "the study has no practice to ask after; add \"practice\", or ask at another time");
     }
     Optional<String> name = keys.text("name", false);
     name.filter(given -> !given.matches(NAME))
