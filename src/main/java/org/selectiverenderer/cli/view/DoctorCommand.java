@@ -63,7 +63,7 @@ public final class DoctorCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     if (one != null) {
-      ChildStarter.endWithParent();
+      ChildStarter.whenParentEnds(() -> Runtime.getRuntime().halt(ExitStatus.FAILURE.code()));
     }
     return Interruption.interrupts(() -> one == null ? examine() : answer(one));
   }

@@ -49,13 +49,13 @@ public final class ChildStarter {
   }
 
   /**
-   * For a child: whatever ends the process that began it, this one ends with it. Where that one was
-   * killed, nobody else would know of a library that hangs.
+   * For a child, which is to end when the process that began it has ended, whatever ended that one.
+   * Where it was killed, nobody else would know of a library that hangs.
+   *
+   * @param end ends this process at once; called on another thread
    */
-  public static void endWithParent() {
-    ProcessHandle.current()
-        .parent()
-        .ifPresent(parent -> parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
+  public static void whenParentEnds(Runnable end) {
+    ProcessHandle.current().parent().ifPresent(parent -> parent.onExit().thenRun(end));
   }
 
   /** The lines of a probe; where it fails the last one says so. */
