@@ -1,13 +1,33 @@
 package org.selectiverenderer.cli;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import org.selectiverenderer.testing.ScreenLock;
 
 /**
  * Runs commands in this process and keeps what the last one printed; tests of commands extend it.
  */
 public class CommandRun {
+  /** Options of a run that shows no window. */
+  private static final List<String> NO_WINDOW = List.of("--offscreen", "--viewpoints", "--help");
+
+  private boolean showed;
+
+  /** A window beside that of another process's test would take its keys and clicks. */
+  @RegisterExtension
+  final AfterEachCallback windowsHaveTheScreen =
+      test ->
+          assertThat(showed && !ScreenLock.held(test))
+              .as("shows a window without being annotated @ShowsWindows")
+              .isFalse();
+
   protected final ByteArrayOutputStream out = new ByteArrayOutputStream();
   protected final ByteArrayOutputStream err = new ByteArrayOutputStream();
 
@@ -15,10 +35,14 @@ public class CommandRun {
   public final int execute(String... args) {
     out.reset();
     err.reset();
-    return Main.execute(
-        args,
-        new PrintStream(out, true, StandardCharsets.UTF_8),
-        new PrintStream(err, true, StandardCharsets.UTF_8));
+    int status =
+        Main.execute(
+            args,
+            new PrintStream(out, true, StandardCharsets.UTF_8),
+            new PrintStream(err, true, StandardCharsets.UTF_8));
+    showed |=
+        status == 0 && args[0].equals("run") && Collections.disjoint(List.of(args), NO_WINDOW);
+    return status;
   }
 
   protected static String text(ByteArrayOutputStream stream) {

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.extension.ExtensionContext.Namespace;
  * Keeps the screen for one test class, or for one test, at a time: {@link ShowsWindows}. Processes
  * agree by a lock on a file, which ends with a process however that ends.
  */
-final class ScreenLock implements BeforeAllCallback, BeforeEachCallback {
+public final class ScreenLock implements BeforeAllCallback, BeforeEachCallback {
   private static final Namespace NAMESPACE = Namespace.create(ScreenLock.class);
 
   @Override
@@ -26,6 +26,11 @@ final class ScreenLock implements BeforeAllCallback, BeforeEachCallback {
   @Override
   public void beforeEach(ExtensionContext context) {
     take(context); // Unless its class has it.
+  }
+
+  /** Whether a test, or its class, has the screen. */
+  public static boolean held(ExtensionContext test) {
+    return test.getStore(NAMESPACE).get(Held.class) != null;
   }
 
   private static void take(ExtensionContext context) {

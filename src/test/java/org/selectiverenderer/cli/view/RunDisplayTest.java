@@ -15,10 +15,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.cli.CommandRun;
-import org.selectiverenderer.testing.RequiresDisplay;
+import org.selectiverenderer.testing.ShowsWindows;
 
 /** {@code run} with two eyes, a head log and replays. */
-@RequiresDisplay
+@ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class RunDisplayTest extends CommandRun {
   @TempDir private Path folder;
