@@ -49,6 +49,7 @@ final class Hemisphere {
   private final double[] light = new double[3];
   private final double[] reflected = new double[3];
   private final double[] parts = new double[PARTS];
+  private final NearWalls walls;
 
   /** Directions that all share. */
   record Sets(Directions directions, PointSet passes, int rays) {
@@ -64,6 +65,7 @@ final class Hemisphere {
     this.scene = scene;
     this.hits = hits;
     this.sets = sets;
+    walls = new NearWalls(scene);
   }
 
   /** Rays of one set. */
@@ -87,6 +89,7 @@ final class Hemisphere {
     Arrays.fill(out.light, 0);
     Arrays.fill(out.turn, 0);
     place.start(start);
+    walls.begin(place.normal, place.size());
     double inverse = 0;
     int valid = 0;
     int backs = 0;
@@ -99,14 +102,16 @@ final class Hemisphere {
         if (!cast(place, first + i)) {
           continue;
         }
-        if (ray.triangle != Ray.NOTHING && ray.behind && !twoSided()) {
+        if (ray.triangle == Ray.NOTHING) {
+          counted++;
+          continue;
+        }
+        walls.met(ray);
+        if (ray.behind && !twoSided()) {
           backs++;
           continue;
         }
         counted++;
-        if (ray.triangle == Ray.NOTHING) {
-          continue;
-        }
         near += ray.length < TOUCHING * scene.offset() ? 1 : 0;
         met++;
         inverse += 1 / Math.max(1e-6, ray.length);
@@ -119,6 +124,7 @@ final class Hemisphere {
       valid += counted;
     }
     out.rays = rays;
+    walls.write(out.walls);
     out.seen = backs <= BURIED * (backs + valid) && near < COVERED * valid;
     finish(valid, out);
     out.distance = inverse > 0 ? met / inverse : Double.POSITIVE_INFINITY;

@@ -14,6 +14,9 @@ final class LightRecord {
   /** The standard error of the light, red, green and blue together. */
   double error;
 
+  /** What stands near to it, as {@link NearWalls} writes it. */
+  final float[] walls = new float[NearWalls.NUMBERS];
+
   /** Rays that found it. */
   int rays;
 

@@ -10,7 +10,7 @@ import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
  */
 final class LightRecords {
   // Where the numbers of a record begin: place, normal, radius, error, light, turn, rays, whether
-  // it is shaded flat.
+  // it is shaded flat, what stands near to it.
   static final int NORMAL = 3;
   static final int RADIUS = 6;
   static final int ERROR = 7;
@@ -18,7 +18,8 @@ final class LightRecords {
   static final int TURN = 11;
   static final int RAYS = 20;
   static final int FLAT = 21;
-  static final int NUMBERS = 22;
+  static final int WALLS = 22;
+  static final int NUMBERS = WALLS + NearWalls.NUMBERS;
 
   private float[] numbers = new float[0];
   private int[] groups = new int[0];
@@ -70,6 +71,7 @@ final class LightRecords {
     }
     block[at + RAYS] = record.rays;
     block[at + FLAT] = place.flat() ? 1 : 0;
+    System.arraycopy(record.walls, 0, block, at + WALLS, NearWalls.NUMBERS);
   }
 
   /** Takes the mean with what more rays from the same place have found; called once for each. */
@@ -86,6 +88,7 @@ final class LightRecords {
     double b = (1 - own) * more.error;
     numbers[at + ERROR] = (float) Math.sqrt(a * a + b * b);
     numbers[at + RAYS] += more.rays;
+    NearWalls.join(numbers, at + WALLS, more.walls);
   }
 
   /**

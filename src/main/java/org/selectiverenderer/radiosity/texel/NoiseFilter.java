@@ -185,7 +185,9 @@ final class NoiseFilter {
     double oy = all[other + 4];
     double oz = all[other + 5];
     boolean flat = all[at + LightRecords.FLAT] > 0 && all[other + LightRecords.FLAT] > 0;
-    if (!OneSurface.may(dx, dy, dz, nx, ny, nz, ox, oy, oz, flat, radius)) {
+    if (!OneSurface.may(dx, dy, dz, nx, ny, nz, ox, oy, oz, flat, radius)
+        || NearWalls.between(all, at + LightRecords.WALLS, dx, dy, dz)
+        || NearWalls.between(all, other + LightRecords.WALLS, -dx, -dy, -dz)) {
       return false;
     }
     double cosine = nx * ox + ny * oy + nz * oz;

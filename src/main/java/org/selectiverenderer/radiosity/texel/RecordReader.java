@@ -110,8 +110,8 @@ final class RecordReader {
     double ny = r[at + 4];
     double nz = r[at + 5];
     boolean bothFlat = flat && r[at + LightRecords.FLAT] > 0;
-    if (!OneSurface.may(
-        dx, dy, dz, nx, ny, nz, normal[0], normal[1], normal[2], bothFlat, radius)) {
+    if (!OneSurface.may(dx, dy, dz, nx, ny, nz, normal[0], normal[1], normal[2], bothFlat, radius)
+        || NearWalls.between(r, at + LightRecords.WALLS, -dx, -dy, -dz)) {
       return 0;
     }
     double cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
