@@ -5,7 +5,8 @@
  * <p>In: a scene, the solution on its patches, an atlas. Light from lamps is found at every texel,
  * light from surfaces where it changes and in between by planes through several places, which evens
  * out their noise and leaves what the surface's shape and the shadows' edges make; what noise is
- * left is told, and where it is more than is wished for there are more rays. The texels of an
+ * left is told, and where it is more than is wished for there are more rays. A wall between two
+ * places keeps them apart, however thin it is, as the rays from each tell it. The texels of an
  * object's other versions take the light of the nearest place of the version that stands for it, so
  * that all versions are lit alike. Out: {@link org.selectiverenderer.radiosity.texel.LightPages}.
  * Uses {@code radiosity.atlas}, {@code radiosity.light}, {@code radiosity.sampling}, {@code
