@@ -6,6 +6,7 @@ import com.jogamp.newt.Display;
 import com.jogamp.newt.MonitorDevice;
 import com.jogamp.newt.NewtFactory;
 import com.jogamp.newt.Screen;
+import com.jogamp.newt.util.EDTUtil;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -51,7 +52,7 @@ public final class Monitors {
               new MonitorMode(monitor, device.getCurrentMode().getRefreshRate(), scale(device)));
         }
       } finally {
-        screen.removeReference();
+        letGo(screen);
       }
     }
     monitors.sort(
@@ -72,6 +73,23 @@ public final class Monitors {
     return NativeWindowFactory.TYPE_X11.equals(NativeWindowFactory.getNativeWindowType(true))
         ? X11Lib.ScreenCount(display.getHandle())
         : 1;
+  }
+
+  /**
+   * Lets go of a screen that was referred to. With the last reference its display ends, which must
+   * happen on the thread that asks the display for events: else that asks one that has just gone.
+   */
+  static void letGo(Screen screen) {
+    Display display = screen.getDisplay();
+    EDTUtil events = display.getEDTUtil();
+    if (events == null || !events.isRunning()) {
+      screen.removeReference();
+      return;
+    }
+    events.invoke(true, screen::removeReference);
+    if (!display.isNativeValid()) {
+      events.waitUntilStopped();
+    }
   }
 
   /** The screen that a monitor belongs to. */

@@ -85,7 +85,7 @@ final class NativeWindows {
     try {
       return window.setFullscreen(Monitors.device(screen, options.monitor().get()));
     } finally {
-      screen.removeReference();
+      Monitors.letGo(screen);
     }
   }
 
