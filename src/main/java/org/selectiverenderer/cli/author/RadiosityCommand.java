@@ -35,7 +35,8 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "  ./selective-renderer radiosity scenes/apartment-unlit.x3d",
-      "  ./selective-renderer radiosity room.x3d --max-mesh 0.5 --quality 85 --preview p.png"
+      "  ./selective-renderer radiosity room.x3d --max-mesh 0.5 --quality 85 \\",
+      "      --preview p.png"
     })
 public final class RadiosityCommand extends CliCommand {
   private enum Format {

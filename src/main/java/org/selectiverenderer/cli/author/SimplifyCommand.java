@@ -32,9 +32,11 @@ import picocli.CommandLine.Parameters;
       "Of several models it works on as many at a time as there are processors."
     },
     footer = {
-      "  ./selective-renderer simplify inlineNodes/trashCan_v1.x3d --vert-percent 10 --output can.x3d",
+      "  ./selective-renderer simplify inlineNodes/trashCan_v1.x3d --vert-percent 10 \\",
+      "      --output can.x3d",
       "  ./selective-renderer simplify chair.glb --polygons 500 --output chair_v2.x3d",
-      "  ./selective-renderer simplify inlineNodes/ --vert-percent 10 --output-dir reduced"
+      "  ./selective-renderer simplify inlineNodes/ --vert-percent 10 \\",
+      "      --output-dir reduced"
     })
 public final class SimplifyCommand extends CliCommand {
   private enum Format {

@@ -31,9 +31,7 @@ import picocli.CommandLine.Parameters;
       "The file has the columns participant,condition,area,object,consistency,present,response,"
           + "confidence."
     },
-    footer =
-        "  ./selective-renderer experiment analyse responses.csv --format html --output"
-            + " report.html")
+    footer = "  ./selective-renderer experiment analyse r.csv --format html --output r.html")
 final class ExperimentAnalyseCommand extends CliCommand {
   private enum Format {
     text,

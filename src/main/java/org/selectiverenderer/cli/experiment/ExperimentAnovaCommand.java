@@ -37,8 +37,8 @@ import picocli.CommandLine.Parameters;
           + "--covariate, may be given several times."
     },
     footer = {
-      "  ./selective-renderer experiment anova scores.csv --dv d_prime --subject participant \\",
-      "      --within object_type --between condition"
+      "  ./selective-renderer experiment anova scores.csv --dv d_prime \\",
+      "      --subject participant --within object_type --between condition"
     })
 final class ExperimentAnovaCommand extends CliCommand {
   /** More have too many interactions for anyone to read. */

@@ -34,8 +34,10 @@ import picocli.CommandLine.Option;
       "A list of numbers has one number for each condition, or one for all."
     },
     footer = {
-      "  ./selective-renderer experiment simulate --participants 54 --d-prime 1.1 --output r.csv",
-      "  ./selective-renderer experiment simulate --participants 54 --d-prime 0.9,1.2,1.1 --needed"
+      "  ./selective-renderer experiment simulate --participants 54 --d-prime 1.1 \\",
+      "      --output r.csv",
+      "  ./selective-renderer experiment simulate --participants 54 \\",
+      "      --d-prime 0.9,1.2,1.1 --needed"
     })
 final class ExperimentSimulateCommand extends CliCommand {
   private enum Format {

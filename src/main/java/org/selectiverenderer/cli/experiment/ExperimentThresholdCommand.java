@@ -43,8 +43,8 @@ import picocli.CommandLine.Parameters;
           + " versions."
     },
     footer = {
-      "  ./selective-renderer experiment threshold mystudy/pilot/threshold.json --participant 001",
-      "  ./selective-renderer experiment threshold mystudy/pilot/threshold.json --results"
+      "  ./selective-renderer experiment threshold mystudy/pilot --participant 001",
+      "  ./selective-renderer experiment threshold mystudy/pilot --results"
     })
 final class ExperimentThresholdCommand extends CliCommand {
   private static final String FILE = "threshold.json";

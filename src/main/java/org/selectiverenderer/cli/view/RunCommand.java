@@ -64,9 +64,10 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "  ./selective-renderer run scenes/trashcan.x3d",
-      "  ./selective-renderer run scenes/trashcan.x3d --offscreen --screenshot office.png",
-      "  ./selective-renderer run scenes/apartment.x3d --display dual --tracker"
-          + " intertrax2:/dev/ttyUSB0"
+      "  ./selective-renderer run scenes/trashcan.x3d --offscreen \\",
+      "      --screenshot office.png",
+      "  ./selective-renderer run scenes/apartment.x3d --display dual \\",
+      "      --tracker intertrax2:/dev/ttyUSB0"
     })
 public final class RunCommand extends CliCommand {
   private enum Mouse {
