@@ -27,6 +27,11 @@ public final class TypedProgram {
     return in(text, System.getProperties());
   }
 
+  /** The program's name, for this process's user. */
+  public static String name() {
+    return in(HERE);
+  }
+
   static String in(String text, Properties properties) {
     String lines = windows(properties) ? text.replaceAll(" \\\\\\R +", " ") : text;
     return here(properties) ? lines : lines.replace(HERE, ProgramVersion.PROGRAM);

@@ -174,10 +174,10 @@ public final class TrackCommand extends CliCommand {
           try (EmulatedInterTrax2 device = EmulatedInterTrax2.start(path, settings)) {
             console()
                 .message(
-                    TypedProgram.in(
-                        "the emulated InterTrax2 is ready; type in another terminal: "
-                            + "./selective-renderer track intertrax2:"
-                            + device.link()));
+                    "the emulated InterTrax2 is ready; type in another terminal: "
+                        + TypedProgram.name()
+                        + " track intertrax2:"
+                        + device.link());
             Interruption.await(stopping, duration);
           }
         });
