@@ -22,6 +22,7 @@ import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.app.stream.LabStreams;
 import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.base.machine.ParentProcess;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.AccessOptions;
@@ -140,6 +141,8 @@ public final class RunCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
+    // The enricher's runs end with it, as by Ctrl-C: with whole files.
+    ParentProcess.whenItEnds(() -> System.exit(ExitStatus.FAILURE.code()));
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
     }
