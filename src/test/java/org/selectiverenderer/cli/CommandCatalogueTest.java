@@ -11,6 +11,7 @@ import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.output.Console;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.ArgSpec;
 
 /** Which commands a command line brings up. */
 class CommandCatalogueTest {
@@ -54,6 +55,20 @@ class CommandCatalogueTest {
               assertThat(help.split("\\s+"))
                   .containsExactly(command.getUsageMessage().split("\\s+"));
             });
+  }
+
+  /** Picocli's own label is the name of a field, which is no word for a user. */
+  @Test
+  void whatAnOptionTakesHasAWord() {
+    var model = new CommandRunner(console).model(CommandCatalogue.commands(console));
+    List<ArgSpec> args =
+        all(model)
+            .flatMap(command -> command.getCommandSpec().args().stream())
+            .filter(arg -> !arg.hidden() && arg.arity().max() > 0)
+            .toList();
+    assertThat(args)
+        .hasSizeGreaterThan(100)
+        .allSatisfy(arg -> assertThat(arg.paramLabel()).doesNotStartWith("<"));
   }
 
   private static Stream<CommandLine> all(CommandLine command) {

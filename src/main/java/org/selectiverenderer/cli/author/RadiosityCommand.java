@@ -69,6 +69,7 @@ public final class RadiosityCommand extends CliCommand {
 
   @Option(
       names = "--store",
+      paramLabel = "PLACE",
       description =
           "where the light is stored: in pictures beside the lit files, or in the colours of the "
               + "vertices; ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
@@ -187,6 +188,7 @@ public final class RadiosityCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       description = "format of the report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
   private Format format = Format.text;

@@ -104,6 +104,7 @@ public final class SimplifyCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       description = "format of the figures: ${COMPLETION-CANDIDATES} (default: text)")
   private @Nullable Format format;
 

@@ -71,6 +71,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       description =
           "format of the report: ${COMPLETION-CANDIDATES}; tidy and wide are CSV of "
@@ -79,6 +80,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
 
   @Option(
       names = "--family",
+      paramLabel = "METHOD",
       defaultValue = "none",
       description =
           "correction of p over all effects, measures and areas of a level of confidence:"

@@ -96,6 +96,7 @@ final class ExperimentAnovaCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       description = "format of the report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
   private Format format = Format.text;

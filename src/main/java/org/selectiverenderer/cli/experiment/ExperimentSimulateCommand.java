@@ -146,6 +146,7 @@ final class ExperimentSimulateCommand extends CliCommand {
 
   @Option(
       names = "--target",
+      paramLabel = "POWER",
       defaultValue = "0.8",
       description = "power that --needed aims at (default: ${DEFAULT-VALUE})")
   private double target;
@@ -169,12 +170,14 @@ final class ExperimentSimulateCommand extends CliCommand {
 
   @Option(
       names = "--area",
+      paramLabel = "AREA",
       defaultValue = "kitchen",
       description = "area whose answers the power is computed for (default: ${DEFAULT-VALUE})")
   private String area = "";
 
   @Option(
       names = "--measure",
+      paramLabel = "MEASURE",
       defaultValue = "dprime",
       description =
           "measure that the power is computed for: ${COMPLETION-CANDIDATES} (default: "
@@ -187,6 +190,7 @@ final class ExperimentSimulateCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       description =
           "format of the power report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
