@@ -23,6 +23,11 @@ PAGES = ["README.md", "scenes/README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", 
 LINK = re.compile(r"(?:\]\(|^\[[^\]^]+\]: +)(?![a-z]+:)([^)#\s]+)", re.MULTILINE)
 FILE_NAME = re.compile(r'(<a href="[^"]*">)([\w./-]+\.md)(</a>)')
 CELL_CODE = re.compile(r"(?<=<code>)[^<]*\\\|[^<]*(?=</code>)")
+# Code in a text, not that of a block. Browsers would end a line at any hyphen in it: --fail-on.
+INLINE_CODE = re.compile(r"(?<=<code>)[^<]+(?=</code>)")
+# A longer word might be wider than a phone.
+WORD = re.compile(r"(?<!\S)(?=\w*[^\s\w])\S{2,32}(?!\S)")
+BLOCK = re.compile(r"(<pre\b.*?</pre>)", re.DOTALL)
 PICTURE = re.compile(r'<p>(<img alt="[^"]*" src="([^"]+)" ?/?>)</p>')
 
 
@@ -70,6 +75,16 @@ def on_page_content(html: str, page: Page, **_: object) -> str:
     # In a cell's code GitHub reads \| as |, as there is no other way to write it.
     html = CELL_CODE.sub(lambda code: code[0].replace("\\|", "|"), html)
     return PICTURE.sub(r'<p><a class="picture" href="\2">\1</a></p>', html)
+
+
+def on_post_page(output: str, **_: object) -> str:
+    """Lines end between the words of code, not within one; after the search has read the page."""
+
+    def whole(code: re.Match[str]) -> str:
+        return WORD.sub(r'<span class="word">\g<0></span>', code[0])
+
+    parts = BLOCK.split(output)
+    return "".join(part if part.startswith("<pre") else INLINE_CODE.sub(whole, part) for part in parts)
 
 
 def title(path: Path) -> str:

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
 import org.selectiverenderer.cli.base.CliCommand;
+import org.selectiverenderer.cli.base.HelpText;
 import org.selectiverenderer.cli.base.ProgramVersion;
 import org.selectiverenderer.cli.base.TypedProgram;
 import org.selectiverenderer.cli.output.CommandFailure;
@@ -13,7 +14,9 @@ import org.selectiverenderer.cli.output.OutputFailure;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.IHelpFactory;
 import picocli.CommandLine.IParameterExceptionHandler;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -49,7 +52,8 @@ final class CommandRunner {
     CommandLine line = new CommandLine(root);
     commands.forEach(command -> add(line, command));
     Reports reports = new Reports();
-    return line.setOut(new PrintWriter(help))
+    return line.setHelpFactory(new HelpTexts())
+        .setOut(new PrintWriter(help))
         .setErr(new PrintWriter(console.err(), true))
         .setColorScheme(CommandLine.Help.defaultColorScheme(console.colours() ? Ansi.ON : Ansi.OFF))
         .setCaseInsensitiveEnumValuesAllowed(true)
@@ -58,7 +62,15 @@ final class CommandRunner {
         .setExecutionExceptionHandler(reports);
   }
 
-  /** A class, as a lambda of picocli's types, whose class files are old, is made at each start. */
+  // Classes, as a lambda of picocli's types, whose class files are old, is made at each start.
+
+  private static final class HelpTexts implements IHelpFactory {
+    @Override
+    public CommandLine.Help create(CommandSpec command, CommandLine.Help.ColorScheme colours) {
+      return new HelpText(command, colours);
+    }
+  }
+
   private final class Reports implements IParameterExceptionHandler, IExecutionExceptionHandler {
     @Override
     public int handleParseException(ParameterException failure, String[] args) {

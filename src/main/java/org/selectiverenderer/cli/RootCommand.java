@@ -13,7 +13,7 @@ import picocli.CommandLine.ScopeType;
     mixinStandardHelpOptions = true,
     versionProvider = ProgramVersion.class,
     sortOptions = false,
-    usageHelpWidth = 100,
+    usageHelpWidth = 80,
     synopsisSubcommandLabel = "COMMAND",
     description = "Shows X3D scenes and renders them selectively, by memory schemas.",
     descriptionHeading = "%n",

@@ -11,6 +11,7 @@ import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.output.Console;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.ArgSpec;
 
 /** Which commands a command line brings up. */
 class CommandCatalogueTest {
@@ -40,7 +41,43 @@ class CommandCatalogueTest {
     assertThat(CommandCatalogue.draws(new String[] {"validate", "a.x3d"})).isFalse();
   }
 
-  /** A line that the help breaks cannot be copied. */
+  /** Its words are the same, in the same order, as where nothing needs to be broken. */
+  @Test
+  void helpFitsIntoATerminalAndBreaksNoWord() {
+    var model = new CommandRunner(console).model(CommandCatalogue.commands(console));
+    assertThat(all(model).toList())
+        .hasSizeGreaterThan(20)
+        .allSatisfy(
+            command -> {
+              String help = command.getUsageMessage();
+              assertThat(help.lines()).allSatisfy(line -> assertThat(line).hasSizeLessThan(81));
+              command.getCommandSpec().usageMessage().width(2000);
+              assertThat(help.split("\\s+"))
+                  .containsExactly(command.getUsageMessage().split("\\s+"));
+            });
+  }
+
+  /** Picocli's own label is the name of a field, which is no word for a user. */
+  @Test
+  void whatAnOptionTakesHasAWord() {
+    var model = new CommandRunner(console).model(CommandCatalogue.commands(console));
+    List<ArgSpec> args =
+        all(model)
+            .flatMap(command -> command.getCommandSpec().args().stream())
+            .filter(arg -> !arg.hidden() && arg.arity().max() > 0)
+            .toList();
+    assertThat(args)
+        .hasSizeGreaterThan(100)
+        .allSatisfy(arg -> assertThat(arg.paramLabel()).doesNotStartWith("<"));
+  }
+
+  private static Stream<CommandLine> all(CommandLine command) {
+    return Stream.concat(
+        Stream.of(command),
+        command.getSubcommands().values().stream().flatMap(CommandCatalogueTest::all));
+  }
+
+  /** A line that a terminal breaks is hard to read. */
   @Test
   void examplesFitIntoALineOfTheHelp() {
     var model = new CommandRunner(console).model(CommandCatalogue.commands(console));
@@ -51,9 +88,8 @@ class CommandCatalogueTest {
   }
 
   private static List<String> examples(CommandLine command) {
-    return Stream.concat(
-            Stream.of(command.getCommandSpec().usageMessage().footer()),
-            command.getSubcommands().values().stream().flatMap(sub -> examples(sub).stream()))
+    return all(command)
+        .flatMap(each -> Stream.of(each.getCommandSpec().usageMessage().footer()))
         .toList();
   }
 

@@ -13,8 +13,10 @@ final class OptionsPage {
       """
       # Options of all commands
 
-      `OptionsPageTest` writes this page from the program's own help; do not edit it by hand. What each command is for,
-      and what all of them have in common, is told in [commands.md](commands.md).
+      What each command is for, and what all of them have in common, is told in [commands.md](commands.md). Here is what
+      their `--help` says.
+
+      <!-- All is written by OptionsPageTest. -->
 
       These options go with every command:
 

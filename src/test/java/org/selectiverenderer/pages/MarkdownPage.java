@@ -27,8 +27,8 @@ record MarkdownPage(Path file, String text) {
       Pattern.compile("\\]\\(([^)]*)\\)|(?m)^\\[[^\\]^]+\\]: *(\\S+)");
   private static final Pattern HEADING = Pattern.compile("(?m)^#{1,6} +(.+)$");
 
-  /** A block of code: the words behind its fence, and what is in it. */
-  record Block(String language, String text) {}
+  /** A block of code: where it begins, the words behind its fence, and what is in it. */
+  record Block(int start, String language, String text) {}
 
   static MarkdownPage read(Path file) throws IOException {
     return new MarkdownPage(file, Files.readString(file).replace("\r\n", "\n"));
@@ -61,7 +61,7 @@ record MarkdownPage(Path file, String text) {
     return FENCE
         .matcher(text)
         .results()
-        .map(block -> new Block(block.group(2).strip(), block.group(3)))
+        .map(block -> new Block(block.start(), block.group(2).strip(), block.group(3)))
         .toList();
   }
 

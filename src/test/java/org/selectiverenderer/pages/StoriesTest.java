@@ -56,8 +56,8 @@ class StoriesTest extends CommandRun {
       Files.createDirectory(Path.of(arguments.get(0)));
       return 0;
     }
-    if (step.words().get(0).equals("sed")) {
-      replace(arguments.get(1).split("/"), Path.of(arguments.get(2)));
+    if (step.words().get(0).equals(StoryStep.REPLACE)) {
+      replace(arguments.get(0), arguments.get(1), Path.of(arguments.get(2)));
       return 0;
     }
     assertThat(step.isOurs()).as("a command of the program: %s", step.words()).isTrue();
@@ -87,11 +87,11 @@ class StoriesTest extends CommandRun {
     return status;
   }
 
-  /** What {@code sed s/this/that/} does to a text of which no sign means anything to sed. */
-  private static void replace(String[] command, Path file) throws IOException {
+  /** What a reader does in an editor. */
+  private static void replace(String these, String by, Path file) throws IOException {
     String text = Files.readString(file);
-    assertThat(text).contains(command[1]);
-    Files.writeString(file, text.replace(command[1], command[2]));
+    assertThat(text).contains(these);
+    Files.writeString(file, text.replace(these, by));
   }
 
   /** A word with the reader's own files in the test's folder. */

@@ -3,34 +3,54 @@ package org.selectiverenderer.pages;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.regex.Pattern;
 
 /**
  * What a reader of a story types, and what it says that comes of it.
  *
- * @param words of the command, the program's name first
+ * @param words of the command, the program's name first; of a change to a file {@link #REPLACE},
+ *     what is replaced, by what, and the file
  * @param prints pieces of what is printed, in their order; {@code ...} in the page stands between
  *     them
  */
 record StoryStep(List<String> words, List<String> prints) {
+  static final String REPLACE = "replace";
   private static final String PROGRAM = "./selective-renderer";
+  private static final Pattern CHANGE =
+      Pattern.compile("replace\\s+`([^`]+)`\\s+by\\s+`([^`]+)`\\s+in\\s+`([^`]+)`");
   private static final Pattern WORD = Pattern.compile("'([^']*)'|\"([^\"]*)\"|(\\S+)");
 
   /**
    * The commands of a page: lines of blocks that begin with the program's name, or after {@code $}
-   * with what is printed below them. A backslash at the end goes on in the next line.
+   * with what is printed below them. A backslash at the end goes on in the next line. Between them
+   * changes to files by a text editor: "replace `this` by `that` in `file`".
    */
   static List<StoryStep> of(MarkdownPage page) {
+    SortedMap<Integer, List<StoryStep>> byPlace = new TreeMap<>();
+    CHANGE
+        .matcher(page.text())
+        .results()
+        .forEach(
+            change -> {
+              List<String> words =
+                  List.of(REPLACE, change.group(1), change.group(2), change.group(3));
+              byPlace.put(change.start(), List.of(new StoryStep(words, List.of())));
+            });
+    page.blocks().forEach(block -> byPlace.put(block.start(), commands(block)));
+    return byPlace.values().stream().flatMap(List::stream).toList();
+  }
+
+  private static List<StoryStep> commands(MarkdownPage.Block block) {
     List<StoryStep> steps = new ArrayList<>();
-    for (MarkdownPage.Block block : page.blocks()) {
-      String text = block.text().replaceAll("\\\\\\n\\s*", "");
-      if (text.startsWith("$ ")) {
-        for (String shown : text.split("(?m)^\\$ ")) {
-          shown(shown).ifPresent(steps::add);
-        }
-      } else if (text.startsWith(PROGRAM)) {
-        text.lines().forEach(line -> steps.add(new StoryStep(words(line), List.of())));
+    String text = block.text().replaceAll("\\\\\\n\\s*", "");
+    if (text.startsWith("$ ")) {
+      for (String shown : text.split("(?m)^\\$ ")) {
+        shown(shown).ifPresent(steps::add);
       }
+    } else if (text.startsWith(PROGRAM)) {
+      text.lines().forEach(line -> steps.add(new StoryStep(words(line), List.of())));
     }
     return steps;
   }

@@ -18,7 +18,8 @@ public final class ProgramCommand {
 
   /** Flags that two processes cannot share, such as a debugger's port. */
   private static final List<String> OWN =
-      List.of("-agentlib:jdwp", "-Xrunjdwp", "-javaagent", "-D" + DESKTOP + "=");
+      List.of(
+          "-agentlib:jdwp", "-Xrunjdwp", "-javaagent", "-D" + DESKTOP + "=", ParentProcess.FLAG);
 
   private ProgramCommand() {}
 

@@ -30,7 +30,8 @@ import picocli.CommandLine.Parameters;
     },
     footer = {
       "  ./selective-renderer enrich scenes/apartment-plain.x3d",
-      "  ./selective-renderer enrich scenes/apartment-plain.x3d --ratings ratings.csv --dry-run"
+      "  ./selective-renderer enrich scenes/apartment-plain.x3d \\",
+      "      --ratings ratings.csv --dry-run"
     })
 public final class EnrichCommand extends CliCommand {
   /** Opens the enricher's window. */

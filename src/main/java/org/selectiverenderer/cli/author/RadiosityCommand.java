@@ -35,7 +35,8 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "  ./selective-renderer radiosity scenes/apartment-unlit.x3d",
-      "  ./selective-renderer radiosity room.x3d --max-mesh 0.5 --quality 85 --preview p.png"
+      "  ./selective-renderer radiosity room.x3d --max-mesh 0.5 --quality 85 \\",
+      "      --preview p.png"
     })
 public final class RadiosityCommand extends CliCommand {
   private enum Format {
@@ -68,6 +69,7 @@ public final class RadiosityCommand extends CliCommand {
 
   @Option(
       names = "--store",
+      paramLabel = "PLACE",
       description =
           "where the light is stored: in pictures beside the lit files, or in the colours of the "
               + "vertices; ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
@@ -186,6 +188,7 @@ public final class RadiosityCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       description = "format of the report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
   private Format format = Format.text;

@@ -32,9 +32,11 @@ import picocli.CommandLine.Parameters;
       "Of several models it works on as many at a time as there are processors."
     },
     footer = {
-      "  ./selective-renderer simplify inlineNodes/trashCan_v1.x3d --vert-percent 10 --output can.x3d",
+      "  ./selective-renderer simplify inlineNodes/trashCan_v1.x3d --vert-percent 10 \\",
+      "      --output can.x3d",
       "  ./selective-renderer simplify chair.glb --polygons 500 --output chair_v2.x3d",
-      "  ./selective-renderer simplify inlineNodes/ --vert-percent 10 --output-dir reduced"
+      "  ./selective-renderer simplify inlineNodes/ --vert-percent 10 \\",
+      "      --output-dir reduced"
     })
 public final class SimplifyCommand extends CliCommand {
   private enum Format {
@@ -102,6 +104,7 @@ public final class SimplifyCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       description = "format of the figures: ${COMPLETION-CANDIDATES} (default: text)")
   private @Nullable Format format;
 

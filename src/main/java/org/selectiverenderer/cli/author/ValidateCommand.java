@@ -81,6 +81,7 @@ public final class ValidateCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       converter = Formats.class,
       description =
@@ -93,6 +94,7 @@ public final class ValidateCommand extends CliCommand {
 
   @Option(
       names = "--fail-on",
+      paramLabel = "SEVERITY",
       defaultValue = "error",
       description =
           "lowest severity that makes the exit status 1: ${COMPLETION-CANDIDATES} "

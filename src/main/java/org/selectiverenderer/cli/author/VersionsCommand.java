@@ -39,7 +39,10 @@ import picocli.CommandLine.Option;
           + "rest of the scene stays as it is, byte for byte. A second run makes new "
           + "versions from version 1."
     },
-    footer = "  ./selective-renderer versions scene.x3d --object Vase --vert-percent 10 --dry-run")
+    footer = {
+      "  ./selective-renderer versions scene.x3d --object Vase --vert-percent 10 \\",
+      "      --dry-run"
+    })
 public final class VersionsCommand extends CliCommand {
   /** Of what is removed, --dry-run shows so many lines at most, each of so many characters. */
   private static final int HEAD = 12;

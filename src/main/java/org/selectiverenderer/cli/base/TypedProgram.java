@@ -18,19 +18,32 @@ public final class TypedProgram {
 
   private TypedProgram() {}
 
-  /** A text with commands as they are typed among the sources, for this process's user. */
+  /**
+   * A text with commands as they are typed among the sources, for this process's user. A command
+   * that a backslash continues in the next line is one line on Windows, whose command line knows no
+   * such sign.
+   */
   public static String in(String text) {
     return in(text, System.getProperties());
   }
 
+  /** The program's name, for this process's user. */
+  public static String name() {
+    return in(HERE);
+  }
+
   static String in(String text, Properties properties) {
-    boolean here =
-        properties.getProperty(INSTALLED) == null
-            && properties.getProperty(BUNDLED) == null
-            && !properties
-                .getProperty("os.name", "")
-                .toLowerCase(Locale.ROOT)
-                .startsWith("windows");
-    return here ? text : text.replace(HERE, ProgramVersion.PROGRAM);
+    String lines = windows(properties) ? text.replaceAll(" \\\\\\R +", " ") : text;
+    return here(properties) ? lines : lines.replace(HERE, ProgramVersion.PROGRAM);
+  }
+
+  private static boolean here(Properties properties) {
+    return properties.getProperty(INSTALLED) == null
+        && properties.getProperty(BUNDLED) == null
+        && !windows(properties);
+  }
+
+  private static boolean windows(Properties properties) {
+    return properties.getProperty("os.name", "").toLowerCase(Locale.ROOT).startsWith("windows");
   }
 }

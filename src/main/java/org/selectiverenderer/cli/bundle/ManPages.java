@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.selectiverenderer.cli.base.HelpText;
 import org.selectiverenderer.cli.base.ProgramVersion;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Help.Ansi;
@@ -53,15 +54,18 @@ final class ManPages {
   }
 
   private static String page(CommandSpec command, String version) {
-    Help help = new Help(command, Help.defaultColorScheme(Ansi.OFF));
+    Help help = new HelpText(command, Help.defaultColorScheme(Ansi.OFF));
     StringBuilder page = new StringBuilder();
     String name = command.qualifiedName("-");
     page.append(".TH \"").append(roff(name)).append("\" 1 \"\" \"");
     page.append(roff(ProgramVersion.PROGRAM + " " + version)).append("\" \"User commands\"\n");
+    // The reader's window says where lines end: never within a word, such as an option's value.
+    page.append(".ad l\n.nh\n");
     String[] description = command.usageMessage().description();
     page.append(".SH NAME\n").append(roff(name)).append(" \\- ");
     page.append(roff(summary(description))).append('\n');
-    page.append(".SH SYNOPSIS\n.nf\n").append(roff(help.synopsis(0).strip())).append("\n.fi\n");
+    page.append(".SH SYNOPSIS\n");
+    page.append(roff(help.synopsis(0).strip().replaceAll("\\s+", " "))).append('\n');
     page.append(".SH DESCRIPTION\n");
     for (String line : description) {
       page.append(roff(plain(line))).append("\n.br\n");

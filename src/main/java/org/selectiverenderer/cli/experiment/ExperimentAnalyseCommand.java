@@ -31,9 +31,7 @@ import picocli.CommandLine.Parameters;
       "The file has the columns participant,condition,area,object,consistency,present,response,"
           + "confidence."
     },
-    footer =
-        "  ./selective-renderer experiment analyse responses.csv --format html --output"
-            + " report.html")
+    footer = "  ./selective-renderer experiment analyse r.csv --format html --output r.html")
 final class ExperimentAnalyseCommand extends CliCommand {
   private enum Format {
     text,
@@ -73,6 +71,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       description =
           "format of the report: ${COMPLETION-CANDIDATES}; tidy and wide are CSV of "
@@ -81,6 +80,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
 
   @Option(
       names = "--family",
+      paramLabel = "METHOD",
       defaultValue = "none",
       description =
           "correction of p over all effects, measures and areas of a level of confidence:"

@@ -37,8 +37,8 @@ import picocli.CommandLine.Parameters;
           + "--covariate, may be given several times."
     },
     footer = {
-      "  ./selective-renderer experiment anova scores.csv --dv d_prime --subject participant \\",
-      "      --within object_type --between condition"
+      "  ./selective-renderer experiment anova scores.csv --dv d_prime \\",
+      "      --subject participant --within object_type --between condition"
     })
 final class ExperimentAnovaCommand extends CliCommand {
   /** More have too many interactions for anyone to read. */
@@ -96,6 +96,7 @@ final class ExperimentAnovaCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       description = "format of the report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
   private Format format = Format.text;

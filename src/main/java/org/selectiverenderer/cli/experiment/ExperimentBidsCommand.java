@@ -25,7 +25,8 @@ import picocli.CommandLine.Option;
       "All sessions are in it, unfinished ones too; sessions.tsv says how each ended."
     },
     footer = {
-      "  ./selective-renderer experiment bids mystudy --output mystudy-bids --author \"A. Zotos\"",
+      "  ./selective-renderer experiment bids mystudy --output mystudy-bids \\",
+      "      --author \"A. Zotos\"",
       "  bids-validator-deno mystudy-bids"
     })
 final class ExperimentBidsCommand extends CliCommand {

@@ -32,10 +32,12 @@ import picocli.CommandLine.Option;
       "Without an option it prints the recognition answers."
     },
     footer = {
-      "  ./selective-renderer experiment collect mystudy --responses r.csv --answers answers.csv",
-      "  ./selective-renderer experiment collect mystudy --paper 003.csv,004.csv --responses r.csv",
-      "  ./selective-renderer experiment collect mystudy/pilot --ratings ratings.csv --bands"
-          + " bands.csv"
+      "  ./selective-renderer experiment collect mystudy --responses r.csv \\",
+      "      --answers answers.csv",
+      "  ./selective-renderer experiment collect mystudy --paper 003.csv,004.csv \\",
+      "      --responses r.csv",
+      "  ./selective-renderer experiment collect mystudy/pilot --ratings ratings.csv \\",
+      "      --bands bands.csv"
     })
 final class ExperimentCollectCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();

@@ -14,7 +14,7 @@ import picocli.CommandLine.Command;
       "  ./selective-renderer experiment new mystudy",
       "  ./selective-renderer experiment run mystudy/study.json --participant 001",
       "  ./selective-renderer experiment view session.csv --plot session.svg",
-      "  ./selective-renderer experiment analyse responses.csv --format html --output report.html"
+      "  ./selective-renderer experiment analyse r.csv --format html --output r.html"
     })
 public final class ExperimentCommand extends CliCommand {
   public ExperimentCommand(Console console) {

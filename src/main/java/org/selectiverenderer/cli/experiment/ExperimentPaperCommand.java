@@ -31,9 +31,10 @@ import picocli.CommandLine.Option;
           + " into.",
       "The questions come in the order in which the participant would see them on the screen."
     },
-    footer =
-        "  ./selective-renderer experiment paper mystudy --participant 001 --output 001.html --csv"
-            + " 001.csv")
+    footer = {
+      "  ./selective-renderer experiment paper mystudy --participant 001 \\",
+      "      --output 001.html --csv 001.csv"
+    })
 final class ExperimentPaperCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();
 

@@ -64,7 +64,8 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "  ./selective-renderer experiment run mystudy/study.json --participant 001",
-      "  ./selective-renderer experiment run mystudy/study.json --participant 001 --resume"
+      "  ./selective-renderer experiment run mystudy/study.json --participant 001 \\",
+      "      --resume"
     })
 final class ExperimentRunCommand extends CliCommand {
   @Mixin private StudyArgument study = new StudyArgument();

@@ -34,8 +34,10 @@ import picocli.CommandLine.Option;
       "A list of numbers has one number for each condition, or one for all."
     },
     footer = {
-      "  ./selective-renderer experiment simulate --participants 54 --d-prime 1.1 --output r.csv",
-      "  ./selective-renderer experiment simulate --participants 54 --d-prime 0.9,1.2,1.1 --needed"
+      "  ./selective-renderer experiment simulate --participants 54 --d-prime 1.1 \\",
+      "      --output r.csv",
+      "  ./selective-renderer experiment simulate --participants 54 \\",
+      "      --d-prime 0.9,1.2,1.1 --needed"
     })
 final class ExperimentSimulateCommand extends CliCommand {
   private enum Format {
@@ -144,6 +146,7 @@ final class ExperimentSimulateCommand extends CliCommand {
 
   @Option(
       names = "--target",
+      paramLabel = "POWER",
       defaultValue = "0.8",
       description = "power that --needed aims at (default: ${DEFAULT-VALUE})")
   private double target;
@@ -167,12 +170,14 @@ final class ExperimentSimulateCommand extends CliCommand {
 
   @Option(
       names = "--area",
+      paramLabel = "AREA",
       defaultValue = "kitchen",
       description = "area whose answers the power is computed for (default: ${DEFAULT-VALUE})")
   private String area = "";
 
   @Option(
       names = "--measure",
+      paramLabel = "MEASURE",
       defaultValue = "dprime",
       description =
           "measure that the power is computed for: ${COMPLETION-CANDIDATES} (default: "
@@ -185,6 +190,7 @@ final class ExperimentSimulateCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       description =
           "format of the power report: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")

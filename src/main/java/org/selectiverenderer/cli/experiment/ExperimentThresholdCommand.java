@@ -13,6 +13,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.LibraryProperties;
 import org.selectiverenderer.cli.base.ProgramVersion;
+import org.selectiverenderer.cli.base.TypedProgram;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Console;
@@ -43,8 +44,8 @@ import picocli.CommandLine.Parameters;
           + " versions."
     },
     footer = {
-      "  ./selective-renderer experiment threshold mystudy/pilot/threshold.json --participant 001",
-      "  ./selective-renderer experiment threshold mystudy/pilot/threshold.json --results"
+      "  ./selective-renderer experiment threshold mystudy/pilot --participant 001",
+      "  ./selective-renderer experiment threshold mystudy/pilot --results"
     })
 final class ExperimentThresholdCommand extends CliCommand {
   private static final String FILE = "threshold.json";
@@ -126,9 +127,9 @@ final class ExperimentThresholdCommand extends CliCommand {
         .print(
             format.json()
                 ? ThresholdTables.json(thresholds)
-                : ThresholdTables.text(thresholds, name));
+                : ThresholdTables.text(thresholds, TypedProgram.name(), name));
     if (commands != null) {
-      OutputFile.write(commands, thresholds.commands(name));
+      OutputFile.write(commands, thresholds.commands(TypedProgram.name(), name));
     }
     return ExitStatus.of(problems);
   }

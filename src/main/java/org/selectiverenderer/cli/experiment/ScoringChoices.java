@@ -26,6 +26,7 @@ final class ScoringChoices {
 
   @Option(
       names = "--correction",
+      paramLabel = "RULE",
       defaultValue = "loglinear",
       description =
           "correction of rates of 0 and 1: ${COMPLETION-CANDIDATES} (Hautus 1995; "
@@ -34,6 +35,7 @@ final class ScoringChoices {
 
   @Option(
       names = "--guesses",
+      paramLabel = "KIND",
       defaultValue = "discard",
       description =
           "treatment of answers below a level of confidence: left out (discard) or "

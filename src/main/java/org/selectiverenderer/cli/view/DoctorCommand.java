@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.machine.ParentProcess;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.base.ProgramVersion;
 import org.selectiverenderer.cli.option.FormatOption;
@@ -63,7 +64,7 @@ public final class DoctorCommand extends CliCommand {
   @Override
   public ExitStatus run() throws IOException {
     if (one != null) {
-      ChildStarter.whenParentEnds(() -> Runtime.getRuntime().halt(ExitStatus.FAILURE.code()));
+      ParentProcess.whenItEnds(() -> Runtime.getRuntime().halt(ExitStatus.FAILURE.code()));
     }
     return Interruption.interrupts(() -> one == null ? examine() : answer(one));
   }

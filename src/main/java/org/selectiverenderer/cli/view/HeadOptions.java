@@ -38,6 +38,7 @@ final class HeadOptions {
 
   @Option(
       names = "--tracker-lost",
+      paramLabel = "SOURCE",
       description =
           "source that turns the view while the tracker is silent: freeze (nothing) "
               + "or mouse (default: freeze)")
@@ -50,6 +51,7 @@ final class HeadOptions {
 
   @Option(
       names = "--tracker-position",
+      paramLabel = "on|off",
       description =
           "use of the head's place, where the tracker tells it (opentrack, vrpn, fastrak, replay):"
               + " on or off (default: off; a headset's is always used)")

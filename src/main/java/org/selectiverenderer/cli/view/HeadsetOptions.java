@@ -26,6 +26,7 @@ final class HeadsetOptions {
 
   @Option(
       names = "--posture",
+      paramLabel = "POSTURE",
       description =
           "user of a headset: standing (eyes as high above the scene's floor as they are) or "
               + "seated (eyes at the scene's height) (default: standing)")
@@ -48,6 +49,7 @@ final class HeadsetOptions {
 
   @Option(
       names = "--mirror",
+      paramLabel = "EYES",
       description =
           "eyes of a headset whose pictures the window shows: both, left or right "
               + "(default: both)")

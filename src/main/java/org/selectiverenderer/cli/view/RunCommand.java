@@ -22,6 +22,7 @@ import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.app.settings.TrackerSettings;
 import org.selectiverenderer.app.stream.LabStreams;
 import org.selectiverenderer.app.timeline.TimelineEvent;
+import org.selectiverenderer.base.machine.ParentProcess;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.cli.base.CliCommand;
 import org.selectiverenderer.cli.option.AccessOptions;
@@ -64,9 +65,10 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "  ./selective-renderer run scenes/trashcan.x3d",
-      "  ./selective-renderer run scenes/trashcan.x3d --offscreen --screenshot office.png",
-      "  ./selective-renderer run scenes/apartment.x3d --display dual --tracker"
-          + " intertrax2:/dev/ttyUSB0"
+      "  ./selective-renderer run scenes/trashcan.x3d --offscreen \\",
+      "      --screenshot office.png",
+      "  ./selective-renderer run scenes/apartment.x3d --display dual \\",
+      "      --tracker intertrax2:/dev/ttyUSB0"
     })
 public final class RunCommand extends CliCommand {
   private enum Mouse {
@@ -83,6 +85,7 @@ public final class RunCommand extends CliCommand {
 
   @Option(
       names = "--mouse",
+      paramLabel = "USE",
       defaultValue = "walk",
       description =
           "effect of the mouse buttons: walk (left forward, right backward), "
@@ -139,6 +142,8 @@ public final class RunCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
+    // The enricher's runs end with it, as by Ctrl-C: with whole files.
+    ParentProcess.whenItEnds(() -> System.exit(ExitStatus.FAILURE.code()));
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
     }

@@ -41,8 +41,10 @@ import picocli.CommandLine.Option;
       "Of several scenes it works on as many at a time as there are processors."
     },
     footer = {
-      "  ./selective-renderer simulate scenes/trashcan.x3d --path scenes/paths/desk-visit.csv",
-      "  ./selective-renderer simulate scenes/ --path scenes/paths/desk-visit.csv --format json"
+      "  ./selective-renderer simulate scenes/trashcan.x3d \\",
+      "      --path scenes/paths/desk-visit.csv",
+      "  ./selective-renderer simulate scenes/ --path scenes/paths/desk-visit.csv \\",
+      "      --format json"
     })
 public final class SimulateCommand extends CliCommand {
   @Mixin private ScenesArgument scenes = new ScenesArgument();

@@ -68,6 +68,7 @@ public final class TrackCommand extends CliCommand {
 
   @Option(
       names = "--format",
+      paramLabel = "FORMAT",
       defaultValue = "text",
       description =
           "format of the output: ${COMPLETION-CANDIDATES}; json has every record, "
@@ -82,7 +83,10 @@ public final class TrackCommand extends CliCommand {
 
   @Mixin private TrackerFlags flags = new TrackerFlags();
 
-  @Option(names = "--emulate", description = "emulates a tracker: ${COMPLETION-CANDIDATES}")
+  @Option(
+      names = "--emulate",
+      paramLabel = "TRACKER",
+      description = "emulates a tracker: ${COMPLETION-CANDIDATES}")
   private @Nullable Device emulated;
 
   @Option(
@@ -174,10 +178,10 @@ public final class TrackCommand extends CliCommand {
           try (EmulatedInterTrax2 device = EmulatedInterTrax2.start(path, settings)) {
             console()
                 .message(
-                    TypedProgram.in(
-                        "the emulated InterTrax2 is ready; type in another terminal: "
-                            + "./selective-renderer track intertrax2:"
-                            + device.link()));
+                    "the emulated InterTrax2 is ready; type in another terminal: "
+                        + TypedProgram.name()
+                        + " track intertrax2:"
+                        + device.link());
             Interruption.await(stopping, duration);
           }
         });

@@ -55,6 +55,7 @@ final class ViewOptions {
 
   @Option(
       names = "--shading",
+      paramLabel = "PLACE",
       defaultValue = "auto",
       description =
           "place where light is computed: pixel, vertex (at the corners of polygons where "

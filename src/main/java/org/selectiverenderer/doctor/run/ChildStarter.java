@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiFunction;
 import java.util.stream.Stream;
+import org.selectiverenderer.base.machine.ParentProcess;
 import org.selectiverenderer.base.machine.ProgramCommand;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.doctor.Probe;
@@ -48,23 +49,15 @@ public final class ChildStarter {
                 mainClass, flags, Stream.concat(arguments.stream(), Stream.of(probe)).toList()));
   }
 
-  /**
-   * For a child, which is to end when the process that began it has ended, whatever ended that one.
-   * Where it was killed, nobody else would know of a library that hangs.
-   *
-   * @param end ends this process at once; called on another thread
-   */
-  public static void whenParentEnds(Runnable end) {
-    ProcessHandle.current().parent().ifPresent(parent -> parent.onExit().thenRun(end));
-  }
-
   /** The lines of a probe; where it fails the last one says so. */
   List<Diagnosis> run(Probe probe) throws InterruptedException {
     Path folder = Path.of(System.getProperty("java.io.tmpdir", "."));
     String crashes = "selective-renderer-doctor-" + probe.name() + "-";
     List<String> flags =
         List.of(
-            "-XX:-CreateCoredumpOnCrash", "-XX:ErrorFile=" + folder.resolve(crashes + "%p.log"));
+            ParentProcess.flag(),
+            "-XX:-CreateCoredumpOnCrash",
+            "-XX:ErrorFile=" + folder.resolve(crashes + "%p.log"));
     Process process;
     try {
       process =

@@ -133,9 +133,10 @@ public record ThresholdResults(
    * The commands that make the versions, a line each, ready to run; where an object is to stay as
    * it is, a comment says so.
    *
+   * @param program as its user types it
    * @param scene as the commands are to name it
    */
-  public String commands(String scene) {
+  public String commands(String program, String scene) {
     StringBuilder text = new StringBuilder();
     for (ObjectThreshold object : objects) {
       text.append(
@@ -145,7 +146,8 @@ public record ThresholdResults(
                   polygons ->
                       String.format(
                           Locale.ROOT,
-                          "./selective-renderer versions %s --object %s --polygons %d\n",
+                          "%s versions %s --object %s --polygons %d\n",
+                          program,
                           quoted(scene),
                           quoted(object.object()),
                           polygons))

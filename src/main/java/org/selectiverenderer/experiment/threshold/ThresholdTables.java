@@ -12,8 +12,13 @@ import org.selectiverenderer.experiment.threshold.ThresholdEstimate.Kind;
 public final class ThresholdTables {
   private ThresholdTables() {}
 
-  /** A table, what it means, and the commands. */
-  public static String text(ThresholdResults results, String scene) {
+  /**
+   * A table, what it means, and the commands.
+   *
+   * @param program as its user types it
+   * @param scene as the commands are to name it
+   */
+  public static String text(ThresholdResults results, String program, String scene) {
     ThresholdStudy study = results.study();
     StringBuilder text = new StringBuilder();
     text.append(study.name())
@@ -57,7 +62,7 @@ public final class ThresholdTables {
     text.append(
         String.format(
             "below: even the fewest polygons shown were enough; above: even the most were not\n\n"));
-    return text.toString() + results.commands(scene);
+    return text.toString() + results.commands(program, scene);
   }
 
   private static String number(double polygons) {

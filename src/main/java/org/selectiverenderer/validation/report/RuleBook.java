@@ -55,8 +55,9 @@ public final class RuleBook {
             """
             # Rules of the validator
 
-            `RuleBookTest` writes this page from the program's catalogue; do not edit it by hand. How to run the
-            validator, to ignore rules and to read its reports: [validate.md](validate.md).
+            How to run the validator, to ignore rules and to read its reports: [validate.md](validate.md).
+
+            <!-- All is written by RuleBookTest. -->
 
             An error violates the standard, or something will not show. A warning works here, but is probably a
             mistake or does not work everywhere. A remark (info) never makes a run fail.

@@ -19,13 +19,14 @@ class ProgramCommandTest {
   }
 
   @Test
-  void whatADesktopsLauncherOrADebuggerSaysIsNotPassedOn() {
+  void whatADesktopsLauncherADebuggerOrAParentSaysIsNotPassedOn() {
     assertThat(
             ProgramCommand.shared(
                 List.of(
                     "-Xlog:disable",
                     "-Dselective-renderer.desktop=enrich",
                     "-agentlib:jdwp=transport=dt_socket,address=8000",
+                    ParentProcess.flag(),
                     "-Da=b")))
         .containsExactly("-Xlog:disable", "-Da=b");
   }

@@ -33,4 +33,12 @@ class TypedProgramTest {
     assertThat(TypedProgram.in(EXAMPLE, of(key, value)))
         .isEqualTo("Example:\n  selective-renderer run room.x3d\n");
   }
+
+  @Test
+  void onWindowsACommandIsOneLine() {
+    String example = "  ./selective-renderer run room.x3d \\\r\n      --mute\r\n";
+    assertThat(TypedProgram.in(example, of("os.name", "Windows 11")))
+        .isEqualTo("  selective-renderer run room.x3d --mute\r\n");
+    assertThat(TypedProgram.in(example, of("os.name", "Linux"))).isEqualTo(example);
+  }
 }

@@ -53,6 +53,13 @@ class BundleFilesCommandTest {
   }
 
   @Test
+  void aReadersWindowBreaksTheLinesOfAManualPageBetweenWords() throws IOException {
+    String page = Files.readString(folder.resolve("man/selective-renderer-run.1"));
+    assertThat(page.indexOf("\n.ad l\n.nh\n")).isBetween(0, page.indexOf(".SH NAME"));
+    assertThat(page).contains(" [\\-\\-swap=ANGLE[,ANGLE...]]... SCENE\n");
+  }
+
+  @Test
   void theExamplesOfAManualPageRunTheInstalledProgram() throws IOException {
     String page = Files.readString(folder.resolve("man/selective-renderer.1"));
     assertThat(page).contains("\n  selective\\-renderer run scenes/trashcan.x3d\n");

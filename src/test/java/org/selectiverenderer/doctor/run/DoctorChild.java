@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import org.lwjgl.system.MemoryUtil;
+import org.selectiverenderer.base.machine.ParentProcess;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.cli.output.Interruption;
 import org.selectiverenderer.doctor.Diagnosis;
@@ -38,7 +39,7 @@ public final class DoctorChild {
   }
 
   private static void hang() throws IOException, InterruptedException {
-    ChildStarter.whenParentEnds(() -> Runtime.getRuntime().halt(2));
+    ParentProcess.whenItEnds(() -> Runtime.getRuntime().halt(2));
     String ready = System.getenv(READY);
     if (ready != null) {
       Files.createFile(Path.of(ready));

@@ -106,16 +106,16 @@ class ThresholdResultsTest extends PilotFolder {
     participants(2, 0.1);
     ThresholdResults results = ThresholdResults.read(study(), problems);
 
-    assertThat(results.commands("my room.x3d").lines())
+    assertThat(results.commands("./selective-renderer", "my room.x3d").lines())
         .hasSize(5)
         .allMatch(
             line ->
                 line.matches(
                     "\\./selective-renderer versions 'my room\\.x3d' --object \\w+"
                         + " --polygons \\d+"));
-    assertThat(ThresholdTables.text(results, "room.x3d"))
+    assertThat(ThresholdTables.text(results, "selective-renderer", "room.x3d"))
         .contains("Pilot: 2 participants; polygons at which 70.7 % of the answers")
-        .contains("versions room.x3d --object Vase --polygons ");
+        .contains("\nselective-renderer versions room.x3d --object Vase --polygons ");
   }
 
   @Test
@@ -149,12 +149,15 @@ class ThresholdResultsTest extends PilotFolder {
 
     assertThat(results.objects()).filteredOn(object -> !object.estimates().isEmpty()).hasSize(1);
     assertThat(told()).singleElement().asString().contains("the trials of sub-001 are not over");
-    assertThat(results.commands("room.x3d")).contains(": nobody's threshold is known yet\n");
+    assertThat(results.commands("selective-renderer", "room.x3d"))
+        .contains(": nobody's threshold is known yet\n");
   }
 
   @Test
   void aPilotWithoutParticipantsHasNoThresholds() throws IOException {
-    assertThat(ThresholdTables.text(ThresholdResults.read(study(), problems), "room.x3d"))
+    assertThat(
+            ThresholdTables.text(
+                ThresholdResults.read(study(), problems), "selective-renderer", "room.x3d"))
         .startsWith("Pilot: 0 participants")
         .contains("# Vase: nobody's threshold is known yet");
     assertThat(Files.exists(folder.resolve("threshold"))).isFalse();

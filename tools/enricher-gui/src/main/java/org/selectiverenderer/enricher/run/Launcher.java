@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.run;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import org.selectiverenderer.base.machine.ParentProcess;
 import org.selectiverenderer.base.machine.ProgramCommand;
 
 /** Starts commands of the program in processes of their own. */
@@ -12,14 +13,11 @@ public final class Launcher {
 
   private Launcher() {}
 
-  /** The words of a command, with this process's Java, flags and class path. */
-  static List<String> command(List<String> words) {
-    return ProgramCommand.of(MAIN, List.of(), words);
-  }
-
-  /** Starts a command whose messages are to be read. */
+  /** Starts a command whose messages are to be read, and which ends with this process. */
   static Process start(List<String> words) throws IOException {
-    return new ProcessBuilder(command(words)).redirectErrorStream(true).start();
+    return new ProcessBuilder(ProgramCommand.of(MAIN, List.of(ParentProcess.flag()), words))
+        .redirectErrorStream(true)
+        .start();
   }
 
   /**
@@ -28,7 +26,7 @@ public final class Launcher {
    * @throws IOException if it cannot be started
    */
   public static void enrich(Path scene) throws IOException {
-    new ProcessBuilder(command(List.of("enrich", scene.toString())))
+    new ProcessBuilder(ProgramCommand.of(MAIN, List.of(), List.of("enrich", scene.toString())))
         .redirectErrorStream(true)
         .redirectOutput(ProcessBuilder.Redirect.DISCARD)
         .start();

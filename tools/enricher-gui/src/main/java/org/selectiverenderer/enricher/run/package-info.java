@@ -7,8 +7,8 @@
  * on the disk and the run begins where the scene begins; else a copy beside it, so that urls mean
  * the same, with the viewpoint of the preview if the author runs from there. A copy lives as long
  * as its run. {@code SceneRuns} owns the processes, each with a thread {@code enricher-run} that
- * hears its messages; they end with the window. {@code InlineTarget} says which file an Inline
- * means, for opening it.
+ * hears its messages; they end with the window, and with this process whatever ends it. {@code
+ * InlineTarget} says which file an Inline means, for opening it.
  *
  * <p>In: snapshots of the document, the preview's pose, the author's choice. Out: processes, their
  * messages. Everything but those threads belongs to the event dispatch thread. Uses {@code

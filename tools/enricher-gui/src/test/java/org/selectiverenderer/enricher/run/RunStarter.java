@@ -1,0 +1,16 @@
+package org.selectiverenderer.enricher.run;
+
+import java.io.IOException;
+import java.util.List;
+
+/** A process that starts a run as the enricher does, says which process that is, and stays. */
+public final class RunStarter {
+  private RunStarter() {}
+
+  public static void main(String[] words) throws IOException, InterruptedException {
+    Process run = Launcher.start(List.of(words));
+    System.out.println(run.pid());
+    run.getInputStream().transferTo(System.err);
+    Thread.sleep(600_000);
+  }
+}
