@@ -26,6 +26,7 @@ import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
 
 /** Mouse and keyboard on the components of a window, which are found by their accessible names. */
 public final class Hands {
@@ -125,7 +126,7 @@ public final class Hands {
   public void choose(JDialog dialog, String button) {
     JButton chosen = named(dialog, button, JButton.class);
     click(chosen);
-    for (int tries = 0; tries < TRIES && !ends(dialog); tries++) {
+    for (int tries = 0; tries < TRIES && !has(() -> !dialog.isShowing()); tries++) {
       int step = tries % 2 == 0 ? 1 : -1;
       onEdt(
           () -> {
@@ -137,11 +138,11 @@ public final class Hands {
       if (onEdt(dialog::isShowing)) {
         click(chosen);
       }
-      if (!ends(dialog)) {
+      if (!has(() -> !dialog.isShowing())) {
         press(KeyEvent.VK_SPACE);
       }
     }
-    if (!ends(dialog)) {
+    if (!has(() -> !dialog.isShowing())) {
       assertThat(onEdt(() -> reachable(dialog, chosen)))
           .as("the mouse can hit the button " + button)
           .isTrue();
@@ -150,12 +151,12 @@ public final class Hands {
     await("the end of the dialog", () -> !dialog.isShowing());
   }
 
-  /** Whether a dialog goes within the time that a click takes on a busy machine. */
-  private boolean ends(JDialog dialog) {
-    for (int waited = 0; waited < PATIENCE / 20 && onEdt(dialog::isShowing); waited += STEP) {
+  /** Whether something gets so within the time that a click takes on a busy machine. */
+  private boolean has(BooleanSupplier so) {
+    for (int waited = 0; waited < PATIENCE / 20 && !onEdt(so::getAsBoolean); waited += STEP) {
       robot.delay(STEP);
     }
-    return !onEdt(dialog::isShowing);
+    return onEdt(so::getAsBoolean);
   }
 
   /** Whether all of a button shows on the screen, enabled, with nothing of the dialog over it. */
@@ -202,8 +203,27 @@ public final class Hands {
     return null;
   }
 
+  /**
+   * Clicks a component. A text gets the keyboard by that, which is waited for: without a window
+   * manager nobody has it for a while after a dialog has gone, and what is typed then is lost.
+   */
   public void click(Component component) {
     click(component, onEdt(() -> inView(component)));
+    if (!(component instanceof JTextComponent) || !component.isFocusable()) {
+      return;
+    }
+    for (int tries = 0; tries < TRIES && !has(component::isFocusOwner); tries++) {
+      onEdt(
+          () -> {
+            SwingUtilities.getWindowAncestor(component).toFront();
+            return component.requestFocusInWindow();
+          });
+      settle();
+      click(component, onEdt(() -> inView(component)));
+    }
+    assertThat(has(component::isFocusOwner))
+        .as("the keyboard is with " + component.getAccessibleContext().getAccessibleName())
+        .isTrue();
   }
 
   /** The area of a component, which is scrolled into view as a user would do it. */
