@@ -26,6 +26,9 @@ final class Hemisphere {
 
   private static final double TOUCHING = 4;
 
+  /** Of the offset of starts: the rest is the place itself. */
+  private static final double OVERLAID = 0.9;
+
   /** Rays that say whether a place lies in a hollow, and how wide hollows are, texels. */
   private static final int HOLLOW_RAYS = 32;
 
@@ -177,14 +180,17 @@ final class Hemisphere {
   }
 
   /**
-   * Whether a place lies in a closed hollow without a lamp. Nobody sees it, as light would come in
-   * where eyes look in; and none does if nothing that is sent out from there gets far, however
-   * often it is thrown back.
+   * Whether a place lies right under a sheet, or in a closed hollow without a lamp. Nobody sees it,
+   * as light would come in where eyes look in; and none does if nothing that is sent out from there
+   * gets far, however often it is thrown back.
    */
   boolean hollow(TexelPlace place, int turn) {
     int first = (PointSet.hash(turn) & SETS - 1) * sets.rays();
     double most = HOLLOW * place.size();
     place.start(start);
+    if (overlaid(place)) {
+      return true;
+    }
     int rays = Math.min(HOLLOW_RAYS, sets.rays());
     int sent = 0;
     // Most places are told by a few rays that are not followed.
@@ -201,13 +207,25 @@ final class Hemisphere {
     return sent > 0 && !lit(place);
   }
 
+  /** Whether a sheet lies on the place, so near that rays start beyond it. */
+  private boolean overlaid(TexelPlace place) {
+    for (int axis = 0; axis < 3; axis++) {
+      direction[axis] = -place.facing[axis];
+    }
+    ray.from(start, direction);
+    ray.length = OVERLAID * scene.offset();
+    ray.pass = 0.5;
+    scene.visibility().nearest(ray, place.version);
+    return ray.triangle != Ray.NOTHING;
+  }
+
   /** Whether the ray, or what is thrown back where it ends, comes to a lamp or goes far. */
   private boolean getsOut(int version, int i, int follow, double most) {
     for (int bounce = 0; ; bounce++) {
       if (far(most) || glows(hits.patch(ray))) {
         return true;
       }
-      if (bounce == follow || !bounce(version, PointSet.hash(i + 0x632be5ab * (bounce + 1)))) {
+      if (bounce == follow || !turnBack(version, PointSet.hash(i + 0x632be5ab * (bounce + 1)))) {
         return far(most);
       }
     }
@@ -276,15 +294,36 @@ final class Hemisphere {
     }
   }
 
-  /** Sends the ray on from where it has ended; false if it meets nothing that has light. */
-  private boolean bounce(int version, int turn) {
+  /**
+   * Sends the ray on from before where it has ended: off the surface there may be another one, in a
+   * gap that is less than an offset wide. False if it meets nothing that has light.
+   */
+  private boolean turnBack(int version, int turn) {
+    double length = ray.length - Math.min(scene.offset(), ray.length) / 2;
+    bounced[0] = ray.ox + length * ray.dx;
+    bounced[1] = ray.oy + length * ray.dy;
+    bounced[2] = ray.oz + length * ray.dz;
+    faceHit();
+    return sendOn(version, turn);
+  }
+
+  private void faceHit() {
     scene.triangles().normal(ray.triangle, hitNormal);
     for (int axis = 0; axis < 3; axis++) {
       hitNormal[axis] *= ray.behind ? -1 : 1;
     }
+  }
+
+  /** Sends the ray on from where it has ended; false if it meets nothing that has light. */
+  private boolean bounce(int version, int turn) {
+    faceHit();
     bounced[0] = ray.ox + ray.length * ray.dx + scene.offset() * hitNormal[0];
     bounced[1] = ray.oy + ray.length * ray.dy + scene.offset() * hitNormal[1];
     bounced[2] = ray.oz + ray.length * ray.dz + scene.offset() * hitNormal[2];
+    return sendOn(version, turn);
+  }
+
+  private boolean sendOn(int version, int turn) {
     int i = (turn >>> 1) % sets.directions().size();
     sets.directions().about(hitNormal, i, direction);
     ray.from(bounced, direction);

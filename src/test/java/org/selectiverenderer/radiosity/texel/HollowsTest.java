@@ -50,6 +50,17 @@ class HollowsTest {
         });
   }
 
+  /** Nearer to the floor than rays start, which see the bin from inside then. */
+  @Test
+  void norByABottomThatLiesOnTheFloor() throws Exception {
+    TexelLight lit =
+        TexelLight.of(
+            ROOM + sides(0.3, 0.00002, GREY) + "<PointLight location='0.3 0.5 2'/>", 24, 0.3);
+    double beside = lit.at(0, 2 - HALF - 0.5 / 24, 0, 2);
+    assertThat(beside).isPositive();
+    assertThat(lit.at(0, 2 - HALF + 0.5 / 24, 0, 2)).isGreaterThan(0.5 * beside);
+  }
+
   /** A candle in a closed black lantern: nothing but its own light is there. */
   @Test
   void aLampInAHollowLightsIt() throws Exception {
