@@ -16,6 +16,7 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.texel.SeenSides;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /** Lights a scene: the whole way from triangles to light at vertices. */
@@ -60,10 +61,11 @@ final class Radiosity {
     Iterations iterations = Iterations.of(scene, plan, settings, progress, each);
     Solution solution = iterations.solution();
     ToneCurve curve = ToneCurve.of(scene, solution, settings.exposure());
+    SeenSides sides = SeenSides.of(scene, solution, settings.seed());
     long rays = iterations.rays();
     Map<Integer, List<Facet>> divided = new HashMap<>();
     for (MeshPlan.Region region : plan.regions()) {
-      rays += divide(scene, solution, curve, plan, region, divided);
+      rays += divide(scene, solution, sides, curve, plan, region, divided);
     }
     Facets facets = Facets.of(scene, divided);
     int count = settings.regather() ? settings.rays() : Math.min(settings.rays(), ROUGH_RAYS);
@@ -71,6 +73,7 @@ final class Radiosity {
         new VertexGatherer(
                 scene,
                 solution,
+                sides,
                 facets,
                 new VertexGatherer.Effort(
                     count, DIVIDED * count, LAMP_EVERY, settings.regather(), settings.seed()))
@@ -82,6 +85,7 @@ final class Radiosity {
   private long divide(
       LightScene scene,
       Solution solution,
+      SeenSides sides,
       ToneCurve curve,
       MeshPlan plan,
       MeshPlan.Region region,
@@ -90,7 +94,7 @@ final class Radiosity {
     Subdivision subdivision =
         new Subdivision(scene, region.bodies(), region.polygons(), plan.minMesh(), plan.maxMesh());
     subdivision.join();
-    Gathered rough = gather(scene, solution, curve, region, subdivision);
+    Gathered rough = gather(scene, solution, sides, curve, region, subdivision);
     subdivision.light(rough.values());
     if (!region.exact()) {
       subdivision.toSize();
@@ -98,7 +102,7 @@ final class Radiosity {
     Subdivision fine =
         subdivision.copy(Math.max(LEAST_FINE, Math.min(MOST_FINE, 2 * region.polygons())));
     fine.toFinest();
-    Gathered light = gather(scene, solution, curve, region, fine);
+    Gathered light = gather(scene, solution, sides, curve, region, fine);
     subdivision.toLight(fine, light.values(), region.exact() ? 0 : EVEN_ENOUGH);
     plan.require(region, subdivision);
     divided.putAll(subdivision.facets());
@@ -115,6 +119,7 @@ final class Radiosity {
   private Gathered gather(
       LightScene scene,
       Solution solution,
+      SeenSides sides,
       ToneCurve curve,
       MeshPlan.Region region,
       Subdivision subdivision) {
@@ -124,6 +129,7 @@ final class Radiosity {
         new VertexGatherer(
                 scene,
                 solution,
+                sides,
                 facets,
                 new VertexGatherer.Effort(
                     ROUGH_RAYS, ROUGH_RAYS, ROUGH_LAMP_EVERY, true, settings.seed()))

@@ -7,6 +7,7 @@ import org.selectiverenderer.radiosity.sampling.Directions;
 import org.selectiverenderer.radiosity.sampling.PointSet;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.texel.SeenSides;
 import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
@@ -33,6 +34,7 @@ public final class VertexGatherer {
 
   private final LightScene scene;
   private final Solution solution;
+  private final SeenSides sides;
   private final Facets facets;
   private final Facets.Corners corners;
   private final BitSet divided;
@@ -76,9 +78,14 @@ public final class VertexGatherer {
     }
   }
 
-  public VertexGatherer(LightScene scene, Solution solution, Facets facets, Effort effort) {
+  /**
+   * @param sides of what has two, which is lit
+   */
+  public VertexGatherer(
+      LightScene scene, Solution solution, SeenSides sides, Facets facets, Effort effort) {
     this.scene = scene;
     this.solution = solution;
+    this.sides = sides;
     this.facets = facets;
     this.corners = facets.cornersByVertex();
     this.divided = facets.ofDividedBodies();
@@ -114,20 +121,21 @@ public final class VertexGatherer {
     }
     Filling.fill(facets, irradiance, valid);
     if (complete) {
-      rays.add(uncovered(irradiance, valid));
+      rays.add(rest(irradiance, valid));
     }
     return new VertexLight(irradiance, complete, rays.sum());
   }
 
   /**
    * A piece of a divided surface that is covered everywhere has no neighbours to take light from:
-   * it keeps the little that it has. Returns the rays cast.
+   * it keeps the little that it has. So does one with two sides whose lit side is buried: it has
+   * the light of the other. Returns the rays cast.
    */
-  private long uncovered(float[] irradiance, boolean[] valid) {
+  private long rest(float[] irradiance, boolean[] valid) {
     VertexSampler sampler = sampler(dividedSamples);
-    sampler.countCovered();
+    sampler.countEverything();
     for (int vertex = 0; vertex < valid.length; vertex++) {
-      if (!valid[vertex] && isDivided(vertex)) {
+      if (!valid[vertex] && (isDivided(vertex) || hasTwoSides(vertex))) {
         valid[vertex] = around(vertex, sampler, irradiance, false);
       }
     }
@@ -136,12 +144,23 @@ public final class VertexGatherer {
   }
 
   private VertexSampler sampler(Samples with) {
-    return new VertexSampler(scene, solution, facets, divided, with);
+    return new VertexSampler(scene, solution, sides, facets, divided, with);
   }
 
   private boolean isDivided(int vertex) {
     int first = corners.first()[vertex];
     return first < corners.corners().length && divided.get(corners.corners()[first] / 3);
+  }
+
+  /** Whether some facet around a vertex is seen from both sides. */
+  private boolean hasTwoSides(int vertex) {
+    for (int i = corners.first()[vertex]; i < corners.first()[vertex + 1]; i++) {
+      int facet = corners.corners()[i] / 3;
+      if (scene.triangles().twoSided()[facets.source()[facet]]) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** The mean over the facets around a vertex by their areas. */

@@ -7,6 +7,7 @@ import org.selectiverenderer.radiosity.mesh.Facets;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.DirectLight;
 import org.selectiverenderer.radiosity.solve.Solution;
+import org.selectiverenderer.radiosity.texel.SeenSides;
 import org.selectiverenderer.radiosity.trace.Ray;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
@@ -31,6 +32,7 @@ final class VertexSampler {
 
   private final LightScene scene;
   private final Solution solution;
+  private final SeenSides sides;
   private final Facets facets;
   private final BitSet divided;
   private final VertexGatherer.Samples samples;
@@ -45,14 +47,12 @@ final class VertexSampler {
   private final double[] others = new double[3];
   private final double[] seen = new double[3];
 
-  // Front and back of what has two sides: sums of light by area, and of areas.
-  private final double[] front = new double[3];
-  private final double[] back = new double[3];
-  private double frontWeight;
-  private double backWeight;
+  // Sums of light by area, and of areas: those lit and all.
+  private final double[] sum = new double[3];
+  private double weight;
   private double wanted;
 
-  private boolean coveredCounts;
+  private boolean everythingCounts;
 
   /** Lamps that shine on some facet at the vertex, by bits. */
   private long known;
@@ -63,12 +63,14 @@ final class VertexSampler {
   VertexSampler(
       LightScene scene,
       Solution solution,
+      SeenSides sides,
       Facets facets,
       BitSet divided,
       VertexGatherer.Samples samples) {
     this.divided = divided;
     this.scene = scene;
     this.solution = solution;
+    this.sides = sides;
     this.facets = facets;
     this.samples = samples;
     this.triangles = scene.triangles();
@@ -79,9 +81,11 @@ final class VertexSampler {
     return ray.cast();
   }
 
-  /** From now on covered places count, too. */
-  void countCovered() {
-    coveredCounts = true;
+  /**
+   * From now on covered places count, too, and the other side where that which counts is buried.
+   */
+  void countEverything() {
+    everythingCounts = true;
   }
 
   /** Rays for a vertex at most. */
@@ -90,10 +94,8 @@ final class VertexSampler {
   }
 
   void begin() {
-    Arrays.fill(front, 0);
-    Arrays.fill(back, 0);
-    frontWeight = 0;
-    backWeight = 0;
+    Arrays.fill(sum, 0);
+    weight = 0;
     wanted = 0;
     known = 0;
   }
@@ -103,7 +105,7 @@ final class VertexSampler {
     return plane(corner / 3) * count < SMALL * scene.extent() * scene.extent();
   }
 
-  /** Adds samples of a facet near one of its corners. */
+  /** Adds samples of a facet near one of its corners, on the side that counts. */
   void sample(int corner, int from, int to) {
     int facet = corner / 3;
     double area = plane(facet);
@@ -111,13 +113,16 @@ final class VertexSampler {
       return;
     }
     wanted += area;
-    side(corner, area, from, to, false);
-    if (triangles.twoSided()[facets.source()[facet]]) {
-      side(corner, area, from, to, true);
+    int source = facets.source()[facet];
+    boolean behind = sides.behind(source);
+    boolean lit = side(corner, area, from, to, behind);
+    if (!lit && everythingCounts && triangles.twoSided()[source]) {
+      side(corner, area, from, to, !behind);
     }
   }
 
-  private void side(int corner, double area, int from, int to, boolean behind) {
+  /** Adds samples of one side; false if nearly all of it is buried. */
+  private boolean side(int corner, double area, int from, int to, boolean behind) {
     int facet = corner / 3;
     int version = triangles.version()[facets.source()[facet]];
     double sign = behind ? -1 : 1;
@@ -154,23 +159,19 @@ final class VertexSampler {
       normal[axis] *= sign;
     }
     if (valid == 0) {
-      return;
+      return false;
     }
     double share = (double) valid / (to - from);
     if (!samples.regather()) {
       patch(facet, behind, solution.indirect(), others);
       valid = 1;
     }
-    double[] sum = behind ? back : front;
     for (int c = 0; c < 3; c++) {
       double light = others[c] / valid + (lit == 0 ? 0 : lamps[c] / lit);
       sum[c] += area * share * light;
     }
-    if (behind) {
-      backWeight += area * share;
-    } else {
-      frontWeight += area * share;
-    }
+    weight += area * share;
+    return share > BURIED;
   }
 
   /**
@@ -221,7 +222,7 @@ final class VertexSampler {
         seen[c] += Math.PI * (solution.reflected()[at + c] + solution.glow()[at + c]);
       }
     }
-    if (covered >= COVERED * (end - begin) && covered > 1 && !coveredCounts) {
+    if (covered >= COVERED * (end - begin) && covered > 1 && !everythingCounts) {
       return false;
     }
     for (int c = 0; c < 3 && samples.regather(); c++) {
@@ -239,19 +240,11 @@ final class VertexSampler {
     }
     wanted += area;
     place(corner, 0.5f, 0.5f);
-    int source = facets.source()[facet];
-    int patch = patch(facet, false, solution.indirect(), lamps);
-    if (!solution.buried()[patch]) {
-      frontWeight += area;
-      add(front, patch, area);
+    int patch = patch(facet, sides.behind(facets.source()[facet]), solution.indirect(), lamps);
+    if (solution.buried()[patch]) {
+      return;
     }
-    if (triangles.twoSided()[source] && !solution.buried()[patch + 1]) {
-      backWeight += area;
-      add(back, patch + 1, area);
-    }
-  }
-
-  private void add(double[] sum, int patch, double area) {
+    weight += area;
     for (int c = 0; c < 3; c++) {
       sum[c] += area * (solution.indirect()[3 * patch + c] + solution.direct()[3 * patch + c]);
     }
@@ -268,12 +261,8 @@ final class VertexSampler {
     return patch;
   }
 
-  /** Of two sides the brighter one counts; false if the vertex is buried. */
+  /** Writes the mean of what was added; false if the vertex is buried. */
   boolean end(float[] out, int at) {
-    boolean behind =
-        backWeight > BURIED * wanted && mean(back, backWeight) > mean(front, frontWeight);
-    double[] sum = behind ? back : front;
-    double weight = behind ? backWeight : frontWeight;
     if (!(weight > BURIED * wanted)) {
       return false;
     }
@@ -281,10 +270,6 @@ final class VertexSampler {
       out[at + c] = (float) (sum[c] / weight);
     }
     return true;
-  }
-
-  private static double mean(double[] sum, double weight) {
-    return weight > 0 ? (sum[0] + sum[1] + sum[2]) / weight : -1;
   }
 
   /** Normal of a facet; returns its area. */

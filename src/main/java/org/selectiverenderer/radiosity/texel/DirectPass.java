@@ -30,6 +30,9 @@ final class DirectPass {
   /** What has been found for each texel, before half-shadows are evened out. */
   private final char[] found;
 
+  /** Whose share has the noise of its own few rays. */
+  private final boolean[] noisy;
+
   private final float[] light;
   private final LongAdder rays = new LongAdder();
 
@@ -40,6 +43,7 @@ final class DirectPass {
     points = LampShadow.Points.of(most, seed);
     shares = new char[texels.count()];
     found = new char[texels.count()];
+    noisy = new boolean[texels.count()];
     light = new float[3 * texels.count()];
   }
 
@@ -55,6 +59,7 @@ final class DirectPass {
       int lamp = i;
       Arrays.fill(shares, ShareGrid.UNKNOWN);
       Arrays.fill(found, ShareGrid.UNKNOWN);
+      Arrays.fill(noisy, false);
       boolean whole =
           each(tiles, lamp, progress, share -> {}, worker -> worker::probe)
               && each(
@@ -133,25 +138,31 @@ final class DirectPass {
         return;
       }
       grid.go(texel);
-      double share = share(texel);
+      double share = known();
+      boolean own = Double.isNaN(share);
+      if (own) {
+        share = rays(texel);
+      }
       found[texel] = ShareGrid.of(share);
-      if (lamp.hard() || !ShareGrid.mixed(found[texel])) {
+      noisy[texel] = !lamp.hard() && (own || ShareGrid.mixed(found[texel]));
+      if (!noisy[texel]) {
         add(texel, share);
       }
     }
 
-    /** By what is known around, or by rays. */
-    private double share(int texel) {
-      int turn = texel + 7919 * number;
+    /** What is known around; NaN where the texel needs rays of its own. */
+    private double known() {
       if (grid.onGrid()) {
-        return grid.settled() ? grid.known() : Math.max(0, shadow.edge(place, number, turn));
+        return grid.settled() ? grid.known() : Double.NaN;
       }
-      if (grid.interpolate()) {
-        return grid.interpolated();
-      }
+      return grid.interpolate() ? grid.interpolated() : Double.NaN;
+    }
+
+    private double rays(int texel) {
+      int turn = texel + 7919 * number;
       return Math.max(
           0,
-          grid.cornered() || lamp.hard()
+          grid.onGrid() || grid.cornered() || lamp.hard()
               ? shadow.edge(place, number, turn)
               : shadow.small(place, number, turn));
     }
@@ -162,10 +173,12 @@ final class DirectPass {
       }
     }
 
-    /** In a half-shadow, takes the mean over the texels around that have about the same share. */
+    /**
+     * Takes the mean over the texels around that have about the same share. In a half-shadow all of
+     * few rays may say the same by chance: such a texel, too.
+     */
     void even(int texel) {
-      char own = found[texel];
-      if (own >= ShareGrid.DARK || !ShareGrid.mixed(own)) {
+      if (!noisy[texel]) {
         return;
       }
       around.go(texel);

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.selectiverenderer.radiosity.sampling.Directions;
 import org.selectiverenderer.radiosity.sampling.PointSet;
 import org.selectiverenderer.radiosity.scene.LightScene;
+import org.selectiverenderer.radiosity.solve.DirectLight;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /** Rays from one place to all that it sees. One per thread. */
@@ -25,6 +26,19 @@ final class Hemisphere {
 
   private static final double TOUCHING = 4;
 
+  /** Of the offset of starts: the rest is the place itself. */
+  private static final double OVERLAID = 0.9;
+
+  /** Rays that say whether a place lies in a hollow, and how wide hollows are, texels. */
+  private static final int HOLLOW_RAYS = 32;
+
+  private static final double HOLLOW = 12;
+
+  private static final int FEW = 4;
+
+  /** Places on each lamp to know whether it shines into a hollow. */
+  private static final int LAMP_TRIES = 4;
+
   /** Directions flatter than this leave the triangle to its back. */
   private static final double FLAT = 0.005;
 
@@ -38,6 +52,7 @@ final class Hemisphere {
   private final HitLight hits;
   private final Sets sets;
   private final Ray ray = new Ray();
+  private final DirectLight lamps;
   private final double[] start = new double[3];
   private final double[] direction = new double[3];
   private final double[] radiance = new double[3];
@@ -65,6 +80,7 @@ final class Hemisphere {
     this.scene = scene;
     this.hits = hits;
     this.sets = sets;
+    lamps = new DirectLight(scene, ray);
     walls = new NearWalls(scene);
   }
 
@@ -163,6 +179,79 @@ final class Hemisphere {
     return 2 * backs >= valid && backs > 0 || near == valid && near > 0;
   }
 
+  /**
+   * Whether a place lies right under a sheet, or in a closed hollow without a lamp. Nobody sees it,
+   * as light would come in where eyes look in; and none does if nothing that is sent out from there
+   * gets far, however often it is thrown back.
+   */
+  boolean hollow(TexelPlace place, int turn) {
+    int first = (PointSet.hash(turn) & SETS - 1) * sets.rays();
+    double most = HOLLOW * place.size();
+    place.start(start);
+    if (overlaid(place)) {
+      return true;
+    }
+    int rays = Math.min(HOLLOW_RAYS, sets.rays());
+    int sent = 0;
+    // Most places are told by a few rays that are not followed.
+    for (int follow = 0; follow <= MOST_BOUNCES; follow += MOST_BOUNCES) {
+      for (int i = 0; i < (follow == 0 ? FEW : rays); i++) {
+        if (cast(place, first + i)) {
+          if (getsOut(place.version, first + i, follow, most)) {
+            return false;
+          }
+          sent++;
+        }
+      }
+    }
+    return sent > 0 && !lit(place);
+  }
+
+  /** Whether a sheet lies on the place, so near that rays start beyond it. */
+  private boolean overlaid(TexelPlace place) {
+    for (int axis = 0; axis < 3; axis++) {
+      direction[axis] = -place.facing[axis];
+    }
+    ray.from(start, direction);
+    ray.length = OVERLAID * scene.offset();
+    ray.pass = 0.5;
+    scene.visibility().nearest(ray, place.version);
+    return ray.triangle != Ray.NOTHING;
+  }
+
+  /** Whether the ray, or what is thrown back where it ends, comes to a lamp or goes far. */
+  private boolean getsOut(int version, int i, int follow, double most) {
+    for (int bounce = 0; ; bounce++) {
+      if (far(most) || glows(hits.patch(ray))) {
+        return true;
+      }
+      if (bounce == follow || !turnBack(version, PointSet.hash(i + 0x632be5ab * (bounce + 1)))) {
+        return far(most);
+      }
+    }
+  }
+
+  private boolean glows(int patch) {
+    return hits.glow(patch, 0) + hits.glow(patch, 1) + hits.glow(patch, 2) > 0;
+  }
+
+  private boolean far(double most) {
+    return ray.triangle == Ray.NOTHING || ray.length > most;
+  }
+
+  /** Whether some place of a lamp is seen from the middle of a texel. */
+  private boolean lit(TexelPlace place) {
+    Arrays.fill(light, 0);
+    for (int i = 0; i < LAMP_TRIES; i++) {
+      double s = (i + 0.5) / LAMP_TRIES;
+      double t = (i * 0.618034 + 0.5) % 1;
+      if (lamps.add(start, place.normal, place.version, s, t, DirectLight.ALL, light) != 0) {
+        return true;
+      }
+    }
+    return light[0] + light[1] + light[2] > 0;
+  }
+
   private boolean cast(TexelPlace place, int i) {
     sets.directions().about(place.normal, i, direction);
     if (dot(direction, place.facing) < FLAT) {
@@ -205,15 +294,36 @@ final class Hemisphere {
     }
   }
 
-  /** Sends the ray on from where it has ended; false if it meets nothing that has light. */
-  private boolean bounce(int version, int turn) {
+  /**
+   * Sends the ray on from before where it has ended: off the surface there may be another one, in a
+   * gap that is less than an offset wide. False if it meets nothing that has light.
+   */
+  private boolean turnBack(int version, int turn) {
+    double length = ray.length - Math.min(scene.offset(), ray.length) / 2;
+    bounced[0] = ray.ox + length * ray.dx;
+    bounced[1] = ray.oy + length * ray.dy;
+    bounced[2] = ray.oz + length * ray.dz;
+    faceHit();
+    return sendOn(version, turn);
+  }
+
+  private void faceHit() {
     scene.triangles().normal(ray.triangle, hitNormal);
     for (int axis = 0; axis < 3; axis++) {
       hitNormal[axis] *= ray.behind ? -1 : 1;
     }
+  }
+
+  /** Sends the ray on from where it has ended; false if it meets nothing that has light. */
+  private boolean bounce(int version, int turn) {
+    faceHit();
     bounced[0] = ray.ox + ray.length * ray.dx + scene.offset() * hitNormal[0];
     bounced[1] = ray.oy + ray.length * ray.dy + scene.offset() * hitNormal[1];
     bounced[2] = ray.oz + ray.length * ray.dz + scene.offset() * hitNormal[2];
+    return sendOn(version, turn);
+  }
+
+  private boolean sendOn(int version, int turn) {
     int i = (turn >>> 1) % sets.directions().size();
     sets.directions().about(hitNormal, i, direction);
     ray.from(bounced, direction);

@@ -8,10 +8,11 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Looks around each texel before light from surfaces is gathered. Texels inside of solids and those
- * on which something lies are left out: nobody sees them. Only where no lamp shines are rays needed
- * to know that. One short ray from each texel tells where things are near, so that their contact
- * shadows are not passed over.
+ * Looks around each texel before light from surfaces is gathered. Texels inside of solids, those on
+ * which something lies and those in closed hollows, such as the foot of a bin, are left out: nobody
+ * sees them. Only where no lamp shines, or where things are near, are rays needed to know that. One
+ * short ray from each texel tells where things are near, so that their contact shadows are not
+ * passed over.
  */
 final class NearbyPass {
   /** Rays to know whether a place is seen. */
@@ -61,6 +62,7 @@ final class NearbyPass {
     return rays.sum();
   }
 
+  /** Looks around all texels. */
   static NearbyPass look(
       LightScene scene,
       Solution solution,
@@ -84,9 +86,10 @@ final class NearbyPass {
                 texel -> {
                   place.at(texel);
                   pass.look(texel, place, hemisphere);
-                  boolean dark =
+                  boolean noLamp =
                       direct[3 * texel] + direct[3 * texel + 1] + direct[3 * texel + 2] == 0;
-                  if (dark && hemisphere.unseen(place, RAYS, texel)) {
+                  if (noLamp && hemisphere.unseen(place, RAYS, texel)
+                      || pass.meets[texel] > 0 && hemisphere.hollow(place, texel)) {
                     texels.leave(texel);
                   }
                 });

@@ -11,13 +11,13 @@ import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /**
- * Which side of what is seen from both sides its picture shows: a picture has one light for both.
- * It is one side for all of a sheet, as else the inside of a bin would show in spots on its
+ * Which side of what is seen from both sides is lit: a picture has one light for both, and so has a
+ * vertex. It is one side for all of a sheet, as else the inside of a bin would show in spots on its
  * outside. That side counts which has more light and more free space before it, one times the
  * other: from far more places people see the outside of a bin than its inside, and nobody sees what
  * is dark or lies against a wall. Immutable.
  */
-final class SeenSides {
+public final class SeenSides {
   /** Places on a sheet, and rays from each to either side, by which its free space is told. */
   private static final int PLACES = 64;
 
@@ -29,7 +29,12 @@ final class SeenSides {
     this.behind = behind;
   }
 
-  static SeenSides of(LightScene scene, Solution solution, int seed) {
+  /**
+   * Decides for all bodies of a scene.
+   *
+   * @param solution its light, on patches
+   */
+  public static SeenSides of(LightScene scene, Solution solution, int seed) {
     boolean[] behind = new boolean[scene.triangles().count()];
     Directions directions = new Directions(new PointSet(PLACES * RAYS, seed, 24));
     IntStream.range(0, scene.bodies().size())
@@ -41,8 +46,12 @@ final class SeenSides {
     return new SeenSides(behind);
   }
 
-  /** Whether the side behind counts. */
-  boolean behind(int triangle) {
+  /**
+   * Whether the side behind counts; never of what has one side.
+   *
+   * @param triangle of the scene
+   */
+  public boolean behind(int triangle) {
     return behind[triangle];
   }
 

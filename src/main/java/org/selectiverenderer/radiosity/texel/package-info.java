@@ -8,10 +8,11 @@
  * left is told, and where it is more than is wished for there are more rays. A wall between two
  * places keeps them apart, however thin it is, as the rays from each tell it. The texels of an
  * object's other versions take the light of the nearest place of the version that stands for it, so
- * that all versions are lit alike. Out: {@link org.selectiverenderer.radiosity.texel.LightPages}.
- * Uses {@code radiosity.atlas}, {@code radiosity.light}, {@code radiosity.sampling}, {@code
- * radiosity.scene}, {@code radiosity.solve}, {@code radiosity.trace}, {@code radiosity.work},
- * {@code geometry} and {@code geometry.tree}.
+ * that all versions are lit alike. Of what is seen from both sides {@link
+ * org.selectiverenderer.radiosity.texel.SeenSides} says which one is lit, at vertices too. Out:
+ * {@link org.selectiverenderer.radiosity.texel.LightPages}. Uses {@code radiosity.atlas}, {@code
+ * radiosity.light}, {@code radiosity.sampling}, {@code radiosity.scene}, {@code radiosity.solve},
+ * {@code radiosity.trace}, {@code radiosity.work}, {@code geometry} and {@code geometry.tree}.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.texel;
