@@ -45,7 +45,7 @@ final class IndirectPass {
   private final Texels texels;
   private final NearbyPass nearby;
   private final float[] direct;
-  private final Hemisphere.Sets sets;
+  private final TexelRays.Sets sets;
   private final double noise;
   private final double dark;
   private final ChartGrid[] grids;
@@ -62,7 +62,7 @@ final class IndirectPass {
       Texels texels,
       NearbyPass nearby,
       float[] direct,
-      Hemisphere.Sets sets,
+      TexelRays.Sets sets,
       double noise) {
     this.scene = scene;
     this.solution = solution;

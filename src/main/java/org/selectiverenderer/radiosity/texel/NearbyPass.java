@@ -68,7 +68,7 @@ final class NearbyPass {
       Solution solution,
       Texels texels,
       float[] direct,
-      Hemisphere.Sets sets,
+      TexelRays.Sets sets,
       WorkProgress progress) {
     NearbyPass pass = new NearbyPass(texels);
     HitLight hits = new HitLight(scene, solution, texels, direct);
@@ -78,34 +78,34 @@ final class NearbyPass {
         progress,
         share -> {},
         (from, to) -> {
-          Hemisphere hemisphere = new Hemisphere(scene, hits, sets);
+          Surroundings around = new Surroundings(scene, hits, sets);
           TexelPlace place = new TexelPlace(scene, solution, texels);
           for (int tile = from; tile < to; tile++) {
             texels.each(
                 tile,
                 texel -> {
                   place.at(texel);
-                  pass.look(texel, place, hemisphere);
+                  pass.look(texel, place, around);
                   boolean noLamp =
                       direct[3 * texel] + direct[3 * texel + 1] + direct[3 * texel + 2] == 0;
-                  if (noLamp && hemisphere.unseen(place, RAYS, texel)
-                      || pass.meets[texel] > 0 && hemisphere.hollow(place, texel)) {
+                  if (noLamp && around.unseen(place, RAYS, texel)
+                      || pass.meets[texel] > 0 && around.hollow(place, texel)) {
                     texels.leave(texel);
                   }
                 });
           }
-          pass.rays.add(hemisphere.rays());
+          pass.rays.add(around.rays());
         });
     return pass;
   }
 
-  private void look(int texel, TexelPlace place, Hemisphere hemisphere) {
+  private void look(int texel, TexelPlace place, Surroundings around) {
     int page = texels.pageOf(texel);
     int width = texels.map(page).width();
     int x = (texel - texels.first(page)) % width;
     int y = (texel - texels.first(page)) / width;
     int i = 7 * (y % CELL * CELL + x % CELL) % (CELL * CELL);
-    double far = hemisphere.near(place, i % hemisphere.most(), y / CELL * width + x / CELL, NEAR);
+    double far = around.near(place, i % around.most(), y / CELL * width + x / CELL, NEAR);
     meets[texel] = far > NEAR ? 0 : (byte) (1 + STEPS * far);
   }
 

@@ -38,7 +38,7 @@ final class NoiseRounds {
   private final Texels texels;
   private final NearbyPass nearby;
   private final float[] direct;
-  private final Hemisphere.Sets sets;
+  private final TexelRays.Sets sets;
   private final LightRecords records;
   private final double noise;
   private final double dark;
@@ -55,7 +55,7 @@ final class NoiseRounds {
       Texels texels,
       NearbyPass nearby,
       float[] direct,
-      Hemisphere.Sets sets,
+      TexelRays.Sets sets,
       LightRecords records,
       double noise,
       double dark) {

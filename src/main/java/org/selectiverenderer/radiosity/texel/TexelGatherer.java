@@ -67,7 +67,7 @@ public final class TexelGatherer {
     if (direct == null) {
       return pages(texels, choice, patches.all(), false, rays, TexelNoise.NONE);
     }
-    Hemisphere.Sets sets = Hemisphere.Sets.of(effort.rays(), effort.seed());
+    TexelRays.Sets sets = TexelRays.Sets.of(effort.rays(), effort.seed());
     NearbyPass nearby = NearbyPass.look(scene, solution, texels, direct, sets, progress);
     rays += nearby.rays();
     if (each != null) {
