@@ -78,7 +78,7 @@ final class NearbyPass {
         progress,
         share -> {},
         (from, to) -> {
-          Surroundings around = new Surroundings(scene, hits, sets);
+          PlaceNeighbourhood around = new PlaceNeighbourhood(scene, hits, sets);
           TexelPlace place = new TexelPlace(scene, solution, texels);
           for (int tile = from; tile < to; tile++) {
             texels.each(
@@ -99,7 +99,7 @@ final class NearbyPass {
     return pass;
   }
 
-  private void look(int texel, TexelPlace place, Surroundings around) {
+  private void look(int texel, TexelPlace place, PlaceNeighbourhood around) {
     int page = texels.pageOf(texel);
     int width = texels.map(page).width();
     int x = (texel - texels.first(page)) % width;

@@ -6,7 +6,7 @@ import org.selectiverenderer.radiosity.solve.DirectLight;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /** What is around a place: how near it is, and whether anybody sees the place. One per thread. */
-final class Surroundings {
+final class PlaceNeighbourhood {
   /** Of the offset of starts: the rest is the place itself. */
   private static final double OVERLAID = 0.9;
 
@@ -27,7 +27,7 @@ final class Surroundings {
   private final DirectLight lamps;
   private final double[] light = new double[3];
 
-  Surroundings(LightScene scene, HitLight hits, TexelRays.Sets sets) {
+  PlaceNeighbourhood(LightScene scene, HitLight hits, TexelRays.Sets sets) {
     this.scene = scene;
     this.hits = hits;
     rays = new TexelRays(scene, sets);
