@@ -173,7 +173,7 @@ radiosity() { # ROOM OUT: X3D's own lights on the left, radiosity on the right
 compared() { # OUT OPTIONS...: light in textures, paths of light, the difference
   local to=$1
   shift
-  tools/compare-light "$@" --samples 4096 --rays 256 --quality 99.99 --out "$tmp/compared" >/dev/null
+  tools/compare-light "$@" --samples 4096 --quality 99.99 --out "$tmp/compared" >/dev/null
   small "$tmp/compared/compared-textures.png" "$to" -filter point -resize 200%
 }
 
@@ -324,9 +324,9 @@ take() { # NAME HOW
       small "$tmp/above.png" "$to" -resize 960x400
       ;;
     apartment-*) apartment "${stem#*-}" "$to" ;;
-    cornell-box.jpg) compared "$to" docs/examples/cornell-box.x3d --viewpoint Camera --size 128x128 ;;
+    cornell-box.jpg) compared "$to" docs/examples/cornell-box.x3d --viewpoint Camera --size 128x128 --rays 256 ;;
     kitchen-reference.jpg) # Takes hours.
-      compared "$to" scenes/apartment-unlit.x3d --viewpoint KitchenView --size 150x100
+      compared "$to" scenes/apartment-unlit.x3d --viewpoint KitchenView --size 150x100 --rays 1024
       ;;
     radiosity-*) radiosity "${stem#*-}" "$to" ;;
     trashcan-versions.png) trashcan "$to" ;;

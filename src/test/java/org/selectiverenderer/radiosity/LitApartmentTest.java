@@ -14,7 +14,7 @@ import org.selectiverenderer.polygon.count.SceneStatistics;
 import org.selectiverenderer.polygon.count.StatisticsCsv;
 
 /**
- * The committed lit apartment, as {@code radiosity scenes/apartment-unlit.x3d --rays 256 --quality
+ * The committed lit apartment, as {@code radiosity scenes/apartment-unlit.x3d --rays 1024 --quality
  * 99.99} writes it.
  */
 class LitApartmentTest {
