@@ -62,7 +62,8 @@ final class CommandRunner {
         .setExecutionExceptionHandler(reports);
   }
 
-  // Classes, as a lambda of picocli's types, whose class files are old, is made at each start.
+  // Classes, not lambdas: picocli's class files are old, and Java would make lambdas of its types
+  // anew at each start.
 
   private static final class HelpTexts implements IHelpFactory {
     @Override

@@ -20,7 +20,10 @@ public class CommandRun {
 
   private boolean showed;
 
-  /** A window beside that of another process's test would take its keys and clicks. */
+  /**
+   * A window beside that of another process's test would take its keys and clicks. Told of {@code
+   * run} alone, where it succeeds.
+   */
   @RegisterExtension
   final AfterEachCallback windowsHaveTheScreen =
       test ->

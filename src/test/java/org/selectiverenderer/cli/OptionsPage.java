@@ -16,7 +16,7 @@ final class OptionsPage {
       What each command is for, and what all of them have in common, is told in [commands.md](commands.md). Here is what
       their `--help` says.
 
-      <!-- All is written by OptionsPageTest. -->
+      <!-- OptionsPageTest writes this page: do not edit it by hand. -->
 
       These options go with every command:
 

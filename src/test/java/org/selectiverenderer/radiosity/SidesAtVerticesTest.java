@@ -97,8 +97,27 @@ class SidesAtVerticesTest {
                 + "<Coordinate point='2.3 0.5 1.83 2.3 1.5 1.83 2.3 1.5 2.15 2.3 0.5 2.15 "
                 + "2.4 0.5 1.83 2.4 0.5 2.15'/></IndexedFaceSet></Shape>")
             .formatted(GREY);
-    LitScene lit = light(sign + box + ROOM + LAMP);
-    double foot = mean(lit, x -> x > 2.2999, y -> y < 0.5001);
-    assertThat(foot).isGreaterThan(0.1 * mean(lit, x -> x < 2.3001, y -> true));
+    for (WorkProgress progress : new WorkProgress[] {WorkProgress.NONE, new EndsAtVertices()}) {
+      LitScene lit =
+          new Radiosity(SETTINGS, progress)
+              .light(SmallScene.read(sign + box + ROOM + LAMP), each -> {});
+      double foot = mean(lit, x -> x > 2.2999, y -> y < 0.5001);
+      assertThat(foot).isGreaterThan(0.1 * mean(lit, x -> x < 2.3001, y -> true));
+    }
+  }
+
+  /** Is cancelled as soon as light at the vertices is gathered. */
+  private static final class EndsAtVertices implements WorkProgress {
+    private volatile boolean ends;
+
+    @Override
+    public void at(Stage stage, double share) {
+      ends |= stage == Stage.GATHERING;
+    }
+
+    @Override
+    public boolean cancelled() {
+      return ends;
+    }
   }
 }

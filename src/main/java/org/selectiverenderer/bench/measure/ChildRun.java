@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.json.JsonTree;
+import org.selectiverenderer.base.machine.ParentProcess;
 import org.selectiverenderer.base.machine.ProgramCommand;
 import org.selectiverenderer.bench.BenchScene;
 
@@ -94,8 +95,9 @@ record ChildRun(String mainClass, int runs) {
     List<String> arguments = new ArrayList<>(List.of("run", scene.toString(), "--offscreen"));
     arguments.addAll(options);
     arguments.addAll(List.of("--stats", stats.toString()));
+    List<String> own = new ArrayList<>(List.of(ParentProcess.flag()));
     String flags = System.getProperty(FLAGS, "");
-    return ProgramCommand.of(
-        mainClass, flags.isEmpty() ? List.of() : List.of(flags.split(",")), arguments);
+    own.addAll(flags.isEmpty() ? List.of() : List.of(flags.split(",")));
+    return ProgramCommand.of(mainClass, own, arguments);
   }
 }

@@ -85,7 +85,7 @@ public final class RunCommand extends CliCommand {
 
   @Option(
       names = "--mouse",
-      paramLabel = "USE",
+      paramLabel = "EFFECT",
       defaultValue = "walk",
       description =
           "effect of the mouse buttons: walk (left forward, right backward), "

@@ -240,7 +240,11 @@ final class VertexSampler {
     }
     wanted += area;
     place(corner, 0.5f, 0.5f);
-    int patch = patch(facet, sides.behind(facets.source()[facet]), solution.indirect(), lamps);
+    int source = facets.source()[facet];
+    int patch = patch(facet, sides.behind(source), solution.indirect(), lamps);
+    if (solution.buried()[patch] && triangles.twoSided()[source]) {
+      patch = patch(facet, !sides.behind(source), solution.indirect(), lamps);
+    }
     if (solution.buried()[patch]) {
       return;
     }

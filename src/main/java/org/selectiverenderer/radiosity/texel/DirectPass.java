@@ -30,7 +30,7 @@ final class DirectPass {
   /** What has been found for each texel, before half-shadows are evened out. */
   private final char[] found;
 
-  /** Whose share has the noise of its own few rays. */
+  /** Whose share is evened out: one of its own few rays, or of a half-shadow. */
   private final boolean[] noisy;
 
   private final float[] light;

@@ -18,7 +18,10 @@ final class NearWalls {
 
   private static final double LOW = 3;
 
-  /** Of the angle between a wall and the surface: what rises less is part of the surface. */
+  /**
+   * Cosine of the angle between the normals of a wall and of the surface: what rises by less than
+   * 45 degrees is part of the surface.
+   */
   private static final double LEANS = 0.7;
 
   /** Nearer than this share of a texel they count as so near. */

@@ -88,7 +88,8 @@ final class NearbyPass {
                   pass.look(texel, place, around);
                   boolean noLamp =
                       direct[3 * texel] + direct[3 * texel + 1] + direct[3 * texel + 2] == 0;
-                  if (noLamp && around.unseen(place, RAYS, texel)
+                  if (around.overlaid(place)
+                      || noLamp && around.unseen(place, RAYS, texel)
                       || pass.meets[texel] > 0 && around.hollow(place, texel)) {
                     texels.leave(texel);
                   }

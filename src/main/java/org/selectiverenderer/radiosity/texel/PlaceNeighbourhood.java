@@ -74,16 +74,13 @@ final class PlaceNeighbourhood {
   }
 
   /**
-   * Whether a place lies right under a sheet, or in a closed hollow without a lamp. Nobody sees it,
-   * as light would come in where eyes look in; and none does if nothing that is sent out from there
-   * gets far, however often it is thrown back.
+   * Whether a place lies in a closed hollow without a lamp. Nobody sees it, as light would come in
+   * where eyes look in; and none does if nothing that is sent out from there gets far, however
+   * often it is thrown back.
    */
   boolean hollow(TexelPlace place, int turn) {
     double wide = HOLLOW * place.size();
     rays.begin(place, turn);
-    if (overlaid()) {
-      return true;
-    }
     int most = Math.min(HOLLOW_RAYS, rays.most());
     int sent = 0;
     // Most places are told by a few rays that are not followed.
@@ -100,8 +97,9 @@ final class PlaceNeighbourhood {
     return sent > 0 && !lit(place);
   }
 
-  /** Whether a sheet lies on the place, so near that rays start beyond it. */
-  private boolean overlaid() {
+  /** Whether a sheet lies on the place, so near that rays start beyond it: nobody sees it. */
+  boolean overlaid(TexelPlace place) {
+    rays.begin(place, 0);
     rays.castBack(OVERLAID * scene.offset());
     return ray.triangle != Ray.NOTHING;
   }

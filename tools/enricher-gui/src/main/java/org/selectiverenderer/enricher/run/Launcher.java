@@ -13,7 +13,10 @@ public final class Launcher {
 
   private Launcher() {}
 
-  /** Starts a command whose messages are to be read, and which ends with this process. */
+  /**
+   * Starts a command whose messages are to be read. A {@code run} ends with this process; others do
+   * not look.
+   */
   static Process start(List<String> words) throws IOException {
     return new ProcessBuilder(ProgramCommand.of(MAIN, List.of(ParentProcess.flag()), words))
         .redirectErrorStream(true)

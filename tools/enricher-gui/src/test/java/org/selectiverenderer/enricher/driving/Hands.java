@@ -221,9 +221,9 @@ public final class Hands {
       settle();
       click(component, onEdt(() -> inView(component)));
     }
-    assertThat(has(component::isFocusOwner))
-        .as("the keyboard is with " + component.getAccessibleContext().getAccessibleName())
-        .isTrue();
+    await(
+        "the keyboard in " + component.getAccessibleContext().getAccessibleName(),
+        component::isFocusOwner);
   }
 
   /** The area of a component, which is scrolled into view as a user would do it. */

@@ -29,7 +29,9 @@ class RunsEndTest {
     Path timeline = folder.resolve("walk.jsonl");
     Process enricher = starting(log, timeline);
     try (BufferedReader said = enricher.inputReader(StandardCharsets.UTF_8)) {
-      long pid = Long.parseLong(said.readLine());
+      String number = said.readLine();
+      assertThat(number).as("the run's number").isNotNull();
+      long pid = Long.parseLong(number);
       ProcessHandle run = ProcessHandle.of(pid).orElseThrow();
       try {
         // The log is written four times a second once the scene is shown.
@@ -37,7 +39,7 @@ class RunsEndTest {
           assertThat(run.isAlive()).as("the run").isTrue();
           TimeUnit.MILLISECONDS.sleep(20);
         }
-        enricher.destroy(); // SIGTERM, where there are signals.
+        enricher.destroyForcibly(); // Nothing of it is asked any more.
         run.onExit().get(PATIENCE, TimeUnit.SECONDS);
         assertThat(run.isAlive()).isFalse();
       } finally {
