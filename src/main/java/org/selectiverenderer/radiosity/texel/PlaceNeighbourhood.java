@@ -76,7 +76,8 @@ final class PlaceNeighbourhood {
   /**
    * Whether a place lies in a closed hollow without a lamp. Nobody sees it, as light would come in
    * where eyes look in; and none does if nothing that is sent out from there gets far, however
-   * often it is thrown back.
+   * often it is thrown back. Light that was found before is not asked: beside the hollow's edge it
+   * is interpolated, and may be that of the other side.
    */
   boolean hollow(TexelPlace place, int turn) {
     double wide = HOLLOW * place.size();
