@@ -294,20 +294,7 @@ class RadiosityJobTest {
 
   @Test
   void whatIsCancelledBeforeTheFirstIterationIsNotWritten() throws Exception {
-    WorkProgress cancelling =
-        new WorkProgress() {
-          private volatile boolean cancelled;
-
-          @Override
-          public void at(Stage stage, double share) {
-            cancelled |= stage == Stage.TRANSPORT;
-          }
-
-          @Override
-          public boolean cancelled() {
-            return cancelled;
-          }
-        };
+    WorkProgress cancelling = new CancelsAt(WorkProgress.Stage.TRANSPORT);
     Path scene = scene(room(0, 0, 0, 4, GREY) + LAMP);
     assertThatThrownBy(() -> job(scene, QUICK).run(problems, cancelling, (b, q) -> {}))
         .isInstanceOf(UnlitSceneException.class)

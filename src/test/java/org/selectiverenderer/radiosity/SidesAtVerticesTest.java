@@ -1,6 +1,7 @@
 package org.selectiverenderer.radiosity;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.selectiverenderer.radiosity.SmallScene.bins;
 import static org.selectiverenderer.radiosity.SmallScene.room;
 
 import java.util.OptionalDouble;
@@ -14,8 +15,6 @@ class SidesAtVerticesTest {
   private static final String GREY = "diffuseColor='0.735 0.735 0.735'";
   private static final String ROOM = room(0, 0, 0, 4, GREY);
   private static final String LAMP = "<PointLight location='0.5 2 2'/>";
-  private static final String OUTSIDE_IN_FRONT = "0 4 5 1 -1 1 5 6 2 -1 2 6 7 3 -1 3 7 4 0 -1";
-  private static final String INSIDE_IN_FRONT = "0 1 5 4 -1 1 2 6 5 -1 2 3 7 6 -1 3 0 4 7 -1";
 
   private static final RadiositySettings SETTINGS =
       new RadiositySettings(
@@ -33,16 +32,6 @@ class SidesAtVerticesTest {
 
   private static LitScene light(String scene) throws Exception {
     return new Radiosity(SETTINGS, WorkProgress.NONE).light(SmallScene.read(scene), each -> {});
-  }
-
-  /** Sides of a bin of 30 cm without lid in the middle of the floor. */
-  private static String bin(String order) {
-    return ("<Shape><Appearance><Material %s/></Appearance>"
-            + "<IndexedFaceSet solid='false' coordIndex='%s'><Coordinate point='"
-            + "1.85 0 1.85 2.15 0 1.85 2.15 0 2.15 1.85 0 2.15 "
-            + "1.85 0.3 1.85 2.15 0.3 1.85 2.15 0.3 2.15 1.85 0.3 2.15'/>"
-            + "</IndexedFaceSet></Shape>")
-        .formatted(GREY, order);
   }
 
   /** The mean light of the first body's facets whose corners all are such, lux of green. */
@@ -67,11 +56,11 @@ class SidesAtVerticesTest {
   /** The side away from the lamp is dark outside, though the lamp shines on it from inside. */
   @Test
   void aBinHasTheLightOfItsOutsideAllAround() throws Exception {
-    for (String order : new String[] {OUTSIDE_IN_FRONT, INSIDE_IN_FRONT}) {
-      LitScene lit = light(bin(order) + ROOM + LAMP);
+    for (String bin : bins(GREY)) {
+      LitScene lit = light(bin + ROOM + LAMP);
       double towards = mean(lit, x -> x < 1.8501, y -> true);
       double away = mean(lit, x -> x > 2.1499, y -> true);
-      assertThat(away).as(order).isPositive().isLessThan(0.6 * towards);
+      assertThat(away).as(bin).isPositive().isLessThan(0.6 * towards);
     }
   }
 
@@ -97,27 +86,13 @@ class SidesAtVerticesTest {
                 + "<Coordinate point='2.3 0.5 1.83 2.3 1.5 1.83 2.3 1.5 2.15 2.3 0.5 2.15 "
                 + "2.4 0.5 1.83 2.4 0.5 2.15'/></IndexedFaceSet></Shape>")
             .formatted(GREY);
-    for (WorkProgress progress : new WorkProgress[] {WorkProgress.NONE, new EndsAtVertices()}) {
+    for (WorkProgress progress :
+        new WorkProgress[] {WorkProgress.NONE, new CancelsAt(WorkProgress.Stage.GATHERING)}) {
       LitScene lit =
           new Radiosity(SETTINGS, progress)
               .light(SmallScene.read(sign + box + ROOM + LAMP), each -> {});
       double foot = mean(lit, x -> x > 2.2999, y -> y < 0.5001);
       assertThat(foot).isGreaterThan(0.1 * mean(lit, x -> x < 2.3001, y -> true));
-    }
-  }
-
-  /** Is cancelled as soon as light at the vertices is gathered. */
-  private static final class EndsAtVertices implements WorkProgress {
-    private volatile boolean ends;
-
-    @Override
-    public void at(Stage stage, double share) {
-      ends |= stage == Stage.GATHERING;
-    }
-
-    @Override
-    public boolean cancelled() {
-      return ends;
     }
   }
 }

@@ -4,6 +4,8 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.LightSceneReader;
@@ -47,6 +49,25 @@ public final class SmallScene {
     <IndexedFaceSet coordIndex='0 1 2 3 -1'><Coordinate point='%s'/></IndexedFaceSet></Shape>
     """
         .formatted(material, points);
+  }
+
+  /**
+   * Two-sided walls of a bin of 30 cm without lid that stands at x, z = 2: once with the outside in
+   * front, once with the inside.
+   */
+  public static List<String> bins(String material) {
+    return Stream.of(
+            "0 4 5 1 -1 1 5 6 2 -1 2 6 7 3 -1 3 7 4 0 -1",
+            "0 1 5 4 -1 1 2 6 5 -1 2 3 7 6 -1 3 0 4 7 -1")
+        .map(
+            order ->
+                ("<Shape><Appearance><Material %s/></Appearance>"
+                        + "<IndexedFaceSet solid='false' coordIndex='%s'><Coordinate point='"
+                        + "1.85 0 1.85 2.15 0 1.85 2.15 0 2.15 1.85 0 2.15 "
+                        + "1.85 0.3 1.85 2.15 0.3 1.85 2.15 0.3 2.15 1.85 0.3 2.15'/>"
+                        + "</IndexedFaceSet></Shape>")
+                    .formatted(material, order))
+        .toList();
   }
 
   /** A room from the inside: six walls that face inwards. */

@@ -1,6 +1,7 @@
 package org.selectiverenderer.radiosity.texel;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.selectiverenderer.radiosity.SmallScene.bins;
 import static org.selectiverenderer.radiosity.SmallScene.quad;
 import static org.selectiverenderer.radiosity.SmallScene.room;
 
@@ -12,27 +13,14 @@ class SeenSidesTest {
   private static final String ROOM = room(0, 0, 0, 4, GREY);
   private static final String LAMP = "<PointLight location='0.5 2 2'/>";
 
-  /** Sides of a bin of 30 cm without lid in the middle of the floor, the outside in front. */
-  private static String bin(String order) {
-    return ("<Shape><Appearance><Material %s/></Appearance>"
-            + "<IndexedFaceSet solid='false' coordIndex='%s'><Coordinate point='"
-            + "1.85 0 1.85 2.15 0 1.85 2.15 0 2.15 1.85 0 2.15 "
-            + "1.85 0.3 1.85 2.15 0.3 1.85 2.15 0.3 2.15 1.85 0.3 2.15'/>"
-            + "</IndexedFaceSet></Shape>")
-        .formatted(GREY, order);
-  }
-
-  private static final String OUTSIDE_IN_FRONT = "0 4 5 1 -1 1 5 6 2 -1 2 6 7 3 -1 3 7 4 0 -1";
-  private static final String INSIDE_IN_FRONT = "0 1 5 4 -1 1 2 6 5 -1 2 3 7 6 -1 3 0 4 7 -1";
-
   /**
    * The side away from the lamp is dark outside, though the lamp shines on it from inside. Wherever
    * its front is.
    */
   @Test
   void aBinHasTheLightOfItsOutsideAllAround() throws Exception {
-    for (String order : new String[] {OUTSIDE_IN_FRONT, INSIDE_IN_FRONT}) {
-      TexelLight lit = TexelLight.of(bin(order) + ROOM + LAMP, 40, 0.3);
+    for (String bin : bins(GREY)) {
+      TexelLight lit = TexelLight.of(bin + ROOM + LAMP, 40, 0.3);
       double[] sums = new double[4];
       lit.each(
           0,
@@ -45,7 +33,7 @@ class SeenSidesTest {
           });
       double towards = sums[0] / sums[1];
       double away = sums[2] / sums[3];
-      assertThat(away).as(order).isPositive().isLessThan(0.6 * towards);
+      assertThat(away).as(bin).isPositive().isLessThan(0.6 * towards);
     }
   }
 
