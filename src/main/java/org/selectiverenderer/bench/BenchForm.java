@@ -8,8 +8,8 @@ import static java.lang.Math.signum;
 import static java.lang.Math.sin;
 
 /**
- * The shapes of the benchmark's objects: closed surfaces over (u, v), both in 0..1, about 0.8 m
- * large round the origin, +Y up. Each has a variant for each phase.
+ * The parametric shapes of the benchmark's objects: closed surfaces over (u, v), both in 0..1,
+ * about 0.8 m large around the origin, +Y up. The phase varies each shape.
  */
 enum BenchForm {
   VASE(false) {
@@ -79,7 +79,7 @@ enum BenchForm {
     this.ring = ring;
   }
 
-  /** Whether u closes on itself as v does; else u = 0 and u = 1 are poles. */
+  /** Returns whether u is periodic as v is; otherwise u = 0 and u = 1 are poles. */
   boolean isRing() {
     return ring;
   }

@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
-/** The text of one inlined object: an IndexedFaceSet with a normal per point. */
+/** Writes an object of a benchmark scene: an IndexedFaceSet with a normal per point. */
 final class BenchObject {
 
   private BenchObject() {}
@@ -19,7 +19,7 @@ final class BenchObject {
     return out.finish();
   }
 
-  /** The Shape alone, in a file that is being written. */
+  /** Writes the Shape alone into an open file. */
   static void write(X3dWriter out, String name, int number, FormMesh mesh) {
     StringBuilder index = new StringBuilder(7 * mesh.triangles().length);
     int[] triangles = mesh.triangles();

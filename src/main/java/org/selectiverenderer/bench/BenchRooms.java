@@ -3,7 +3,7 @@ package org.selectiverenderer.bench;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
-/** Floor, walls and areas of the heavy scene's rooms. */
+/** Writes floor, walls and areas of the heavy scene's rooms. */
 final class BenchRooms {
 
   private static final double HALF_DEPTH = 3.5;

@@ -3,7 +3,7 @@ package org.selectiverenderer.bench;
 import java.nio.file.Path;
 
 /**
- * What a generator wrote.
+ * A generated benchmark scene.
  *
  * @param scene the file to open
  * @param path a camera path for it, header {@code t,x,y,z,yaw,pitch,roll} as {@code run --path}

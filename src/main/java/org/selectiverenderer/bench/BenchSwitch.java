@@ -5,7 +5,7 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
-/** A Switch with metadata round an inlined object, in the shape that the thesis gives it (5.4). */
+/** Writes a Switch with metadata around an inlined object, as in the thesis (5.4). */
 final class BenchSwitch {
 
   private BenchSwitch() {}
@@ -36,7 +36,7 @@ final class BenchSwitch {
     out.close();
   }
 
-  /** A MetadataString in a set. */
+  /** Writes a MetadataString in a MetadataSet. */
   static void string(X3dWriter out, String name, String value) {
     out.open("MetadataString", "containerField", "value", "name", name);
     out.attribute("value", ValueText.strings(value)).close();

@@ -5,8 +5,8 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * The camera's way through the heavy scene: 20 s, closed, at eye height, as a path for our own
- * browser and as interpolators for any other.
+ * The camera path through the heavy scene: a closed path of 20 s at eye height, as a CSV file for
+ * our own browser and as interpolators for other browsers.
  */
 final class BenchTour {
 
@@ -46,7 +46,10 @@ final class BenchTour {
     return text.toString();
   }
 
-  /** A second Viewpoint, "Tour", that a TimeSensor moves; the first one bound stands still. */
+  /**
+   * Writes a second Viewpoint, "Tour", which a TimeSensor moves; the first one, which is bound,
+   * stands still.
+   */
   static void write(X3dWriter out) {
     StringBuilder keys = new StringBuilder();
     StringBuilder positions = new StringBuilder();
@@ -85,7 +88,7 @@ final class BenchTour {
     out.attribute("keyValue", values.toString().strip()).close();
   }
 
-  /** x, z, yaw, pitch at a time, linear between the stops. */
+  /** Returns x, z, yaw and pitch at a time, interpolated linearly between the stops. */
   private static double[] at(double t) {
     int next = 1;
     while (STOPS[next][0] < t) {
@@ -101,7 +104,7 @@ final class BenchTour {
     return out;
   }
 
-  /** Yaw about Y, then pitch about X, as one turn about an axis (SFRotation). */
+  /** Returns yaw about Y, then pitch about X, as one rotation about an axis (SFRotation). */
   private static String orientation(double yaw, double pitch) {
     double w = Math.cos(yaw / 2) * Math.cos(pitch / 2);
     double x = Math.cos(yaw / 2) * Math.sin(pitch / 2);

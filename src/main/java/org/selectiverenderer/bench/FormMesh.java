@@ -3,7 +3,7 @@ package org.selectiverenderer.bench;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
- * A form cut into {@code 2 * rows * columns} triangles, with a normal per point.
+ * A shape tessellated into {@code 2 * rows * columns} triangles, with a normal per point.
  *
  * @param points x y z per point, metres
  * @param normals x y z per point, unit length, outwards
@@ -84,7 +84,7 @@ record FormMesh(double[] points, double[] normals, int[] triangles) {
     }
   }
 
-  /** Face normals summed by area, then brought to length 1. */
+  /** Computes point normals: the area-weighted sum of face normals, normalised. */
   private static double[] normals(double[] p, int[] triangles) {
     double[] normals = new double[p.length];
     double[] normal = new double[3];

@@ -10,24 +10,27 @@ import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * Scenes in which one thing is there very many times and everything else stays alike: a yard seen
- * from its edge, one area to enter, ten small Switches that follow the areas' schemas. The viewer
- * walks into the yard and back, 5 s.
+ * Writes scenes for growth measurements, in which one kind of thing occurs very many times and
+ * everything else stays constant: a yard seen from its edge, one area to enter, ten small Switches
+ * that follow the areas' schemas. The viewer walks into the yard and back in 5 s.
  */
 final class GrowthScene {
-  /** Triangles of the objects of a yard, however many objects they are shared among. */
+  /** The total number of triangles of a yard's objects, independent of the number of objects. */
   static final int TRIANGLES = 240_000;
 
-  /** Switches of a yard; they follow {@code Area0Schema} to {@code Area9Schema}. */
+  /** The number of Switches of a yard; they follow {@code Area0Schema} to {@code Area9Schema}. */
   static final int SWITCHES = 10;
 
   private static final String PATH =
       "t,x,y,z,yaw,pitch,roll\n0,-6,1.6,8,-20,-5,0\n2.5,0,1.6,0,0,-5,0\n5,6,1.6,8,20,-5,0\n";
 
-  /** The side of the square yard that objects stand in, in metres; it lies before the viewer. */
+  /** The side of the square yard in metres, which is in front of the viewer. */
   private static final double YARD = 20;
 
-  /** From one area's middle to the next one's, and the side of an area's box, in metres. */
+  /**
+   * The distance between the centres of areas in metres; {@code AREA_SIZE} is the size of an area's
+   * box.
+   */
   private static final double AREA_STEP = 3;
 
   private static final String AREA_SIZE = "2 4 2";
@@ -52,10 +55,10 @@ final class GrowthScene {
   }
 
   /**
-   * Objects of different forms that share {@link #TRIANGLES} evenly.
+   * Writes objects of different shapes that share {@link #TRIANGLES} evenly.
    *
    * @param objects 10, 100, 1,000 or 10,000, or another number whose share can be a grid
-   * @param inlined whether each is a file of its own, or all stand in the scene
+   * @param inlined whether each object is a file of its own, or all are in the scene
    */
   static BenchScene objects(Path dir, int objects, boolean inlined) throws IOException {
     int pairs = TRIANGLES / 2 / objects;
@@ -66,7 +69,7 @@ final class GrowthScene {
     return objects(dir, objects, rows, pairs / rows, inlined);
   }
 
-  /** The same with that many pairs of triangles up and around each object. */
+  /** Writes objects with a given number of pairs of triangles up and around each object. */
   static BenchScene objects(Path dir, int objects, int rows, int columns, boolean inlined)
       throws IOException {
     GrowthScene scene = new GrowthScene(dir);
@@ -81,7 +84,10 @@ final class GrowthScene {
     return scene.write();
   }
 
-  /** Areas side by side round the origin, each in a Transform, of which the walk enters a few. */
+  /**
+   * Writes areas side by side around the origin, each in a Transform; the path enters a few of
+   * them.
+   */
   static BenchScene sensors(Path dir, int sensors) throws IOException {
     GrowthScene scene = new GrowthScene(dir);
     int side = (int) Math.ceil(Math.sqrt(sensors));

@@ -5,8 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * Scenes of growing size: one thing becomes more, and everything else stays as it is, so that a
- * curve over them shows what that thing costs. The same size gives the same bytes.
+ * Series of scenes of growing size: one kind of thing grows in number and everything else stays
+ * constant, so that a curve shows its cost. The same size gives the same bytes.
  */
 public enum GrowthSeries {
   /** Objects in one file, that share the same number of triangles. */
@@ -54,7 +54,7 @@ public enum GrowthSeries {
     this.sizes = List.of(sizes);
   }
 
-  /** How many there are in each scene, growing. */
+  /** Returns the sizes of the scenes, ascending. */
   public List<Integer> sizes() {
     return sizes;
   }
@@ -62,7 +62,7 @@ public enum GrowthSeries {
   /**
    * Writes a scene and a path through it that enters a few areas.
    *
-   * @param dir is made when it is missing
+   * @param dir created if it does not exist
    * @param size one of {@link #sizes()}
    * @throws IOException when a file cannot be written
    */

@@ -11,12 +11,13 @@ import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * A scene of the thesis's size: 70 inlined objects with 784,000 triangles in about 31 MB of X3D
- * text, in three rooms of 17 m by 7 m together. A sixth of it is what selective rendering leaves.
+ * Generates a scene of the thesis's size: 70 inlined objects with 784,000 triangles in about 31 MB
+ * of X3D text, in three rooms of 17 m by 7 m together. Selective rendering leaves a sixth of the
+ * triangles.
  *
  * <p>Every object stands in a Switch with metadata: child 0 is the inlined object, child 1 a box in
- * its place. All show child 0 at first. The three areas' sensors are there but not enabled, so that
- * a camera path draws the same triangles in every browser; set {@code enabled} to have them switch.
+ * its place. All show child 0 at first. The three areas' sensors are not enabled, so that a camera
+ * path draws the same triangles in every browser; set {@code enabled} to have them switch.
  */
 public final class HeavyScene {
 
@@ -39,14 +40,17 @@ public final class HeavyScene {
   /**
    * Writes the whole scene into a folder {@code heavy}.
    *
-   * @param folder that this folder is made in
+   * @param folder the folder in which this folder is created
    * @throws IOException when a file cannot be written
    */
   public static BenchScene heavy(Path folder) throws IOException {
     return write(folder.resolve("heavy"), 1);
   }
 
-  /** Writes the sixth of it that selective rendering leaves into a folder {@code light}. */
+  /**
+   * Writes the scene with a sixth of the triangles, as selective rendering leaves it, into a folder
+   * {@code light}.
+   */
   public static BenchScene light(Path folder) throws IOException {
     return write(folder.resolve("light"), 1.0 / 6);
   }
@@ -55,8 +59,8 @@ public final class HeavyScene {
    * Writes {@code scene.x3d}, {@code objects/object00.x3d} to {@code object69.x3d} and {@code
    * bench-path.csv}. The same share gives the same bytes.
    *
-   * @param dir is made when it is missing
-   * @param share of the 784,000 triangles, above 0 and at most 1; met to a thousandth
+   * @param dir created if it does not exist
+   * @param share share of the 784,000 triangles, above 0 and at most 1; met to a thousandth
    * @throws IllegalArgumentException when the share is out of range
    * @throws IOException when a file cannot be written
    */
@@ -85,7 +89,10 @@ public final class HeavyScene {
     return new BenchScene(scene, path, OBJECTS, triangles, bytes);
   }
 
-  /** Objects differ in size; what rounding takes from one, the next one gets. */
+  /**
+   * Returns the rows of each object: objects differ in size, and rounding errors are carried to the
+   * next one.
+   */
   private static int[] rows(double share, int columns) {
     int[] rows = new int[OBJECTS];
     double perRow = share * COLUMNS / columns;

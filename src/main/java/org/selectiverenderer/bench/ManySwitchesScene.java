@@ -6,11 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Very many enriched Switches, of which one area's schemas affect a few: what an activation costs
- * must depend on the few.
+ * Generates a scene with very many enriched Switches, of which one area's schemas affect a few: the
+ * cost of an activation must depend only on these few.
  *
- * <p>Child 0 of each is a small box, child 1 nothing; all show child 1 at first. Entering {@link
- * #SENSOR}, a box of 4 m round the origin, activates {@link #ENTER_SCHEMA}, leaving it {@link
+ * <p>Child 0 of each is a small box, child 1 is empty; all show child 1 at first. Entering {@link
+ * #SENSOR}, a box of 4 m around the origin, activates {@link #ENTER_SCHEMA}, leaving it {@link
  * #EXIT_SCHEMA}; the other Switches follow a thousand other schemas.
  */
 public final class ManySwitchesScene {
@@ -31,7 +31,7 @@ public final class ManySwitchesScene {
   /**
    * Writes {@code scene.x3d} and {@code bench-path.csv}, which walks into the area and out of it.
    *
-   * @param dir is made when it is missing
+   * @param dir created if it does not exist
    * @param switches how many Switches, at least {@code affected}
    * @param affected how many of them follow the sensor's schemas, at least 1, evenly spread
    * @throws IllegalArgumentException when the numbers do not fit

@@ -1,10 +1,10 @@
 package org.selectiverenderer.chart;
 
-/** The distance of the marks on an axis. */
+/** Chooses the distance between the ticks of an axis. */
 public final class AxisStep {
   private AxisStep() {}
 
-  /** 1, 2 or 5 times a power of ten, so that four to ten marks divide a length above 0. */
+  /** Returns 1, 2 or 5 times a power of ten, so that four to ten ticks divide a length above 0. */
   public static double of(double length) {
     double power = Math.pow(10, Math.floor(Math.log10(length / 4)));
     double ratio = length / 4 / power;

@@ -3,18 +3,18 @@ package org.selectiverenderer.chart;
 import java.util.function.DoubleFunction;
 
 /**
- * The axis of horizontal bars.
+ * The value axis of a chart with horizontal bars.
  *
  * @param reach the largest value on it, above 0
- * @param left where 0 is, in pixels
- * @param scale pixels per 1
+ * @param left x of the value 0, in pixels
+ * @param scale pixels per unit of value
  */
 record BarAxis(double reach, double left, double scale) {
   /**
-   * Draws a line for each mark, and its number where there is room for it.
+   * Draws a grid line for each tick, and its number where there is room for it.
    *
-   * @param top of the lines
-   * @param bottom of the bars; the numbers are below
+   * @param top y of the upper ends of the grid lines
+   * @param bottom y of the lower end of the bars; the numbers are below
    */
   void draw(
       Canvas canvas, double top, double bottom, SizedFont small, DoubleFunction<String> number) {

@@ -4,17 +4,17 @@ import java.util.List;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.chart.BarChart.Bar;
 
-/** Lays charts out one below the other. */
+/** Draws bar charts one below the other. */
 final class BarChartPage {
   static final int WIDTH = 1200;
   private static final int MARGIN = 40;
   private static final int ROW = 28;
   private static final int BAR = 18;
 
-  /** Above the first bar: title and subtitle. */
+  /** The height of title and subtitle, above the first bar. */
   private static final int HEAD = 72;
 
-  /** Below the last bar: the axis's numbers. */
+  /** The height of the axis's numbers, below the last bar. */
   private static final int FOOT = 36;
 
   private static final double LONGEST_LABEL = 380;
@@ -32,7 +32,7 @@ final class BarChartPage {
     small = lettering.small();
   }
 
-  /** In pixels. */
+  /** Returns the height of all charts in pixels. */
   long height() {
     return charts.stream().mapToLong(BarChartPage::height).sum() + MARGIN;
   }

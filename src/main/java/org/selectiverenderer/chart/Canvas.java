@@ -1,14 +1,14 @@
 package org.selectiverenderer.chart;
 
-/** What a page is drawn on: pixels from the upper left corner, y down. */
+/** A surface to draw on. Coordinates are in pixels from the upper left corner, with y down. */
 interface Canvas {
   void rectangle(double x, double y, double width, double height, ChartColour colour);
 
   /**
-   * A line of text.
+   * Draws a line of text.
    *
-   * @param x of its left end
-   * @param y of its base line
+   * @param x x of its left end
+   * @param y y of its baseline
    */
   void text(String text, double x, double y, SizedFont lettering, ChartColour colour);
 }

@@ -3,19 +3,19 @@ package org.selectiverenderer.chart;
 import java.util.Locale;
 
 /**
- * The colours of charts. Those of bars differ in lightness too and are told apart by people of any
- * colour vision and in print (Okabe and Ito 2008, Color Universal Design).
+ * The colours of charts. Those of series also differ in lightness, so that they can be
+ * distinguished with any colour vision and in print (Okabe and Ito 2008, Color Universal Design).
  */
 public enum ChartColour {
-  /** Behind everything. */
+  /** The background. */
   PAPER(0xffffff),
-  /** Letters and axes. */
+  /** Text and axes. */
   INK(0x222222),
-  /** Letters that say less. */
+  /** Secondary text. */
   FAINT_INK(0x5a5a5a),
-  /** Lines of values. */
+  /** Grid lines. */
   GRID(0xdddddd),
-  /** A series that others are compared with. */
+  /** The reference series. */
   GREY(0x999999),
   /** A series. */
   BLUE(0x0072b2),
@@ -36,12 +36,12 @@ public enum ChartColour {
     this.rgb = rgb;
   }
 
-  /** 0xRRGGBB. */
+  /** Returns the colour as 0xRRGGBB. */
   public int rgb() {
     return rgb;
   }
 
-  /** As SVG writes it. */
+  /** Returns the colour as SVG writes it, such as {@code #0072b2}. */
   public String hex() {
     return String.format(Locale.ROOT, "#%06x", rgb);
   }

@@ -9,9 +9,9 @@ import java.util.Locale;
 import java.util.Optional;
 import org.selectiverenderer.base.files.WholeFile;
 
-/** A file that charts are to be drawn into. */
+/** Writes charts to an SVG or PNG file. */
 public final class ChartFile {
-  /** Pixels; more would take gigabytes. */
+  /** The largest height of a picture in pixels; a higher one would take gigabytes. */
   private static final int MAX_HEIGHT = 60_000;
 
   private enum Kind {
@@ -28,7 +28,7 @@ public final class ChartFile {
   }
 
   /**
-   * A file that need not exist.
+   * Returns a writer of a file, which need not exist.
    *
    * @return empty unless its name ends in .png or .svg
    */
@@ -43,9 +43,9 @@ public final class ChartFile {
   }
 
   /**
-   * Draws charts one below the other and writes them, the same bytes every time.
+   * Draws charts one below the other and writes them; the same charts give the same bytes.
    *
-   * @param title of the drawing, where its kind has one
+   * @param title title of the drawing, for formats that have one
    * @throws IOException if the file cannot be written, or the charts are too many for one picture
    */
   public void write(String title, List<BarChart> charts) throws IOException {

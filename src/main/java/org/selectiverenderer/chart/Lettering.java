@@ -5,14 +5,14 @@ import org.selectiverenderer.geometry.font.FontLibrary;
 import org.selectiverenderer.geometry.font.FontStyle;
 
 /**
- * The three sizes in which a page of charts is written.
+ * The fonts of a page of charts.
  *
- * @param title of a chart
- * @param label of what is drawn
- * @param small along the axes
+ * @param title font of chart titles
+ * @param label font of labels
+ * @param small font of the numbers along the axes
  */
 record Lettering(SizedFont title, SizedFont label, SizedFont small) {
-  /** In pixels per em. */
+  /** Creates fonts of these sizes, in pixels per em. */
   static Lettering of(double title, double label, double small) {
     FontLibrary fonts = new FontLibrary();
     return new Lettering(

@@ -4,9 +4,9 @@ import org.selectiverenderer.base.picture.PngFile;
 import org.selectiverenderer.geometry.font.Glyph;
 
 /**
- * Draws pixels. Glyphs are filled triangle by triangle with the coverage of each pixel: exact
- * across, eight lines to a pixel down. Not with AWT, which needs fonts of the machine to write and
- * may look for a display.
+ * Draws to an RGB raster image. Glyphs are filled triangle by triangle and antialiased by the
+ * coverage of each pixel, which is exact horizontally and sampled on eight lines per pixel
+ * vertically. AWT is not used, since it needs fonts of the machine and may look for a display.
  */
 final class PixelCanvas implements Canvas {
   private static final int LINES = 8;
@@ -21,7 +21,10 @@ final class PixelCanvas implements Canvas {
     rgb = new byte[3 * width * height];
   }
 
-  /** Edges are taken to the nearest pixel, so that bars are crisp; never thinner than one. */
+  /**
+   * Fills a rectangle. Edges are rounded to whole pixels, so that bars are crisp; a rectangle is at
+   * least one pixel thick.
+   */
   @Override
   public void rectangle(double x, double y, double w, double h, ChartColour colour) {
     int left = clamp(Math.round(x), width);
@@ -110,7 +113,7 @@ final class PixelCanvas implements Canvas {
     }
   }
 
-  /** The picture as a PNG file. */
+  /** Returns the picture as a PNG file. */
   byte[] png() {
     return PngFile.of(width, height, rgb);
   }

@@ -4,17 +4,17 @@ import org.selectiverenderer.geometry.font.Font;
 import org.selectiverenderer.geometry.font.Glyph;
 
 /**
- * A font in a size.
+ * A font with a size.
  *
  * @param size pixels per em
  */
 public record SizedFont(Font font, double size, boolean bold) {
-  /** In pixels. */
+  /** Returns the width of a text in pixels. */
   public double width(String text) {
     return size * text.codePoints().mapToObj(font::glyph).mapToDouble(Glyph::advance).sum();
   }
 
-  /** The text, cut off with an ellipsis if it is wider than that many pixels. */
+  /** Returns the text, truncated with an ellipsis if it is wider than that many pixels. */
   public String fit(String text, double width) {
     if (width(text) <= width) {
       return text;

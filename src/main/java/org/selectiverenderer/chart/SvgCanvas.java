@@ -5,14 +5,14 @@ import org.selectiverenderer.base.picture.SvgDrawing;
 import org.selectiverenderer.base.picture.SvgPrecision;
 
 /**
- * Draws SVG. Text stays text; its length is stated, so that nothing overlaps in a viewer that lacks
- * the font.
+ * Draws to SVG. Text is written as text elements with their length, so that nothing overlaps in a
+ * viewer that lacks the font.
  */
 public final class SvgCanvas implements Canvas {
   private final String prologue;
   private final SvgDrawing svg;
 
-  /** A file of its own. */
+  /** Creates a canvas for a complete SVG file. */
   public SvgCanvas(int width, int height, String title) {
     this(width, height, title, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
   }
@@ -23,21 +23,21 @@ public final class SvgCanvas implements Canvas {
     svg = new SvgDrawing(width, height, fonts, title, SvgPrecision.HUNDREDTHS);
   }
 
-  /** A picture within an HTML page. */
+  /** Creates a canvas for an SVG element within an HTML page. */
   public static SvgCanvas inline(int width, int height, String title) {
     return new SvgCanvas(width, height, title, "");
   }
 
-  /** A straight line. */
+  /** Draws a straight line. */
   public void line(double x1, double y1, double x2, double y2, double width, ChartColour colour) {
     String data = svg.line(List.of(new double[] {x1, y1}, new double[] {x2, y2}));
     svg.path(data, "stroke", colour.hex(), "stroke-width", width);
   }
 
   /**
-   * Round dots of one colour.
+   * Draws round dots of one colour.
    *
-   * @param points x, y of each
+   * @param points x and y of each dot
    * @param opacity from 0 to 1
    */
   public void dots(List<double[]> points, double radius, ChartColour colour, double opacity) {
@@ -81,7 +81,7 @@ public final class SvgCanvas implements Canvas {
         "spacingAndGlyphs");
   }
 
-  /** The file's text; nothing is drawn afterwards. */
+  /** Returns the SVG text; nothing may be drawn afterwards. */
   public String finish() {
     return prologue + svg.finish();
   }

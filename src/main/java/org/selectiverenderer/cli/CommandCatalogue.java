@@ -30,7 +30,7 @@ import org.selectiverenderer.enricher.EnricherApp;
 import org.selectiverenderer.enricher.WindowIcon;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
-/** The commands, in the order of {@code --help}. */
+/** Creates the commands, in the order of {@code --help}. */
 final class CommandCatalogue {
   private CommandCatalogue() {}
 
@@ -53,22 +53,25 @@ final class CommandCatalogue {
           "sai",
           BundleFilesCommand.NAME);
 
-  /** All commands. */
+  /** Creates all commands. */
   static List<CliCommand> commands(Console console) {
     return NAMES.stream().flatMap(name -> command(name, console).stream()).toList();
   }
 
   /**
-   * The commands that picocli must know for a command line: the one that it begins with, or else
-   * all, for help, suggestions and options before a command. To look at the options of all of them
-   * takes longer than Java takes to start.
+   * Creates the commands that picocli needs for a command line: only its first word's command, or
+   * else all, for help, suggestions and options before a command. Reading the options of all
+   * commands takes longer than the start of Java.
    */
   static List<CliCommand> commands(Console console, String[] args) {
     Optional<CliCommand> named = args.length == 0 ? Optional.empty() : command(args[0], console);
     return named.map(List::of).orElseGet(() -> commands(console));
   }
 
-  /** Whether a command line shows a scene, as soon as it can. */
+  /**
+   * Returns whether a command line opens a window with a scene, so that OpenGL can be started
+   * early.
+   */
   static boolean draws(String[] args) {
     return args.length > 1
         && args[0].equals("run")

@@ -21,7 +21,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Sets up picocli, runs one command and makes one line of whatever goes wrong. */
+/** Configures picocli, runs one command and reports a failure in one line. */
 final class CommandRunner {
   private final Console console;
   private final RootCommand root = new RootCommand();
@@ -43,7 +43,7 @@ final class CommandRunner {
     }
   }
 
-  /** The commands as picocli knows them, for what is written about them. */
+  /** Returns picocli's model of the commands, for the generation of documentation. */
   CommandLine model(List<? extends CliCommand> commands) {
     return commandLine(commands, new StringWriter());
   }
@@ -62,8 +62,8 @@ final class CommandRunner {
         .setExecutionExceptionHandler(reports);
   }
 
-  // Classes, not lambdas: picocli's class files are old, and Java would make lambdas of its types
-  // anew at each start.
+  // Classes, not lambdas: picocli's class files are old, and Java would generate the lambdas of its
+  // types at each start.
 
   private static final class HelpTexts implements IHelpFactory {
     @Override

@@ -6,7 +6,7 @@ import org.selectiverenderer.cli.output.ExitStatus;
 import org.selectiverenderer.cli.output.FailureSentence;
 import org.selectiverenderer.cli.output.OutputFailure;
 
-/** Turns whatever ended a command into one line for the user and an exit status. */
+/** Reports the failure of a command in one line and returns the exit status. */
 final class FailureReport {
   private final Console console;
   private final boolean stackTraces;

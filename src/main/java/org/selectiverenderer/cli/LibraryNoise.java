@@ -7,17 +7,17 @@ import org.selectiverenderer.cli.base.ProgramVersion;
 import org.selectiverenderer.cli.output.Console;
 
 /**
- * Keeps what libraries print on standard error, JOGL's handled exceptions for instance, from users'
- * terminals. The program's own messages go through the {@link Console}.
+ * Suppresses the output of libraries on standard error, for instance JOGL's handled exceptions. The
+ * program's own messages go through the {@link Console}.
  */
 final class LibraryNoise {
   private LibraryNoise() {}
 
   /**
-   * Silences {@code System.err} unless the user asked for details, and makes one line of what ends
-   * a thread.
+   * Silences {@code System.err} unless the user asked for {@code --debug}, and reports an uncaught
+   * exception of a thread in one line.
    *
-   * @param err where the program's own messages go
+   * @param err stream of the program's own messages
    */
   static void silence(String[] args, PrintStream err) {
     if (Arrays.asList(args).contains("--debug") || RootCommand.debugByEnvironment()) {

@@ -13,7 +13,10 @@ import org.selectiverenderer.cli.output.StandardOutput;
 import org.selectiverenderer.runtime.render.context.GlStart;
 import picocli.CommandLine.Help.Ansi;
 
-/** The program's entry: arguments to a command, and its end to an exit status. */
+/**
+ * The entry point of the program: runs the command of its arguments and exits with the command's
+ * status.
+ */
 public final class Main {
   private Main() {}
 
@@ -22,11 +25,11 @@ public final class Main {
     LibraryProperties.set();
     DesktopStart desktop = DesktopStart.ofProcess();
     String[] args = desktop.arguments(typed);
-    // Programs read messages and reports too: no digits and decimal signs of the machine's
-    // language.
+    // Messages and reports are parsed by other programs, so numbers do not depend on the
+    // machine's locale.
     Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
     boolean colours = Ansi.AUTO.enabled();
-    // UTF-8 whatever the platform's charset: what is written is read by other programs.
+    // UTF-8 whatever the platform's charset, because other programs read the output.
     PrintStream out =
         new PrintStream(
             new BufferedOutputStream(

@@ -6,7 +6,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
-/** The program itself: what all commands share, and what is printed without a command. */
+/** The top-level command: the options and help layout that all commands share. */
 @Command(
     name = ProgramVersion.PROGRAM,
     scope = ScopeType.INHERIT,
@@ -29,7 +29,7 @@ final class RootCommand implements Runnable {
       description = "Print the stack trace of a failure; SELECTIVE_RENDERER_DEBUG=1 does the same.")
   private boolean debug;
 
-  /** Whether a failure shows its stack trace. */
+  /** Returns whether a failure prints its stack trace. */
   boolean debug() {
     return debug || debugByEnvironment();
   }

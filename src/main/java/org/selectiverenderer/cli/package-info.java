@@ -1,11 +1,11 @@
 /**
- * The command line: the program's entry, its commands and what becomes of their failures. One
- * picocli command per file and no logic; the commands lie in packages by what their users are
- * about.
+ * The command line: the program's entry point, its commands and the report of their failures. There
+ * is one picocli command per file, without logic; the commands are in packages by the kind of their
+ * users.
  *
  * <p>In: arguments, the standard streams. Out: data on standard output, messages on standard error,
  * an {@link org.selectiverenderer.cli.output.ExitStatus}. May use every other package; no other
- * package uses it. It alone touches the standard streams and ends the process.
+ * package uses it. Only this package uses the standard streams and ends the process.
  *
  * <p>To add a command: a file with a class that extends {@link
  * org.selectiverenderer.cli.base.CliCommand} in {@code cli.view}, {@code cli.author} or {@code

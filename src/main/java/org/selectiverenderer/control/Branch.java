@@ -3,9 +3,11 @@ package org.selectiverenderer.control;
 import java.util.List;
 import org.web3d.x3d.sai.X3DNode;
 
-/** What leads from a node to others, and is followed as it changes. */
+/**
+ * A source of child nodes of a node: a field or the scene of an Inline. It is observed for changes.
+ */
 abstract class Branch {
-  /** Hears that a branch leads to other nodes. */
+  /** Receives changes of the child nodes. */
   @FunctionalInterface
   interface Listener {
     void changed(SceneScope scope, List<X3DNode> before, List<X3DNode> after, double time);
@@ -18,32 +20,32 @@ abstract class Branch {
     this.listener = listener;
   }
 
-  /** Reads where it leads and begins to follow it. */
+  /** Reads the child nodes and begins to listen for changes. */
   final void open() {
     children = look();
     listen();
   }
 
-  /** The nodes that it leads to. */
+  /** Returns the child nodes as last read. */
   final List<X3DNode> children() {
     return children;
   }
 
-  /** It leads elsewhere. */
+  /** Reads the child nodes anew and tells the listener. */
   final void changed(double time) {
     List<X3DNode> before = children;
     children = look();
     listener.changed(scope(), before, children, time);
   }
 
-  /** The scene in which the nodes stand. */
+  /** Returns the scene that contains the child nodes. */
   abstract SceneScope scope();
 
-  /** The nodes that it leads to now. */
+  /** Reads the present child nodes. */
   abstract List<X3DNode> look();
 
   abstract void listen();
 
-  /** Ends the following. */
+  /** Stops listening. */
   abstract void close();
 }

@@ -13,9 +13,15 @@ import java.util.function.ToIntFunction;
 import org.selectiverenderer.schema.Choice;
 import org.selectiverenderer.schema.SwitchSchemas;
 
-/** What the participants of an experiment get to see (thesis 6.1.2, and 7.2 for the random one). */
+/**
+ * The experimental condition: which versions of objects a participant sees (thesis 6.1.2, and 7.2
+ * for the random condition).
+ */
 public enum Condition {
-  /** Objects follow the schemas of the areas entered; at first they are as the scene has them. */
+  /**
+   * Selective rendering: objects follow the schemas of the areas that the viewer enters; at first
+   * they are as in the scene.
+   */
   SELECTIVE,
   /** All objects have all their polygons. */
   HIGH,
@@ -24,20 +30,21 @@ public enum Condition {
    * with the area, have all. Nothing changes.
    */
   HIGH_LOW,
-  /** Half of the objects have few polygons, drawn by lot without regard to schemas. */
+  /** A random half of the objects has few polygons, regardless of schemas. */
   RANDOM;
 
   /**
-   * The first draws of {@link Random} hardly differ for seeds close to each other, such as 1, 2.
+   * Spreads seeds, because the first numbers of {@link Random} hardly differ for close seeds such
+   * as 1 and 2.
    */
   private static final long SPREAD = 0x9E3779B97F4A7C15L;
 
-  /** The name on the command line, for example {@code high-low}. */
+  /** Returns the name on the command line, for example {@code high-low}. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
-  /** The condition of that name. */
+  /** Returns the condition of a name on the command line. */
   public static Optional<Condition> of(String spelling) {
     for (Condition condition : values()) {
       if (condition.spelling().equals(spelling)) {
@@ -47,17 +54,17 @@ public enum Condition {
     return Optional.empty();
   }
 
-  /** Whether objects change as the viewer walks. */
+  /** Returns whether objects change as the viewer walks. */
   public boolean switches() {
     return this == SELECTIVE;
   }
 
   /**
-   * The choices that the condition sets before the first frame.
+   * Returns the choices that the condition sets before the first frame.
    *
-   * @param switches in the order of the scene, on which the lot depends
+   * @param switches the Switches in the order of the scene, on which the random choice depends
    * @param activated the schemas that entering or leaving some area activates
-   * @param seed of the lot; the same seed and scene give the same choices on every machine
+   * @param seed the random seed; the same seed and scene give the same choices on every machine
    * @return a choice for each switch, or none at all if the scene is to be left as it is
    */
   public <S> Map<S, Integer> initialChoices(

@@ -4,17 +4,17 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Something that the controller did or noticed, in the order in which it happened. Times are time
- * stamps of the browser in seconds.
+ * An event of the controller, in the order in which it happened. Times are the browser's time
+ * stamps in seconds.
  */
 public sealed interface ControlEvent {
-  /** When it happened. */
+  /** Returns when it happened. */
   double time();
 
   /**
-   * A scene is under control.
+   * The control of a scene has begun.
    *
-   * @param time 0 where the browser has not told a time yet
+   * @param time the time stamp; 0 before the browser's first one
    * @param switches the choice of each enriched Switch by name, in the order of the scene
    */
   record Start(double time, Map<String, Integer> switches) implements ControlEvent {}
@@ -23,7 +23,7 @@ public sealed interface ControlEvent {
    * The viewer entered an area.
    *
    * @param sensor the name of its ProximitySensor
-   * @param schemas activated thereby
+   * @param schemas the schemas that this activates
    */
   record Enter(double time, String sensor, List<String> schemas) implements ControlEvent {}
 
@@ -31,7 +31,7 @@ public sealed interface ControlEvent {
    * The viewer left an area.
    *
    * @param sensor the name of its ProximitySensor
-   * @param schemas activated thereby
+   * @param schemas the schemas that this activates
    */
   record Exit(double time, String sensor, List<String> schemas) implements ControlEvent {}
 
@@ -39,7 +39,7 @@ public sealed interface ControlEvent {
    * A Switch shows another choice.
    *
    * @param switchName the name of the Switch
-   * @param schema which made it so
+   * @param schema the schema that caused the change
    */
   record SwitchChange(double time, String switchName, int from, int to, String schema)
       implements ControlEvent {}

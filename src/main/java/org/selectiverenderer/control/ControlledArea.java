@@ -10,15 +10,15 @@ import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DFieldEventListener;
 import org.web3d.x3d.sai.environmentalsensor.ProximitySensor;
 
-/** A ProximitySensor and the schemas that its metadata names. */
+/** An area: a ProximitySensor with the schemas that its metadata names. */
 final class ControlledArea {
-  /** Hears what happens to areas, with the time stamp in seconds. */
+  /** Receives the events of areas, with the time stamp in seconds. */
   interface Listener {
     void entered(ControlledArea area, double time);
 
     void left(ControlledArea area, double time);
 
-    /** The metadata is not what it was; {@link ControlledArea#read()} it. */
+    /** The metadata has changed; {@link ControlledArea#read()} reads it anew. */
     void metadataChanged(ControlledArea area, double time);
   }
 
@@ -62,17 +62,20 @@ final class ControlledArea {
     return name.get();
   }
 
-  /** Empty if the metadata has nothing of the vocabulary: the sensor is not ours. */
+  /**
+   * Returns the area's schemas; empty if the metadata does not use the vocabulary, so that the
+   * sensor is no area.
+   */
   Optional<SensorSchemas> schemas() {
     return schemas;
   }
 
-  /** Whether the viewer is in the area, as the sensor says. */
+  /** Returns whether the viewer is in the area, according to the sensor. */
   boolean active() {
     return sensor.getIsActive();
   }
 
-  /** The time of the last entry, in seconds. */
+  /** Returns the time of the last entry, in seconds. */
   double lastEntry() {
     return sensor.getEnterTime();
   }
@@ -85,7 +88,7 @@ final class ControlledArea {
     return problems;
   }
 
-  /** Leaves the sensor without a listener. */
+  /** Removes all listeners from the sensor. */
   void close() {
     FieldRelease.remove(enterTime, onEnter);
     FieldRelease.remove(exitTime, onExit);

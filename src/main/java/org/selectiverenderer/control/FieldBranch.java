@@ -8,7 +8,7 @@ import org.web3d.x3d.sai.X3DFieldEventListener;
 import org.web3d.x3d.sai.X3DFieldTypes;
 import org.web3d.x3d.sai.X3DNode;
 
-/** A field that holds nodes. */
+/** The child nodes in an SFNode or MFNode field. */
 final class FieldBranch extends Branch {
   private final SceneScope scope;
   private final X3DField field;

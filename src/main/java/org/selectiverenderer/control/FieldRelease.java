@@ -4,7 +4,7 @@ import org.web3d.x3d.sai.InvalidNodeException;
 import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DFieldEventListener;
 
-/** Lets fields go. */
+/** Removes listeners from fields. */
 final class FieldRelease {
   private FieldRelease() {}
 
@@ -13,7 +13,7 @@ final class FieldRelease {
     try {
       field.removeX3DEventListener(listener);
     } catch (InvalidNodeException e) {
-      // An application has disposed of the node: nothing is left to be removed.
+      // The application has disposed of the node: there is nothing to remove.
     }
   }
 }

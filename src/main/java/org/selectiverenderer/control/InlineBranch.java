@@ -8,7 +8,10 @@ import org.selectiverenderer.sai.InlinedScenes;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DScene;
 
-/** The scene in an Inline: it may arrive late, be replaced, and go and come with {@code load}. */
+/**
+ * The root nodes of the scene in an Inline: the scene may arrive late, be replaced, and be unloaded
+ * and loaded again with {@code load}.
+ */
 final class InlineBranch extends Branch {
   private final X3DNode inline;
   private final InlinedScenes browser;
@@ -19,7 +22,7 @@ final class InlineBranch extends Branch {
   private InlinedScenes.@Nullable Registration registration;
 
   /**
-   * @param wanted names of node types: a scene that has none of them is passed over
+   * @param wanted names of node types: a scene that holds none of them is ignored
    */
   InlineBranch(
       SceneScope outer,
@@ -37,7 +40,7 @@ final class InlineBranch extends Branch {
 
   @Override
   SceneScope scope() {
-    return inner == null ? outer : inner; // While there is none, no node asks for it.
+    return inner == null ? outer : inner; // Without an inner scene there are no nodes.
   }
 
   @Override
@@ -51,7 +54,7 @@ final class InlineBranch extends Branch {
       if (!browser.mayHold(inline, wanted)) {
         return List.of();
       }
-    } // Else it is looked at again since it has other nodes at its top than its file.
+    } // Otherwise the same scene has other root nodes than its file, and is read again.
     return inner.opened(content.get().getRootNodes());
   }
 

@@ -11,9 +11,9 @@ import org.web3d.x3d.sai.X3DFieldEventListener;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * Watches the metadata of a node at every depth: another metadata node, other members of a set,
- * other names or values. Fields are kept, since a browser may know a listener only by the very
- * field object that it was added to.
+ * Listens for changes of a node's metadata at every depth: another metadata node, other members of
+ * a set, other names or values. Field objects are kept, because a browser may know a listener only
+ * by the very field object that it was added to.
  */
 final class MetadataWatch {
   private final X3DNode owner;
@@ -21,27 +21,27 @@ final class MetadataWatch {
   private final X3DFieldEventListener onChange;
 
   /**
-   * Watches nothing yet; see {@link #read()}.
+   * Makes a watcher that listens from the first {@link #read()} on.
    *
-   * @param onChange called with the time stamp when the metadata is not what it was
+   * @param onChange called with the time stamp when the metadata has changed
    */
   MetadataWatch(X3DNode owner, Turn turn, DoubleConsumer onChange) {
     this.owner = owner;
     this.onChange = event -> turn.take(() -> onChange.accept(event.getTime()));
   }
 
-  /** The metadata as it is now, which is watched from here on. */
+  /** Returns the present metadata, and listens for its changes from now on. */
   Optional<SaiMetadata> read() {
     close();
     List<X3DField> fields = new ArrayList<>();
     watch(owner, "metadata", fields);
     Optional<SaiMetadata> metadata = SaiMetadata.of(owner);
     metadata.ifPresent(source -> watch(source, new HashSet<>(), fields));
-    watched = List.copyOf(fields); // no larger than it need be: a scene may have very many
+    watched = List.copyOf(fields); // compact: a scene may have very many
     return metadata;
   }
 
-  /** Ends the watch. */
+  /** Stops listening. */
   void close() {
     watched.forEach(field -> FieldRelease.remove(field, onChange));
     watched = List.of();
@@ -50,7 +50,7 @@ final class MetadataWatch {
   private void watch(SaiMetadata source, Set<X3DNode> seen, List<X3DField> fields) {
     if (seen.add(source.node())) {
       watch(source.node(), "value", fields);
-      if (!source.isSet()) { // the name of a set means nothing here
+      if (!source.isSet()) { // the name of a set has no meaning
         watch(source.node(), "name", fields);
       }
       source.children().forEach(child -> watch(child, seen, fields));

@@ -9,15 +9,15 @@ import java.util.Set;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * Names of nodes for events and messages: the DEF name, else one made up of the type and the place
- * among the nodes of that type in its scene ({@code Switch#3}), which a node keeps. What stands in
- * an Inline is called the same, so that a scene that is divided into files keeps its time line.
- * Only where that does not tell it from others, or is made up, do the names of the Inlines stand
- * before it: {@code Kitchen/Teapot}.
+ * The names of nodes for events and messages: the DEF name, else a permanent name made of the type
+ * and the number among the nodes of that type in its scene ({@code Switch#3}). Nodes in an Inline
+ * are named in the same way, so that dividing a scene into files does not change the logged events.
+ * Only where such a name is ambiguous or has no DEF name is it preceded by the names of the
+ * Inlines: {@code Kitchen/Teapot}.
  *
- * <p>The SAI does not tell a node's name, only the node of a name, so that nodes are compared: a
- * browser may hand out the same object for a node each time, or an equal one. All names are looked
- * up for that, so only when a name is asked for.
+ * <p>The SAI returns the node of a name, but not the name of a node. Therefore all DEF names are
+ * looked up and their nodes compared, which is done only when a name is asked for. A browser may
+ * return the same object for a node each time, or an equal one.
  */
 final class NodeNames {
   private record Unnamed(SceneScope scope, String madeUp) {}
@@ -27,7 +27,7 @@ final class NodeNames {
   private final Map<X3DNode, Unnamed> unnamed = new LinkedHashMap<>();
   private final Map<SceneScope, Map<String, Integer>> numbers = new HashMap<>();
 
-  /** Names a node that appeared, each in the order of its scene. */
+  /** Registers a new node; to be called in the order of the scene. */
   void add(X3DNode node, SceneScope scope) {
     String type = node.getNodeName();
     int number = count(numbers.computeIfAbsent(scope, known -> new HashMap<>()), type);
@@ -78,7 +78,7 @@ final class NodeNames {
     unnamed.remove(node);
   }
 
-  /** The name of a node that was added. */
+  /** Returns the name of a registered node. */
   String of(X3DNode node) {
     if (unnamed.containsKey(node)) {
       look();

@@ -15,12 +15,15 @@ import org.web3d.x3d.sai.core.MetadataSet;
 import org.web3d.x3d.sai.core.MetadataString;
 
 /**
- * A metadata node of a running scene.
+ * A metadata node of a running scene, read through the SAI.
  *
- * @param node which is an {@link X3DMetadataObject} too
+ * @param node the metadata node, which is an {@link X3DMetadataObject} too
  */
 record SaiMetadata(X3DNode node) implements MetadataSource {
-  /** Equal when the nodes are. Written out, as Java makes a record's own code at its first use. */
+  /**
+   * Two are equal when their nodes are. Written out, because Java generates a record's methods at
+   * first use, which takes time.
+   */
   @Override
   public boolean equals(@Nullable Object other) {
     return other instanceof SaiMetadata metadata && node.equals(metadata.node);
@@ -31,7 +34,7 @@ record SaiMetadata(X3DNode node) implements MetadataSource {
     return node.hashCode();
   }
 
-  /** The metadata of a node, if it has any. */
+  /** Returns the metadata of a node, if it has any. */
   static Optional<SaiMetadata> of(X3DNode owner) {
     return owner.getMetadata() instanceof X3DNode node
         ? Optional.of(new SaiMetadata(node))
@@ -46,7 +49,7 @@ record SaiMetadata(X3DNode node) implements MetadataSource {
   @Override
   public String name() {
     String name = ((X3DMetadataObject) node).getName();
-    return name == null ? "" : name; // Xj3D, where the file gives none
+    return name == null ? "" : name; // Xj3D, where the file has none
   }
 
   @Override

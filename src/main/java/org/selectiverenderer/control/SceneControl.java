@@ -23,7 +23,7 @@ import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.environmentalsensor.ProximitySensor;
 import org.web3d.x3d.sai.grouping.Switch;
 
-/** Control over one scene, from its beginning to its end. */
+/** Controls one scene, from the start of its control to the end. */
 final class SceneControl implements ControlledArea.Listener {
   private final Turn turn;
   private final Settings settings;
@@ -39,9 +39,10 @@ final class SceneControl implements ControlledArea.Listener {
   private double now;
 
   /**
-   * @param turn that listeners take
-   * @param inlined opens the Inlines, or null where they stay closed
-   * @param bodies opens instances of prototypes, and leaves other nodes as they are
+   * @param turn the lock of all listeners
+   * @param inlined gives access to the scenes of Inlines; null where the browser does not
+   * @param bodies maps prototype instances to the first nodes of their bodies, and other nodes to
+   *     themselves
    */
   SceneControl(
       X3DExecutionContext scene,
@@ -61,7 +62,7 @@ final class SceneControl implements ControlledArea.Listener {
             scene, inlined, bodies, Set.of("Switch", "ProximitySensor"), turn, this::changed);
   }
 
-  /** Reads the scene, sets what the condition sets, and says so. */
+  /** Reads the scene, sets the choices of the condition, and reports the start. */
   void start() {
     walk.rescan(now);
     setOut(objects.values(), settings.seed());
@@ -75,7 +76,10 @@ final class SceneControl implements ControlledArea.Listener {
     areas.values().forEach(this::enterIfInside);
   }
 
-  /** Versions of objects are Inlines as a rule and hold no others: only those elsewhere may. */
+  /**
+   * Returns a remark about Inlines whose scenes cannot be controlled. Inlines that are versions of
+   * an enriched object do not count, because they usually contain no enriched objects themselves.
+   */
   private Optional<ControlProblem> closedInlines() {
     List<X3DNode> closed =
         walk.inlinesOutside(
@@ -92,12 +96,12 @@ final class SceneControl implements ControlledArea.Listener {
                         + "and their areas are not sensed"));
   }
 
-  /** Looks for changes at the top of the scene. */
+  /** Looks for changes of the scene's root nodes. */
   void rescan() {
     walk.rescan(now);
   }
 
-  /** Leaves the scene without a listener. */
+  /** Removes all listeners from the scene. */
   void close() {
     turn.end();
     walk.close();
@@ -133,7 +137,8 @@ final class SceneControl implements ControlledArea.Listener {
   @Override
   public void entered(ControlledArea area, double time) {
     now = time;
-    // What the sensor has shown already may still be told by a browser that delivers events late.
+    // A browser that delivers events late may still send the event of an entry that was already
+    // read from the sensor.
     if (area.schemas().isPresent() && !activation.isEntered(area)) {
       events.accept(new ControlEvent.Enter(time, area.name(), area.schemas().get().enter()));
       apply(activation.enter(area));
@@ -183,7 +188,10 @@ final class SceneControl implements ControlledArea.Listener {
     now.stream().filter(problem -> !before.contains(problem)).forEach(problems);
   }
 
-  /** A ROUTE, an application or another script has set the choice; it stays until the next step. */
+  /**
+   * Records a choice that a ROUTE, an application or a script has set; it stays until the next
+   * activation.
+   */
   private void choiceChanged(VersionedObject object) {
     activation.noteShown(object, object.shown());
   }
@@ -231,14 +239,14 @@ final class SceneControl implements ControlledArea.Listener {
     names.remove(node);
   }
 
-  /** A sensor that came under control while the viewer was in its box sends no entry any more. */
+  /** Enters an area if the viewer is in it already, since its sensor will send no entry event. */
   private void enterIfInside(ControlledArea area) {
     if (area.active()) {
       entered(area, Math.max(now, area.lastEntry()));
     }
   }
 
-  /** Brings objects that come under control into the state that the condition wants. */
+  /** Sets new objects to the choices that the condition requires. */
   private void setOut(Collection<VersionedObject> candidates, long seed) {
     Map<VersionedObject, SwitchSchemas> enriched = new LinkedHashMap<>();
     for (VersionedObject object : candidates) {
@@ -268,7 +276,7 @@ final class SceneControl implements ControlledArea.Listener {
 
   private void show(VersionedObject object, int choice) {
     Optional<ControlProblem> failure = object.show(choice);
-    if (started) { // else it is reported with the rest
+    if (started) { // otherwise reported with the others
       failure.ifPresent(problems);
     }
   }

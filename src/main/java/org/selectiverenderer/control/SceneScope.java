@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
 
-/** A scene within which DEF names are unique: the one that the browser shows, or an Inline's. */
+/** A scope of DEF names: the scene that the browser shows, or the scene in an Inline. */
 final class SceneScope {
   private final X3DExecutionContext scene;
   private final UnaryOperator<X3DNode> bodies;
@@ -17,9 +17,10 @@ final class SceneScope {
   private int inlines;
 
   /**
-   * The scene that the browser shows.
+   * Makes the scope of the scene that the browser shows.
    *
-   * @param bodies opens instances of prototypes, and leaves other nodes as they are
+   * @param bodies maps prototype instances to the first nodes of their bodies, and other nodes to
+   *     themselves
    */
   SceneScope(X3DExecutionContext scene, UnaryOperator<X3DNode> bodies) {
     this(scene, bodies, null, null, 0);
@@ -38,12 +39,12 @@ final class SceneScope {
     this.number = number;
   }
 
-  /** A number for an Inline of this scene, which keeps it whatever it shows. */
+  /** Returns a number for an Inline of this scene, which it keeps whatever it shows. */
   int nextInline() {
     return ++inlines;
   }
 
-  /** The scene in an Inline of this one. */
+  /** Returns the scope of the scene in an Inline of this scene. */
   SceneScope inner(X3DNode inlineHere, int itsNumber, X3DExecutionContext content) {
     return new SceneScope(content, bodies, this, inlineHere, itsNumber);
   }
@@ -52,7 +53,10 @@ final class SceneScope {
     return scene;
   }
 
-  /** The nodes of an array without its gaps, instances of prototypes opened. */
+  /**
+   * Returns the nodes of an array without nulls, with prototype instances replaced by the first
+   * nodes of their bodies.
+   */
   List<X3DNode> opened(@Nullable X3DNode[] nodes) {
     List<X3DNode> found = new ArrayList<>(nodes.length);
     for (X3DNode node : nodes) {
@@ -63,18 +67,18 @@ final class SceneScope {
     return List.copyOf(found);
   }
 
-  /** The node that has a DEF name. */
+  /** Returns the node of a DEF name. */
   X3DNode named(String name) {
     return bodies.apply(scene.getNamedNode(name));
   }
 
-  /** Whether it is in no Inline. */
+  /** Returns whether this is the main scene, not one in an Inline. */
   boolean isMain() {
     return outer == null;
   }
 
   /**
-   * The names of the Inlines that lead here, outermost first, each followed by a slash: {@code
+   * Returns the names of the enclosing Inlines, outermost first, each followed by a slash: {@code
    * Kitchen/Inline#2/}. Empty for the main scene.
    */
   String path() {

@@ -27,22 +27,22 @@ import org.web3d.x3d.sai.X3DShapeNode;
 import org.web3d.x3d.sai.networking.Inline;
 
 /**
- * Finds nodes in a scene and keeps finding them as the scene changes. It follows every field that
- * holds nodes, whatever its name, except metadata and what no Switch or sensor can stand in
- * (shapes, appearances, geometry, lights); and what Inlines show, if the browser opens them. A node
- * that stands in several places is found once and lost when it has left the last one; nodes that
- * hold themselves do not disturb.
+ * Finds nodes of certain types in a scene graph and reports changes. It traverses every field that
+ * holds nodes, whatever its name, except metadata and nodes that cannot contain a Switch or sensor
+ * (shapes, appearances, geometry, lights); and the scenes of Inlines, if the browser gives access
+ * to them. A node that is used several times is found once and lost when its last use is removed;
+ * cycles are allowed.
  *
- * <p>The SAI sends no event when a node is added at the top of the scene: call {@link #rescan}.
+ * <p>The SAI sends no event when a root node is added to the scene: call {@link #rescan}.
  */
 final class SceneWatch {
-  /** Hears which nodes have come and gone. */
+  /** Receives the nodes that were found and lost. */
   interface Listener {
     /**
      * The scene changed.
      *
-     * @param found wanted nodes that are there now, in the order of the scene
-     * @param lost wanted nodes that are there no more
+     * @param found wanted nodes that were added, in the order of the scene
+     * @param lost wanted nodes that were removed
      * @param time stamp in seconds
      */
     void changed(List<Found> found, List<X3DNode> lost, double time);
@@ -51,7 +51,7 @@ final class SceneWatch {
   /**
    * A wanted node.
    *
-   * @param scope the scene that it stands in
+   * @param scope the scene that contains it
    */
   record Found(X3DNode node, SceneScope scope) {}
 
@@ -64,11 +64,12 @@ final class SceneWatch {
   private List<X3DNode> roots = List.of();
 
   /**
-   * Walks nothing yet; see {@link #rescan}.
+   * Makes a watcher that traverses the scene with the first {@link #rescan}.
    *
    * @param wanted names of node types
-   * @param inlined opens the Inlines, or null where they stay closed
-   * @param bodies opens instances of prototypes, and leaves other nodes as they are
+   * @param inlined gives access to the scenes of Inlines; null where the browser does not
+   * @param bodies maps prototype instances to the first nodes of their bodies, and other nodes to
+   *     themselves
    */
   SceneWatch(
       X3DExecutionContext scene,
@@ -85,9 +86,9 @@ final class SceneWatch {
   }
 
   /**
-   * Walks the scene, or looks whether the nodes at its top are still the same.
+   * Traverses the scene the first time; later looks for changes of its root nodes.
    *
-   * @param time for the listener
+   * @param time the time stamp for the listener
    */
   void rescan(double time) {
     List<X3DNode> before = roots;
@@ -95,7 +96,7 @@ final class SceneWatch {
     replace(main, before, roots, time);
   }
 
-  /** The Inlines of the main scene that lie below none of some nodes. */
+  /** Returns the Inlines of the main scene that are not descendants of certain nodes. */
   List<X3DNode> inlinesOutside(Predicate<X3DNode> within) {
     List<X3DNode> outside = new ArrayList<>();
     Set<X3DNode> seen = new HashSet<>();
@@ -116,7 +117,7 @@ final class SceneWatch {
     return outside;
   }
 
-  /** Ends the walk without a word to the listener. */
+  /** Stops listening, without calling the listener. */
   void close() {
     places.values().forEach(Place::close);
     places.clear();
@@ -201,7 +202,7 @@ final class SceneWatch {
         || node instanceof X3DMetadataObject;
   }
 
-  /** A node of the scene with what leads to other nodes. */
+  /** A node of the scene with the sources of its children and the number of its uses. */
   private final class Place {
     final List<Branch> branches;
     int uses;

@@ -14,28 +14,29 @@ import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * Renders the scene of a browser selectively: listens to its ProximitySensors and sets {@code
- * whichChoice} of its Switches (thesis Figs 48 and 49).
+ * The selective rendering controller: listens to the ProximitySensors of a browser's scene and sets
+ * {@code whichChoice} of its Switches (thesis Figs 48 and 49).
  *
- * <p>Only nodes with metadata of the vocabulary count; others are left alone. The scene is read
- * once when control begins and followed from there: children and metadata that change, nodes that
- * come and go, and another world in place of this one. The scenes of Inlines are part of it where
- * the browser opens them ({@link InlinedScenes}), as if the files were one; the standard keeps them
- * closed, which is said then. So are the bodies of prototypes' instances ({@link InstanceBodies}).
+ * <p>Only nodes with metadata of the vocabulary count; others are ignored. The scene is read once
+ * when control begins, and all changes are followed: of children and metadata, nodes that are added
+ * or removed, and the replacement of the world. The scenes of Inlines are included where the
+ * browser gives access to them ({@link InlinedScenes}), as if the files were one; with a browser
+ * that only follows the standard a problem reports that they are not. The bodies of prototype
+ * instances are treated likewise ({@link InstanceBodies}).
  *
  * <p>The controller keeps its own record of what each Switch shows, since a browser may let a write
- * take effect later than it is made, and writes only what differs. What others write (a ROUTE, an
- * application) is taken into the record and stays until an area has another say. A write is made
+ * take effect later than it is made, and writes only what differs. A choice that others write (a
+ * ROUTE, an application) is recorded and stays until an area activates another one. A write is made
  * within the call of the listener, so that it belongs to the same time stamp as the entry.
  *
- * <p>All work is done on the thread of the browser, which is also the one to call the methods here.
- * A browser with several threads, as Xj3D, is heard one event at a time.
+ * <p>All work is done on the browser's thread, which must also be the one that calls the methods
+ * here. Events of a browser with several threads, such as Xj3D, are handled one at a time.
  */
 public final class SelectiveController implements AutoCloseable {
   /**
-   * How a scene is to be rendered.
+   * The condition and random seed with which a scene is rendered.
    *
-   * @param seed of the lot of {@link Condition#RANDOM}
+   * @param seed the random seed of {@link Condition#RANDOM}
    */
   public record Settings(Condition condition, long seed) {
     /** Selective rendering as in the thesis. */
@@ -52,9 +53,9 @@ public final class SelectiveController implements AutoCloseable {
   /**
    * Takes control of the scene that the browser shows, and of every scene that it will show.
    *
-   * @param events hears what happens, on the thread of the browser; a {@link ControlEvent.Start}
-   *     for each scene first
-   * @param problems hears what is wrong with each scene, at its start and later, on the same thread
+   * @param events receives the events, on the browser's thread; for each scene a {@link
+   *     ControlEvent.Start} first
+   * @param problems receives the problems of each scene, at its start and later, on the same thread
    */
   public SelectiveController(
       ExternalBrowser browser,
@@ -69,30 +70,30 @@ public final class SelectiveController implements AutoCloseable {
     attach();
   }
 
-  /** What is wrong with the metadata of the scene now, in the order of the scene. */
+  /** Returns the present problems of the scene's metadata, in the order of the scene. */
   public synchronized List<ControlProblem> problems() {
     return scene == null ? List.of() : scene.problems();
   }
 
-  /** The names of the areas that the viewer is in, in the order of entering. */
+  /** Returns the names of the areas that the viewer is in, in the order of entering. */
   public synchronized List<String> enteredAreas() {
     return scene == null ? List.of() : scene.enteredAreas();
   }
 
-  /** The schemas in force, as {@link Activation#activeSchemas()} orders them. */
+  /** Returns the active schemas in the order of {@link Activation#activeSchemas()}. */
   public synchronized List<String> activeSchemas() {
     return scene == null ? List.of() : scene.activeSchemas();
   }
 
-  /** The choice that each enriched Switch shows, by name, in the order of the scene. */
+  /** Returns the choice that each enriched Switch shows, by name, in the order of the scene. */
   public synchronized Map<String, Integer> choices() {
     return scene == null ? Map.of() : scene.choices();
   }
 
   /**
-   * Looks for nodes that were added or removed at the top of the scene. The SAI does not tell; a
-   * browser that sends an event of its own for it, as the embedded one does, makes the controller
-   * look by itself.
+   * Looks for root nodes that were added to or removed from the scene, for which the SAI has no
+   * event. With a browser that sends an event of its own for it, as the embedded one does, the
+   * controller looks by itself.
    */
   public synchronized void rescan() {
     if (scene != null) {
@@ -100,7 +101,7 @@ public final class SelectiveController implements AutoCloseable {
     }
   }
 
-  /** Lets the browser go: no listener stays behind, and every Switch stays as it is. */
+  /** Ends the control: removes all listeners from the browser, and leaves every Switch as it is. */
   @Override
   public synchronized void close() {
     browser.removeBrowserListener(onBrowser);
@@ -112,7 +113,7 @@ public final class SelectiveController implements AutoCloseable {
       attach();
     } else if (event.getID() == BrowserEvent.SHUTDOWN) {
       detach();
-    } else if (event.getID() > BrowserEvent.LAST_IDENTIFIER) { // the browser's own affair
+    } else if (event.getID() > BrowserEvent.LAST_IDENTIFIER) { // an event of the browser's own
       rescan();
     }
   }

@@ -1,24 +1,24 @@
 package org.selectiverenderer.control;
 
 /**
- * Lets listeners of a controller work one at a time, whichever thread calls them: Xj3D has two that
- * deliver events of fields and a third for those of the browser. What arrives after the control
- * over the scene has ended is passed over.
+ * A lock that runs the listeners of a controller one at a time, whichever thread calls them: Xj3D
+ * has two threads that deliver field events and a third for browser events. Calls after the end of
+ * the scene's control are ignored.
  */
 final class Turn {
   private final Object lock;
   private boolean over;
 
   /**
-   * A turn of one scene.
+   * Makes the lock of one scene.
    *
-   * @param lock shared by all that may not happen at once
+   * @param lock the monitor that all scenes of the controller share
    */
   Turn(Object lock) {
     this.lock = lock;
   }
 
-  /** Works when nobody else does, unless it is over. */
+  /** Runs work under the lock, unless the control has ended. */
   void take(Runnable work) {
     synchronized (lock) {
       if (!over) {
@@ -27,7 +27,7 @@ final class Turn {
     }
   }
 
-  /** Nothing happens any more. */
+  /** Ends the control: later work is ignored. */
   void end() {
     synchronized (lock) {
       over = true;

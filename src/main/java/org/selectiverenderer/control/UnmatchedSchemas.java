@@ -9,15 +9,15 @@ import org.selectiverenderer.schema.SchemaUse.Unmatched;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * Schemas that have an effect nowhere. They may be meant, so they are only mentioned, unless the
- * other side has nearly the same name.
+ * Finds schemas without effect: those that only areas or only objects name. They may be intended,
+ * so they are reported as remarks, or as warnings if the other side has a nearly equal name.
  */
 final class UnmatchedSchemas {
   private record Namer(String name, X3DNode node) {}
 
   private UnmatchedSchemas() {}
 
-  /** One problem for each such schema, at the first node that names it. */
+  /** Returns one problem for each such schema, at the first node that names it. */
   static List<ControlProblem> of(
       Collection<ControlledArea> areas, Collection<VersionedObject> objects) {
     SchemaUse<Namer> use = new SchemaUse<>();

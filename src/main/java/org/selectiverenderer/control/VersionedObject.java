@@ -14,7 +14,9 @@ import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DFieldEventListener;
 import org.web3d.x3d.sai.grouping.Switch;
 
-/** A Switch and what its metadata says of its children: the versions of an object. */
+/**
+ * An enriched object: a Switch whose children are the object's versions, described by its metadata.
+ */
 final class VersionedObject {
   private final Switch node;
   private final Supplier<String> name;
@@ -24,7 +26,7 @@ final class VersionedObject {
   private final X3DFieldEventListener onChoice;
   private final MetadataWatch watch;
 
-  /** Own writes of which no event has come yet, oldest first. */
+  /** The controller's own writes whose events have not come yet, oldest first. */
   private List<Integer> pending = List.of();
 
   private List<ControlProblem> problems = List.of();
@@ -33,10 +35,10 @@ final class VersionedObject {
   private int shown;
 
   /**
-   * An object as it is now.
+   * Reads an object in its present state.
    *
-   * @param onChange hears when the metadata or the number of versions is not what it was
-   * @param onForeignChoice hears when somebody else has made the Switch show what it shows
+   * @param onChange called when the metadata or the number of versions has changed
+   * @param onForeignChoice called when somebody else has set the choice
    */
   VersionedObject(
       Switch node,
@@ -59,9 +61,9 @@ final class VersionedObject {
   }
 
   /**
-   * An event says that the field has changed; its value may be that of a later write already. A
-   * browser whose writes take effect late sends the events of own writes one after the other: until
-   * the last has come the record stays ahead of the field.
+   * Handles an event of {@code whichChoice}, whose value may already be that of a later write. A
+   * browser whose writes take effect late sends the events of the controller's writes one after the
+   * other: until the last one has come, the record is ahead of the field.
    */
   private void choiceChanged(Consumer<VersionedObject> onForeignChoice) {
     int choice = node.getWhichChoice();
@@ -93,17 +95,22 @@ final class VersionedObject {
     return name.get();
   }
 
-  /** Empty if the metadata has nothing of the vocabulary: the Switch is not ours. */
+  /**
+   * Returns the schemas of the versions; empty if the metadata does not use the vocabulary, so that
+   * the Switch is no enriched object.
+   */
   Optional<SwitchSchemas> schemas() {
     return schemas;
   }
 
-  /** The choice that the scene came with. */
+  /** Returns the initial choice of the scene. */
   int atStart() {
     return atStart;
   }
 
-  /** The choice that was last set, by whomever, or that the scene came with. */
+  /**
+   * Returns the choice that was last set, by the controller or others; initially that of the scene.
+   */
   int shown() {
     return shown;
   }
@@ -111,7 +118,7 @@ final class VersionedObject {
   /**
    * Sets {@code whichChoice}, unless it is set already.
    *
-   * @return why it could not be set
+   * @return the problem if it could not be set
    */
   Optional<ControlProblem> show(int choice) {
     if (choice == shown) {
@@ -123,7 +130,7 @@ final class VersionedObject {
     try {
       node.setWhichChoice(choice);
       return Optional.empty();
-    } catch (X3DException e) { // one Switch that is gone does not hold up the others
+    } catch (X3DException e) { // one disposed Switch must not stop the others
       pending = before;
       ControlProblem problem =
           ControlProblem.warning(
@@ -135,7 +142,7 @@ final class VersionedObject {
 
   private void add(ControlProblem problem) {
     if (problems.isEmpty()) {
-      problems = new ArrayList<>(); // few objects have any
+      problems = new ArrayList<>(); // few objects have problems
     }
     problems.add(problem);
   }
@@ -148,7 +155,7 @@ final class VersionedObject {
     return problems;
   }
 
-  /** Leaves the Switch without a listener. */
+  /** Removes all listeners from the Switch. */
   void close() {
     FieldRelease.remove(children, onChildren);
     FieldRelease.remove(whichChoice, onChoice);

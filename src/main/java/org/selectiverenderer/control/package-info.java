@@ -1,11 +1,11 @@
 /**
- * The selective rendering controller (thesis 4.3, Figs 48 and 49): which version of each object is
- * shown, as the viewer enters and leaves areas.
+ * The selective rendering controller (thesis 4.3, Figs 48 and 49), which selects the version of
+ * each object as the viewer enters and leaves areas.
  *
- * <p>It sees a browser through {@code org.web3d.x3d.sai} only, so that it runs unchanged on Xj3D,
- * the browser of the thesis. The standard's {@code BrowserFactory} picks the browser; ours is the
- * default. The build puts the interfaces into a jar of their own, so that another browser's copy
- * can take their place on the class path.
+ * <p>It accesses a browser through {@code org.web3d.x3d.sai} only, so that it runs unchanged on
+ * Xj3D, the browser of the thesis. The standard's {@code BrowserFactory} chooses the browser; ours
+ * is the default. The build puts the SAI's interfaces into a jar of their own, so that another
+ * browser's copy can replace them on the class path.
  *
  * <p>In: a browser. Out: {@code whichChoice} of Switch nodes, and {@link
  * org.selectiverenderer.control.ControlEvent}s. Of {@code schema} it uses the vocabulary of the

@@ -8,23 +8,23 @@ import java.util.Optional;
 import org.selectiverenderer.base.json.JsonTree;
 
 /**
- * One line about a machine.
+ * The result of a check of the machine: one line of the report.
  *
- * @param subject what the line is about, in a word or two; not empty
- * @param found what is there, or why nothing is; one line, not empty
- * @param todo what to do about it; empty where nothing is to be done, or {@code found} says it
- * @param needed whether nobody can do without it: drawing, windows, a place to save. What only some
- *     need, a headset say, is not
+ * @param subject what was checked, in a word or two; not empty
+ * @param found what was found, or why nothing was; one line, not empty
+ * @param todo what to do; empty where nothing is to be done, or {@code found} says it
+ * @param needed whether every user needs it: drawing, windows, a folder for files. A headset, which
+ *     only some need, is not
  */
 public record Diagnosis(Status status, String subject, String found, String todo, boolean needed) {
-  /** How it stands, best first. */
+  /** The status, best first. */
   public enum Status {
     OK,
-    /** There, but it will be felt. */
+    /** Present, but slow or limited. */
     WARNING,
     MISSING;
 
-    /** As reports have it. */
+    /** Returns the status as reports spell it. */
     public String word() {
       return name().toLowerCase(Locale.ROOT);
     }
@@ -43,22 +43,22 @@ public record Diagnosis(Status status, String subject, String found, String todo
     return new Diagnosis(Status.WARNING, subject, found, todo, false);
   }
 
-  /** Something that only some need is not there. */
+  /** Creates the result that something optional is missing. */
   public static Diagnosis missing(String subject, String found, String todo) {
     return new Diagnosis(Status.MISSING, subject, found, todo, false);
   }
 
-  /** Something that everybody needs is not there. */
+  /** Creates the result that something every user needs is missing. */
   public static Diagnosis lacking(String subject, String found, String todo) {
     return new Diagnosis(Status.MISSING, subject, found, todo, true);
   }
 
-  /** Whether the program cannot do its work for want of it. */
+  /** Returns whether the program cannot work without it. */
   public boolean fatal() {
     return status == Status.MISSING && needed;
   }
 
-  /** As an object of {@code doctor.schema.json}. */
+  /** Returns the result as an object of {@code doctor.schema.json}. */
   public ObjectNode json() {
     ObjectNode node = JsonTree.object();
     node.put("status", status.word());
@@ -69,7 +69,7 @@ public record Diagnosis(Status status, String subject, String found, String todo
     return node;
   }
 
-  /** What {@link #json} made and a process sent as a text; empty if it is none. */
+  /** Parses the text of {@link #json}, sent by another process; empty if it is invalid. */
   public static Optional<Diagnosis> read(String text) {
     try {
       JsonNode node = JsonTree.parse(text);
@@ -81,11 +81,11 @@ public record Diagnosis(Status status, String subject, String found, String todo
               node.path("todo").asText(),
               node.path("needed").asBoolean()));
     } catch (JsonProcessingException | IllegalArgumentException e) {
-      return Optional.empty(); // A process that crashed within its line.
+      return Optional.empty(); // The process crashed while it wrote the line.
     }
   }
 
-  /** The user's folder is nobody's business in a report that is published. */
+  /** Replaces the user's home folder by {@code ~}, because reports are published. */
   public Diagnosis without(String home) {
     return home.length() < 2
         ? this

@@ -5,32 +5,32 @@ import java.time.Duration;
 import java.util.function.Consumer;
 
 /**
- * Looks at one thing of a machine.
+ * A check of one aspect of the machine.
  *
- * @param name by which a child process is told to make it; small letters
- * @param subject of the line that is written if it fails
- * @param needed whether nobody can do without what it looks at
- * @param place where it is made
- * @param limit after which it is given up
+ * @param name name by which a child process is told to run it; lower case
+ * @param subject subject of the result if the check fails
+ * @param needed whether every user needs what it checks
+ * @param place where it runs
+ * @param limit the timeout
  */
 public record Probe(
     String name, String subject, boolean needed, Place place, Duration limit, Search search) {
-  /** Where a probe is made. */
+  /** Where a probe runs. */
   public enum Place {
-    /** In this process: it calls nothing but Java and the file system. */
+    /** In this process: it uses only Java and the file system. */
     HERE,
-    /** In a process of its own: it calls libraries that may crash or hang. */
+    /** In a child process: it calls libraries that may crash or hang. */
     APART,
-    /** The same, while nothing else is done, as it measures. */
+    /** In a child process while no other probe runs, because it measures. */
     ALONE
   }
 
-  /** What a probe does. */
+  /** The code of a probe. */
   @FunctionalInterface
   public interface Search {
     /**
-     * @param found takes each line as soon as it is known
-     * @throws IOException with a sentence that becomes the line
+     * @param found receives each result as soon as it is known
+     * @throws IOException with a sentence that becomes the result
      */
     void run(Consumer<Diagnosis> found) throws IOException, InterruptedException;
   }

@@ -1,5 +1,5 @@
 /**
- * What a machine has and lacks for the program, for its user and for a bug report.
+ * Checks what a machine has and lacks for the program, for its user and for a bug report.
  *
  * <pre>
  *   Probe (what is looked at, how long it may take, whether in a process of its own)
@@ -8,9 +8,10 @@
  *   Diagnosis (a line: ok, warning or missing; what is there; what to do) --report--> text, JSON
  * </pre>
  *
- * <p>This package holds the vocabulary. Libraries of other people that may crash or hang, drivers
- * most of all, are asked in child processes, which send each line as soon as they have it. Nothing
- * is changed on the machine, no device is opened that may act on it, and nothing is sent anywhere.
+ * <p>This package contains the common types. Third-party libraries that may crash or hang, above
+ * all drivers, are called in child processes, which send each result as soon as it is known.
+ * Nothing is changed on the machine, no device is opened that may act on it, and nothing is sent
+ * anywhere.
  */
 @NullMarked
 package org.selectiverenderer.doctor;

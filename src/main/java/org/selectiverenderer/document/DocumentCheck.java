@@ -4,11 +4,11 @@ import java.util.List;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * Looks through a whole document, which may take a while: to be run beside the author's work, on a
- * snapshot. A validator is one of these.
+ * Checks a whole document, for example with the validator. As this may take a while, it runs on a
+ * snapshot in the background.
  */
 @FunctionalInterface
 public interface DocumentCheck {
-  /** What is wrong, with places in the snapshot's text. */
+  /** Returns the problems, with their locations in the snapshot's text. */
   List<Problem> check(Snapshot snapshot);
 }

@@ -3,15 +3,15 @@ package org.selectiverenderer.document;
 import java.util.List;
 import org.selectiverenderer.x3d.source.TextChange;
 
-/** Hears of changes of a document, on the thread that makes them, after they are made. */
+/** Receives the changes of a document, on the thread that makes them, after they are made. */
 public interface DocumentListener {
   /**
-   * What happened.
+   * A change of a document.
    *
-   * @param revision of the document now
-   * @param changes of the text, in the offsets before
-   * @param readAnew whether all elements are new objects, or gone, or there again; otherwise those
-   *     that are still attached are the same
+   * @param revision the document's revision after the change
+   * @param changes changes of the text, in offsets before the change
+   * @param readAnew whether the text was parsed anew, so that all elements are new objects;
+   *     otherwise attached elements keep their identity
    */
   record Change(long revision, List<TextChange> changes, boolean readAnew) {}
 

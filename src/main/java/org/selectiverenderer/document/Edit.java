@@ -6,10 +6,10 @@ import java.util.List;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * A named change of a document, one step to undo.
+ * A named change of a document, which is one undo step.
  *
- * @param name what the author did, as a menu shows it: {@code Set schemas of Switch_TrashCan}
- * @param changes in order of their places, which do not overlap; offsets are those before the edit
+ * @param name the name of the change for the Undo menu: {@code Set schemas of Switch_TrashCan}
+ * @param changes non-overlapping text changes in ascending order; offsets are those before the edit
  */
 public record Edit(String name, List<TextChange> changes) {
   public Edit {
@@ -24,7 +24,7 @@ public record Edit(String name, List<TextChange> changes) {
     changes = List.copyOf(sorted);
   }
 
-  /** Whether nothing would change. */
+  /** Returns whether the edit changes nothing. */
   public boolean isEmpty() {
     return changes.isEmpty();
   }

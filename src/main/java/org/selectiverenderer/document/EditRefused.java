@@ -1,13 +1,14 @@
 package org.selectiverenderer.document;
 
 /**
- * An edit cannot be made without harm; the document is as it was. The message is for the author.
+ * Thrown when an edit would damage the document, which stays unchanged. The message is for the
+ * author.
  */
 public final class EditRefused extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
   /**
-   * @param sentence why, and what to do
+   * @param sentence the reason, and what to do
    */
   public EditRefused(String sentence) {
     super(sentence);

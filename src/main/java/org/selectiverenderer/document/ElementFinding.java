@@ -6,22 +6,22 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Something about an element that its author should know.
+ * A finding about an element of a document.
  *
- * @param message one sentence: what is wrong and what is done about it
- * @param fix an edit that mends it, where one is obvious
+ * @param message one sentence: what is wrong and how the program treats it
+ * @param fix a quick fix, if there is an obvious one
  */
 public record ElementFinding(
     DocumentElement element, Problem.Severity severity, String message, Optional<Fix> fix) {
   /**
-   * A way to mend something.
+   * A quick fix.
    *
-   * @param name as a button shows it
-   * @param edit makes the edit for the document as it is when it is asked
+   * @param name the label of the button
+   * @param edit creates the edit for the document's present state
    */
   public record Fix(String name, Supplier<Edit> edit) {}
 
-  /** The same with its place as of now. */
+  /** Returns the finding as a problem at the element's present location. */
   public Problem located(SceneDocument document) {
     return new Problem(severity, document.location(element.start()), message);
   }

@@ -4,7 +4,7 @@ import java.util.HashSet;
 import java.util.Set;
 import org.selectiverenderer.x3d.source.ElementTree;
 
-/** Gives out names that no node of the document has. For one edit. */
+/** Generates DEF names that no node of the document has, for one edit. */
 public final class FreeNames {
   private final ElementTree tree;
   private final Set<String> given = new HashSet<>();
@@ -13,12 +13,12 @@ public final class FreeNames {
     this.tree = tree;
   }
 
-  /** The name wanted, made one of an XML identifier, or the first free one of it with a number. */
+  /** Returns the wanted name as a valid identifier, with a number appended if it is taken. */
   public String free(String wanted) {
     return unused(identifier(wanted));
   }
 
-  /** The name itself, or the first free one of it with a number. */
+  /** Returns the name itself, with a number appended if it is taken. */
   public String unused(String base) {
     String name = base;
     for (int i = 2; tree.named(name).isPresent() || tree.used(name) || given.contains(name); i++) {
@@ -28,14 +28,17 @@ public final class FreeNames {
     return name;
   }
 
-  /** Whether a name can be that of a node. */
+  /** Returns whether a name is valid for a node. */
   public static boolean allowed(String name) {
     return !name.isEmpty()
         && identifier(name).equals(name)
         && "0123456789-".indexOf(name.charAt(0)) < 0;
   }
 
-  /** A name without what cannot stand in one (X3D 4.0, 4.4.2.2): spaces, quotes and the like. */
+  /**
+   * Replaces the characters that a name must not contain (X3D 4.0, 4.4.2.2), such as spaces and
+   * quotes.
+   */
   public static String identifier(String wanted) {
     StringBuilder name = new StringBuilder(wanted.length());
     wanted

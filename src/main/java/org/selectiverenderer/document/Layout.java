@@ -7,7 +7,10 @@ import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.source.WrittenAttribute;
 import org.selectiverenderer.x3d.write.XmlAttribute;
 
-/** Lays out what is added to a document as its author does: indentation, ends of lines, quotes. */
+/**
+ * Formats added elements and attributes in the style of the document: indentation, line ends,
+ * quotes.
+ */
 public final class Layout {
   private static final int LOOKED_AT = 4096;
 
@@ -17,12 +20,12 @@ public final class Layout {
     this.text = text;
   }
 
-  /** Whether nothing but white space stands before an element on its line. */
+  /** Returns whether only white space precedes an element on its line. */
   public boolean onItsOwnLine(DocumentElement element) {
     return indentEnd(element.start()) == element.start();
   }
 
-  /** The white space before an element's line. */
+  /** Returns the indentation of an element's line. */
   public String indentation(DocumentElement element) {
     int from = lineStart(element.start());
     return text.subSequence(from, indentEnd(element.start())).toString();
@@ -44,7 +47,7 @@ public final class Layout {
     return at;
   }
 
-  /** One step of indentation, as between an element and what it stands in. */
+  /** Returns one step of indentation, as between an element and its parent. */
   public String step(DocumentElement element) {
     String own = indentation(element);
     for (DocumentElement at = element; at.parent().isPresent(); at = at.parent().get()) {
@@ -57,7 +60,7 @@ public final class Layout {
     return own.contains("\t") ? "\t" : "  ";
   }
 
-  /** What ends a line, as near an element. */
+  /** Returns the line end that is used near an element. */
   public String endOfLine(DocumentElement near) {
     for (int i = near.start(); i > 0; i--) {
       char c = text.charAt(i - 1);
@@ -80,7 +83,10 @@ public final class Layout {
     return "\n";
   }
 
-  /** The quote that an element's tag, or else the one around it, puts values in. */
+  /**
+   * Returns the quote character that an element's tag, or else its parent's, uses for attribute
+   * values.
+   */
   public char quote(DocumentElement near) {
     for (DocumentElement at = near; ; at = at.parent().get()) {
       int end = Math.min(at.tagEnd(), at.start() + LOOKED_AT);
@@ -97,9 +103,9 @@ public final class Layout {
   }
 
   /**
-   * Puts an element's lines in front of all in another element.
+   * Inserts an element before all children of another element.
    *
-   * @param lines indented against each other, but not as a whole
+   * @param lines the element's lines, indented relative to the first
    */
   public TextChange insertFirst(DocumentElement into, List<String> lines) {
     if (into.children().isEmpty()) {
@@ -113,7 +119,7 @@ public final class Layout {
     return TextChange.insert(first.start(), String.join(separator, lines) + separator);
   }
 
-  /** Puts an element's lines behind all elements in another one. */
+  /** Inserts an element after all children of another element. */
   public TextChange insertLast(DocumentElement into, List<String> lines) {
     List<DocumentElement> children = into.children();
     return children.isEmpty()
@@ -121,7 +127,7 @@ public final class Layout {
         : insertAfter(children.get(children.size() - 1), lines);
   }
 
-  /** Puts an element's lines behind an element. */
+  /** Inserts an element after another one. */
   public TextChange insertAfter(DocumentElement element, List<String> lines) {
     if (!onItsOwnLine(element)) {
       return TextChange.insert(element.end(), String.join("", stripped(lines)));
@@ -130,7 +136,7 @@ public final class Layout {
     return TextChange.insert(element.end(), separator + String.join(separator, lines));
   }
 
-  /** Puts an element's lines in its place. */
+  /** Replaces an element by other lines. */
   public TextChange replace(DocumentElement element, List<String> lines) {
     String separator = endOfLine(element) + indentation(element);
     return new TextChange(
@@ -147,7 +153,7 @@ public final class Layout {
     if (!into.open()) {
       int tagStart = into.tag().end();
       String close = (laid ? outer : "") + "</" + written(into);
-      // The last ">" stays, so that the change is within the element, which stays the same then.
+      // The last ">" stays, so that the change is inside the element, which keeps its identity.
       return new TextChange(tagStart, into.end() - 1, ">" + body + close);
     }
     int endTag = endTag(into);
@@ -177,7 +183,7 @@ public final class Layout {
     return lines.stream().map(String::strip).toList();
   }
 
-  /** Takes an element out, with the line that it stands on if nothing else does. */
+  /** Removes an element, together with its line if the line contains nothing else. */
   public TextChange remove(DocumentElement element) {
     int after = element.end();
     while (after < text.length() && (text.charAt(after) == ' ' || text.charAt(after) == '\t')) {
@@ -188,7 +194,7 @@ public final class Layout {
     if (!onItsOwnLine(element) || !last) {
       return TextChange.remove(element.start(), element.end());
     }
-    // The end of the line before goes, so that the end of the last line stays.
+    // Removes the previous line's end, so that the document's last line end stays.
     int cut = lineStart(element.start());
     if (cut > 0 && text.charAt(cut - 1) == '\n') {
       cut--;
@@ -200,9 +206,9 @@ public final class Layout {
   }
 
   /**
-   * Gives an attribute another value, or the element the attribute.
+   * Sets the value of an attribute, which is added if it is missing.
    *
-   * @throws EditRefused if the value comes out of an entity, or the element does
+   * @throws EditRefused if the value or the element comes from an entity
    */
   public TextChange attribute(DocumentElement element, String name, String value) {
     StartTag tag = element.tag();
@@ -211,7 +217,7 @@ public final class Layout {
       throw new EditRefused(
           (entity ? "The value of " + name + " of " : "")
               + element
-              + " comes out of an entity of the DOCTYPE, which may stand in several places; "
+              + " comes from an entity of the DOCTYPE, which may be used in several places; "
               + "change it in the source");
     }
     return tag.attribute(name)
@@ -224,7 +230,7 @@ public final class Layout {
         .orElseGet(() -> TextChange.insert(tag.end(), written(name, value, quote(element))));
   }
 
-  /** An attribute as it is written, with the space before it. */
+  /** Returns the source text of an attribute, with a leading space. */
   public static String written(String name, String value, char quote) {
     char used = value.indexOf(quote) >= 0 && value.indexOf(other(quote)) < 0 ? other(quote) : quote;
     return " " + name + "=" + used + XmlAttribute.escaped(value, used) + used;

@@ -21,10 +21,10 @@ import org.selectiverenderer.x3d.source.WrittenAttribute;
 import org.selectiverenderer.x3d.source.XmlFault;
 
 /**
- * A scene open for editing. Whatever its bytes are, an unchanged document gives them back; a
- * changed one differs in what was changed only.
+ * A scene file opened for editing as text. An unchanged document is saved with exactly its original
+ * bytes; a changed one differs only in the changed parts.
  *
- * <p>For one thread at a time; {@link #snapshot} is for others.
+ * <p>It is not thread-safe; other threads read a {@link #snapshot}.
  */
 public final class SceneDocument {
   private static final String TYPING = "Typing";
@@ -42,29 +42,31 @@ public final class SceneDocument {
   private Entities entities = Entities.NONE;
   private long revision;
 
-  /** The latest snapshot, which all who ask for one share as long as one of them has it. */
+  /** The latest snapshot, which is shared as long as it is reachable. */
   private WeakReference<Snapshot> latest = new WeakReference<>(null);
 
   private SceneDocument(String name, EncodedText encoding, boolean compressed, byte[] bytes) {
     this.name = name;
     this.encoding = encoding;
     this.compressed = compressed;
-    // Bytes that are made again from the characters need not be kept.
+    // The original bytes are kept only if they cannot be restored from the characters.
     this.original = compressed || !encoding.exact() ? bytes : null;
     this.buffer = new TextBuffer(encoding.characters());
     entities = Entities.of(buffer.characters());
     try {
       tree = encoding.elements(source);
     } catch (XmlFault e) {
-      readAnew(); // as after an edit, so that the fault has the same place then
+      readAnew(); // as after an edit, so that the fault has the same location
     }
   }
 
   /**
-   * Opens a file's bytes, compressed or not. A text that is not well formed is opened all the same.
+   * Opens the bytes of a file, compressed or not. A text that is not well-formed is opened
+   * nevertheless.
    *
-   * @param name of the file, for messages
-   * @throws IOException if there is no text in it: damaged compression, with one line that names it
+   * @param name name of the file, for messages
+   * @throws IOException if the compressed data is damaged, with a one-line message that names the
+   *     file
    */
   public static SceneDocument of(String name, byte[] bytes) throws IOException {
     boolean compressed = Gzip.compressed(bytes);
@@ -76,42 +78,44 @@ public final class SceneDocument {
     }
   }
 
-  /** The file's name as it was given. */
+  /** Returns the file's name as it was given. */
   public String name() {
     return name;
   }
 
-  /** The characters as they are now; a view, valid until the next edit. */
+  /** Returns a view of the present text, valid until the next edit. */
   public CharSequence text() {
     return buffer.characters();
   }
 
-  /** A part of the characters. */
+  /** Returns a part of the text. */
   public String text(int from, int to) {
     return buffer.characters().subSequence(from, to).toString();
   }
 
-  /** The text of an element. */
+  /** Returns the text of an element. */
   public String text(DocumentElement element) {
     return text(element.start(), element.end());
   }
 
-  /** Grows with every change, undone ones included. */
+  /** Returns the revision number, which grows with every change, undoing included. */
   public long revision() {
     return revision;
   }
 
-  /** The elements; empty while the text is not well formed. */
+  /** Returns the element tree; empty while the text is not well-formed. */
   public Optional<ElementTree> tree() {
     return Optional.ofNullable(tree);
   }
 
-  /** Where the text is not well formed; empty when it is. */
+  /** Returns the well-formedness error; empty if there is none. */
   public Optional<DocumentFault> fault() {
     return Optional.ofNullable(fault);
   }
 
-  /** Why the document cannot be changed without harm: a sentence; empty when it can. */
+  /**
+   * Returns the reason why the document is read-only, as a sentence; empty if it can be changed.
+   */
   public Optional<String> locked() {
     return encoding.exact()
         ? Optional.empty()
@@ -123,7 +127,7 @@ public final class SceneDocument {
                 + "editor first");
   }
 
-  /** The entities that the document's own DOCTYPE declares. */
+  /** Returns the entities that the document's own DOCTYPE declares. */
   public Entities entities() {
     return entities;
   }
@@ -138,7 +142,7 @@ public final class SceneDocument {
     return tag(element).attribute(attribute).map(WrittenAttribute::value);
   }
 
-  /** The place of a character. */
+  /** Returns the location of a character. */
   public Location location(int offset) {
     CharSequence text = buffer.characters();
     int line = buffer.lines().line(text, offset);
@@ -146,7 +150,7 @@ public final class SceneDocument {
     return new Location(name, line, Character.codePointCount(text, start, offset) + 1);
   }
 
-  /** The offset of a place; places beyond the end of a line are its end. */
+  /** Returns the offset of a location; a column beyond the end of the line gives the line's end. */
   public int offset(int line, int column) {
     CharSequence text = buffer.characters();
     int at = buffer.lines().start(text, line);
@@ -156,13 +160,13 @@ public final class SceneDocument {
     return at;
   }
 
-  /** How to lay out what is added here, after the hand of the author. */
+  /** Returns the formatter that writes additions in the author's style. */
   public Layout layout() {
     return new Layout(buffer.characters());
   }
 
   /**
-   * Makes an edit.
+   * Performs an edit.
    *
    * @throws EditRefused if the document is locked
    */
@@ -172,12 +176,12 @@ public final class SceneDocument {
   }
 
   /**
-   * Writes files and makes the edit that goes with them, as one step: undoing it concerns the files
-   * too.
+   * Writes files and performs the edit that belongs to them as one undo step, which restores the
+   * files too.
    *
-   * @throws EditRefused if the document is locked; nothing is written then
-   * @throws IOException if a file cannot be written, with one line that names it; nothing has
-   *     changed then
+   * @throws EditRefused if the document is locked; then nothing is written
+   * @throws IOException if a file cannot be written, with a one-line message that names it; then
+   *     nothing has changed
    */
   public void perform(Edit edit, List<StepFile> files) throws IOException {
     unlocked();
@@ -189,7 +193,7 @@ public final class SceneDocument {
   }
 
   /**
-   * Replaces characters as by typing; what is typed in a row is one step.
+   * Replaces characters as by typing; consecutive typing is one undo step.
    *
    * @throws EditRefused if the document is locked
    */
@@ -206,19 +210,19 @@ public final class SceneDocument {
             });
   }
 
-  /** The steps so far. */
+  /** Returns the undo history. */
   public UndoHistory history() {
     return history;
   }
 
-  /** Whether there is something to save. */
+  /** Returns whether the document has unsaved changes. */
   public boolean modified() {
     return history.modified();
   }
 
   /**
-   * The text as it was then is in the file now. After changes meanwhile all is unsaved, whatever is
-   * undone.
+   * Reports that a snapshot has been saved. If the document has changed since, it stays unsaved,
+   * whatever is undone.
    */
   public void markSaved(Snapshot then) {
     if (then.revision() == revision) {
@@ -228,12 +232,12 @@ public final class SceneDocument {
     }
   }
 
-  /** The text is in no file, such as one recovered after a crash. */
+  /** Marks the document as unsaved, for example after a recovery. */
   public void markUnsaved() {
     history.markUnsaved();
   }
 
-  /** The document as it is now. */
+  /** Returns a snapshot of the present state. */
   public Snapshot snapshot() {
     Snapshot now = latest.get();
     if (now == null || now.revision() != revision) {
@@ -260,7 +264,7 @@ public final class SceneDocument {
     listeners.remove(listener);
   }
 
-  /** The text as it is now. */
+  /** Gives the element tree access to the present text. */
   private final class Live implements ElementSource {
     private final FieldParser parser = new FieldParser();
 

@@ -8,13 +8,13 @@ import org.selectiverenderer.x3d.source.TextSource;
 import org.selectiverenderer.x3d.source.XmlFault;
 
 /**
- * A document as it was at one moment; a value that any thread may read.
+ * An immutable snapshot of a document, which any thread may read.
  *
- * @param name of the file
- * @param revision of the document then
+ * @param name name of the file
+ * @param revision the document's revision
  * @param text all characters
- * @param locked why the document cannot be changed without harm: a sentence; empty when it can
- * @param encoder gives the bytes that saving a text would write
+ * @param locked the reason why the document is read-only, as a sentence; empty if it can be changed
+ * @param encoder encodes a text into the bytes that saving would write
  */
 public record Snapshot(
     String name,
@@ -22,18 +22,18 @@ public record Snapshot(
     String text,
     Optional<String> locked,
     Function<String, byte[]> encoder) {
-  /** The bytes that saving would write. */
+  /** Returns the bytes that saving would write. */
   public byte[] bytes() {
     return encoder.apply(text);
   }
 
-  /** The bytes that saving would write after an edit. */
+  /** Returns the bytes that saving would write after an edit. */
   public byte[] bytes(Edit edit) {
     return encoder.apply(TextChange.applied(edit.changes(), text).toString());
   }
 
   /**
-   * The elements of the text, not those of the document.
+   * Parses the text into new elements, which are not those of the document.
    *
    * @throws XmlFault where the text is not well formed
    */
@@ -41,7 +41,7 @@ public record Snapshot(
     return ElementTree.of(new TextSource(name, text), revision);
   }
 
-  /** How to lay out what an edit adds, after the hand of the author. */
+  /** Returns the formatter that writes additions in the author's style. */
   public Layout layout() {
     return new Layout(text);
   }

@@ -13,14 +13,14 @@ import org.selectiverenderer.base.files.WholeFile;
 import org.selectiverenderer.x3d.source.Gzip;
 
 /**
- * Files that a step of the author's writes beside the document's own: what they are before and
- * after, so that undoing removes or restores them and redoing writes them again. What somebody else
- * has made of them meanwhile is not overwritten, unless told to, and then kept beside it.
+ * The files that an undo step writes beside the document's own, with their contents before and
+ * after the step: undoing removes or restores the files, redoing writes them again. A file that
+ * another program has changed since is overwritten only on request, and then a backup is kept.
  *
- * <p>The contents are kept compressed in memory; {@link UndoHistory} bounds how much of them.
+ * <p>The contents are kept compressed in memory; {@link UndoHistory} limits their total size.
  */
 final class StepFiles {
-  /** Both contents, compressed; empty where there is no file. */
+  /** A file with its compressed contents before and after; empty where there is no file. */
   private record Both(Path file, Optional<byte[]> before, Optional<byte[]> after) {}
 
   private final List<Both> files;
@@ -34,8 +34,8 @@ final class StepFiles {
   /**
    * Writes files, all or none.
    *
-   * @throws IOException if one cannot be read or written, with one line that names it; nothing has
-   *     changed then
+   * @throws IOException if one cannot be read or written, with a one-line message that names it;
+   *     nothing has changed then
    */
   static StepFiles write(List<StepFile> wanted) throws IOException {
     List<Both> files = new ArrayList<>();
@@ -58,7 +58,7 @@ final class StepFiles {
     return step;
   }
 
-  /** How many bytes of memory the contents take. */
+  /** Returns the size of the compressed contents in bytes. */
   long size() {
     return files.stream()
         .mapToLong(file -> file.before().map(b -> b.length).orElse(0) + file.after().get().length)
@@ -66,9 +66,9 @@ final class StepFiles {
   }
 
   /**
-   * The files that are not as the step, or its undoing, has left them.
+   * Returns the files that were changed by another program since the step, or its undoing.
    *
-   * @param back whether it is to be undone
+   * @param back whether the step is to be undone
    */
   List<Path> changedMeanwhile(boolean back) throws IOException {
     List<Path> changed = new ArrayList<>();
@@ -95,10 +95,10 @@ final class StepFiles {
   }
 
   /**
-   * Makes the files what they were before the step, or after it.
+   * Restores the contents of the files before or after the step.
    *
-   * @param over whether files that somebody else has changed are replaced; they are kept beside
-   * @throws IOException if one cannot be written, with one line that names it
+   * @param over whether files that another program has changed are replaced; backups are kept
+   * @throws IOException if one cannot be written, with a one-line message that names it
    */
   void move(boolean back, boolean over) throws IOException {
     List<Path> changed = changedMeanwhile(back);
@@ -153,7 +153,9 @@ final class StepFiles {
     }
   }
 
-  /** Keeps a content under the first name with {@code .bak} that is free or has it already. */
+  /**
+   * Writes a backup under the first name with {@code .bak} that is free or has the same content.
+   */
   private static void keepBeside(Path file, byte[] content) throws IOException {
     Path backup = file.resolveSibling(file.getFileName() + ".bak");
     for (int i = 2; Files.exists(backup, LinkOption.NOFOLLOW_LINKS); i++) {

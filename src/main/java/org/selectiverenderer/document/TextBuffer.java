@@ -5,16 +5,18 @@ import java.util.List;
 import org.selectiverenderer.x3d.source.LineIndex;
 import org.selectiverenderer.x3d.source.TextChange;
 
-/** Characters that change, with the starts of their lines. */
+/** A mutable text with an index of its lines. */
 final class TextBuffer {
-  /** Changes up to this number move the text in place; more of them build it anew in one go. */
+  /**
+   * The largest number of changes that are made in place; for more the text is rebuilt in one pass.
+   */
   private static final int IN_PLACE = 8;
 
   private StringBuilder text;
   private final LineIndex lines;
 
   TextBuffer(String text) {
-    // Room for a while, so that the first edit does not move all of a large text.
+    // Spare capacity, so that the first edits do not reallocate a large text.
     this.text = new StringBuilder(text.length() + text.length() / 16 + 4096).append(text);
     this.lines = new LineIndex(text);
   }
@@ -28,7 +30,7 @@ final class TextBuffer {
   }
 
   /**
-   * Makes changes, which are sorted and do not overlap.
+   * Applies sorted changes that do not overlap.
    *
    * @return the changes that undo them, sorted, in the offsets of the changed text
    */

@@ -8,14 +8,14 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.selectiverenderer.x3d.source.TextChange;
 
-/** The steps that led to a document's text, and those that were undone. */
+/** The undo and redo steps of a document. */
 public final class UndoHistory {
-  /**
-   * A step; each part is a set of changes, those of later parts in the offsets after earlier ones.
-   */
+  /** An undo step; it is a list of sets of changes, each in the offsets after the previous set. */
   private record Step(String name, List<List<TextChange>> undo, Optional<StepFiles> files) {}
 
-  /** The most memory for contents of files; older steps then leave their files as they are. */
+  /**
+   * The largest memory for contents of files; older steps beyond it leave their files as they are.
+   */
   private static final long MOST_KEPT = 256L << 20;
 
   private final Function<List<TextChange>, List<TextChange>> text;
@@ -25,13 +25,13 @@ public final class UndoHistory {
   private boolean typing;
 
   /**
-   * @param text makes changes and returns those that undo them
+   * @param text applies changes and returns their inverse
    */
   UndoHistory(Function<List<TextChange>, List<TextChange>> text) {
     this.text = text;
   }
 
-  /** Makes an edit; one that changes nothing is no step. */
+  /** Performs an edit; one that changes nothing is not a step. */
   void perform(Edit edit) {
     if (!edit.isEmpty()) {
       push(edit.name(), List.of(text.apply(edit.changes())), Optional.empty());
@@ -39,7 +39,7 @@ public final class UndoHistory {
     }
   }
 
-  /** Makes an edit whose files have been written; they belong to its step. */
+  /** Performs an edit whose files have been written; they belong to its step. */
   void perform(Edit edit, StepFiles files) {
     push(edit.name(), List.of(text.apply(edit.changes())), Optional.of(files));
     typing = false;
@@ -57,7 +57,7 @@ public final class UndoHistory {
     }
   }
 
-  /** Makes a change by hand, which joins the one before when that was made by hand, too. */
+  /** Performs a change by typing, which is merged with a previous one. */
   void type(String name, TextChange change) {
     List<TextChange> inverse = text.apply(List.of(change));
     if (typing()) {
@@ -71,12 +71,12 @@ public final class UndoHistory {
     typing = true;
   }
 
-  /** Whether what is typed next joins the last step. */
+  /** Returns whether the next typing is merged with the last step. */
   public boolean typing() {
     return typing && saved != done.size() && undone.isEmpty();
   }
 
-  /** What is typed next is a step of its own: the author has paused, or gone elsewhere. */
+  /** Makes the next typing a separate step, because the author has paused or moved the caret. */
   public void endTyping() {
     typing = false;
   }
@@ -89,42 +89,42 @@ public final class UndoHistory {
     done.add(new Step(name, undo, files));
   }
 
-  /** The name of the step that undo takes back. */
+  /** Returns the name of the step that {@link #undo()} reverts. */
   public Optional<String> undoName() {
     return done.isEmpty() ? Optional.empty() : Optional.of(done.get(done.size() - 1).name());
   }
 
-  /** The name of the step that redo makes again. */
+  /** Returns the name of the step that {@link #redo()} repeats. */
   public Optional<String> redoName() {
     return undone.isEmpty() ? Optional.empty() : Optional.of(undone.get(undone.size() - 1).name());
   }
 
-  /** The names of all steps that can be undone, the oldest first. */
+  /** Returns the names of all steps that can be undone, the oldest first. */
   public List<String> names() {
     return done.stream().map(Step::name).toList();
   }
 
   /**
-   * Takes the last step back, its files included; false if there is none.
+   * Reverts the last step including its files; returns false if there is none.
    *
-   * @throws EditRefused if a file cannot be restored, or somebody else has changed it; nothing is
-   *     taken back then
+   * @throws EditRefused if a file cannot be restored or another program has changed it; then
+   *     nothing is reverted
    */
   public boolean undo() {
     return undo(false);
   }
 
   /**
-   * The same.
+   * Reverts the last step including its files; returns false if there is none.
    *
-   * @param over whether files that somebody else has changed are replaced all the same
+   * @param over whether files that another program has changed are replaced
    */
   public boolean undo(boolean over) {
     return move(done, undone, true, over);
   }
 
   /**
-   * Makes the last step that was taken back again; false if there is none.
+   * Repeats the last step that was reverted; returns false if there is none.
    *
    * @throws EditRefused as {@link #undo()} does
    */
@@ -133,22 +133,23 @@ public final class UndoHistory {
   }
 
   /**
-   * The same.
+   * Repeats the last step that was reverted; returns false if there is none.
    *
-   * @param over whether files that somebody else has changed are replaced all the same
+   * @param over whether files that another program has changed are replaced
    */
   public boolean redo(boolean over) {
     return move(undone, done, false, over);
   }
 
-  /** Whether undoing, or redoing, writes or removes files besides the document's own. */
+  /** Returns whether undoing or redoing writes or removes files beside the document's own. */
   public boolean concernsFiles(boolean back) {
     List<Step> steps = back ? done : undone;
     return !steps.isEmpty() && steps.get(steps.size() - 1).files().isPresent();
   }
 
   /**
-   * The files that undoing, or redoing, would replace though somebody else has changed them since.
+   * Returns the files that undoing or redoing would replace although another program has changed
+   * them.
    *
    * @throws EditRefused if one cannot be read
    */
@@ -186,7 +187,7 @@ public final class UndoHistory {
     return true;
   }
 
-  /** Whether the text differs from what was saved or opened. */
+  /** Returns whether the text differs from what was saved or opened. */
   public boolean modified() {
     return saved != done.size();
   }
@@ -196,7 +197,7 @@ public final class UndoHistory {
     typing = false;
   }
 
-  /** The text is one that was never saved, such as one recovered after a crash. */
+  /** Marks the text as never saved, for example after a recovery. */
   void markUnsaved() {
     saved = -1;
   }

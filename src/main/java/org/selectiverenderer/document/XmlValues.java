@@ -4,11 +4,11 @@ import java.util.List;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** Values of attributes as they are meant. */
+/** Parses values of XML attributes. */
 public final class XmlValues {
   private XmlValues() {}
 
-  /** The strings of an MFString, tolerant as the reader of scenes is. */
+  /** Returns the strings of an MFString, as tolerantly as the scene reader. */
   public static List<String> strings(String value) {
     int last = value.length() - 1;
     boolean one =

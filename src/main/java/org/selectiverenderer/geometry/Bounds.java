@@ -4,28 +4,28 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** An axis-aligned box; empty when a minimum is above its maximum. */
+/** An axis-aligned bounding box; empty if a minimum is above its maximum. */
 public record Bounds(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
-  /** Of nothing. */
+  /** The empty box. */
   public static final Bounds EMPTY =
       of(new Vector3d(Double.POSITIVE_INFINITY), new Vector3d(Double.NEGATIVE_INFINITY));
 
-  /** A box between two corners. */
+  /** Returns the box between two corners. */
   public static Bounds of(Vector3dc min, Vector3dc max) {
     return new Bounds(min.x(), min.y(), min.z(), max.x(), max.y(), max.z());
   }
 
-  /** Of min x, y, z, max x, y, z. */
+  /** Returns the box of min x, y, z, max x, y, z. */
   public static Bounds of(float[] b) {
     return new Bounds(b[0], b[1], b[2], b[3], b[4], b[5]);
   }
 
-  /** Of min x, y, z, max x, y, z. */
+  /** Returns the box of min x, y, z, max x, y, z. */
   public static Bounds of(double[] b) {
     return new Bounds(b[0], b[1], b[2], b[3], b[4], b[5]);
   }
 
-  /** The box around points, x, y, z each. */
+  /** Returns the smallest box around points, given as x, y, z each. */
   public static Bounds around(float[] points) {
     double[] b = EMPTY.toArray();
     for (int i = 0; i < points.length; i++) {
@@ -35,22 +35,22 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
     return of(b);
   }
 
-  /** Min x, y, z, max x, y, z. */
+  /** Returns min x, y, z, max x, y, z. */
   public double[] toArray() {
     return new double[] {minX, minY, minZ, maxX, maxY, maxZ};
   }
 
-  /** The corner with the least coordinates. */
+  /** Returns the corner with the least coordinates. */
   public Vector3d min() {
     return new Vector3d(minX, minY, minZ);
   }
 
-  /** The corner with the greatest coordinates. */
+  /** Returns the corner with the greatest coordinates. */
   public Vector3d max() {
     return new Vector3d(maxX, maxY, maxZ);
   }
 
-  /** A corner, 0 to 7: bit 0 stands for the larger x, bit 1 for y, bit 2 for z. */
+  /** Returns a corner, 0 to 7: bit 0 stands for the larger x, bit 1 for y, bit 2 for z. */
   public Vector3d corner(int number) {
     return new Vector3d(
         (number & 1) == 0 ? minX : maxX,
@@ -58,37 +58,37 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         (number & 4) == 0 ? minZ : maxZ);
   }
 
-  /** Its extent along x. */
+  /** Returns the extent along x. */
   public double width() {
     return maxX - minX;
   }
 
-  /** Its extent along y. */
+  /** Returns the extent along y. */
   public double height() {
     return maxY - minY;
   }
 
-  /** Its extent along z. */
+  /** Returns the extent along z. */
   public double depth() {
     return maxZ - minZ;
   }
 
-  /** The longest of its sides. */
+  /** Returns the length of the longest side. */
   public double extent() {
     return Math.max(width(), Math.max(height(), depth()));
   }
 
-  /** What it holds. */
+  /** Returns the volume; 0 if the box is empty. */
   public double volume() {
     return isEmpty() ? 0 : width() * height() * depth();
   }
 
-  /** Whether there is no place in it. */
+  /** Returns whether the box contains no point. */
   public boolean isEmpty() {
     return !(minX <= maxX && minY <= maxY && minZ <= maxZ);
   }
 
-  /** The smallest box around both. */
+  /** Returns the smallest box around both. */
   public Bounds union(Bounds other) {
     return isEmpty()
         ? other
@@ -103,12 +103,12 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
                 Math.max(maxZ, other.maxZ));
   }
 
-  /** Larger by a margin on all sides. */
+  /** Returns the box expanded by a margin on all sides. */
   public Bounds grown(double margin) {
     return of(min().sub(margin, margin, margin), max().add(margin, margin, margin));
   }
 
-  /** The bounds of the transformed box; larger than those of its content if that is turned. */
+  /** Returns the axis-aligned box around the transformed box; not tight under rotation. */
   public Bounds transformed(Matrix4dc matrix) {
     if (isEmpty()) {
       return this;
@@ -119,7 +119,7 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
     return of(min, max);
   }
 
-  /** Whether a place is in it or on its sides. */
+  /** Returns whether a point is in the box or on its surface. */
   public boolean contains(Vector3dc p) {
     return p.x() >= minX
         && p.y() >= minY
@@ -129,7 +129,7 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         && p.z() <= maxZ;
   }
 
-  /** Whether no place is in both. */
+  /** Returns whether the boxes have no point in common. */
   public boolean apart(Bounds other) {
     return Math.max(minX, other.minX) > Math.min(maxX, other.maxX)
         || Math.max(minY, other.minY) > Math.min(maxY, other.maxY)

@@ -1,14 +1,14 @@
 package org.selectiverenderer.geometry;
 
 /**
- * Normals and areas of triangles and polygons whose points lie in arrays. Differences and products
- * are taken in double precision in one fixed order, so that the same input gives the same bits
- * everywhere; nothing is allocated.
+ * Computes normals and areas of triangles and polygons whose points are stored in arrays. The
+ * arithmetic is in double precision and in a fixed order, so that results are bit-identical on
+ * every machine; nothing is allocated.
  */
 public final class TriangleMath {
   private TriangleMath() {}
 
-  /** The cross product u x v into {@code out}. */
+  /** Computes the cross product u x v into {@code out}. */
   public static void cross(
       double ux, double uy, double uz, double vx, double vy, double vz, double[] out) {
     out[0] = uy * vz - uz * vy;
@@ -16,18 +16,18 @@ public final class TriangleMath {
     out[2] = ux * vy - uy * vx;
   }
 
-  /** The triple product n . (u x v). */
+  /** Returns the scalar triple product n . (u x v). */
   public static double triple(
       double[] n, double ux, double uy, double uz, double vx, double vy, double vz) {
     return n[0] * (uy * vz - uz * vy) + n[1] * (uz * vx - ux * vz) + n[2] * (ux * vy - uy * vx);
   }
 
   /**
-   * A vector across a triangle, to the side from which it goes counter-clockwise, twice as long as
-   * its area.
+   * Computes the normal of a triangle, which points to the side from which the corners run
+   * counter-clockwise. Its length is twice the area.
    *
    * @param p x, y, z per point
-   * @param a where the first corner's x lies; {@code b} and {@code c} likewise
+   * @param a the index in {@code p} of the first corner's x; {@code b} and {@code c} likewise
    */
   public static void normal(float[] p, int a, int b, int c, double[] out) {
     cross(
@@ -40,7 +40,7 @@ public final class TriangleMath {
         out);
   }
 
-  /** Likewise, of points in double precision. */
+  /** Computes the normal of a triangle with points in double precision. */
   public static void normal(double[] p, int a, int b, int c, double[] out) {
     cross(
         p[b] - p[a],
@@ -53,11 +53,12 @@ public final class TriangleMath {
   }
 
   /**
-   * Twice a polygon's area vector (Newell's method), taken from its first point for accuracy. Of a
-   * polygon that is not quite flat it is the direction in which it shows the largest area.
+   * Computes twice a polygon's area vector (Newell's method), relative to its first point for
+   * accuracy. For a non-planar polygon it is the direction of the largest projected area.
    *
    * @param p x, y, z per point
-   * @param points the polygon's, at {@code from} up to {@code to}
+   * @param points indices of the polygon's points, from {@code from} up to but not including {@code
+   *     to}
    */
   public static void newell(float[] p, int[] points, int from, int to, double[] out) {
     int origin = 3 * points[from];
@@ -75,12 +76,12 @@ public final class TriangleMath {
     out[2] = z;
   }
 
-  /** The length of a vector. */
+  /** Returns the length of a vector. */
   public static double length(double[] v) {
     return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   }
 
-  /** Brings a vector to length 1, unless it has none; returns the length it had. */
+  /** Normalizes a vector unless its length is 0; returns its original length. */
   public static double normalize(double[] v) {
     double length = length(v);
     double scale = length > 0 ? 1 / length : 0;
@@ -91,10 +92,11 @@ public final class TriangleMath {
   }
 
   /**
-   * Whether a triangle has an area to speak of: rounding bends lines into very thin triangles.
+   * Returns whether a triangle is not degenerate; rounding turns collinear points into very thin
+   * triangles.
    *
    * @param p as for {@link #normal(float[], int, int, int, double[])}
-   * @param share about the square of the height, in longest sides, that is too little
+   * @param share the threshold, about the square of the ratio of the height to the longest side
    */
   public static boolean hasArea(float[] p, int a, int b, int c, double share) {
     double ux = (double) p[b] - p[a];
@@ -110,16 +112,16 @@ public final class TriangleMath {
     return nx * nx + ny * ny + nz * nz > share * sides * sides;
   }
 
-  /** Twice the area of a triangle in the plane, negative when it goes clockwise. */
+  /** Returns twice the signed area of a 2D triangle, negative if it is clockwise (orient2d). */
   public static double turn(double ax, double ay, double bx, double by, double cx, double cy) {
     return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
   }
 
   /**
-   * Likewise, of points in an array.
+   * Returns twice the signed area of a 2D triangle whose points are in an array.
    *
    * @param xy x, y per point
-   * @param a number of the first point
+   * @param a index of the first point
    */
   public static double turn(double[] xy, int a, int b, int c) {
     return turn(xy[2 * a], xy[2 * a + 1], xy[2 * b], xy[2 * b + 1], xy[2 * c], xy[2 * c + 1]);

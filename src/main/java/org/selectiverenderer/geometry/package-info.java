@@ -1,10 +1,11 @@
 /**
- * The vocabulary of space that all packages share: triangles and their normals, boxes, angles.
+ * Computational geometry shared by all packages: triangles and normals, bounding boxes, angles.
  *
- * <p>In: coordinates as primitive arrays. Out: numbers and small values. Nothing here knows of X3D,
- * of files or of a display; it uses no other package of ours. Within: {@code mesh}, {@code convex},
- * {@code tree}, {@code font} and {@code tessellate}, which alone knows X3D. What generated files
- * are computed with gives the same bits on every machine.
+ * <p>In: coordinates as primitive arrays. Out: numbers and small records. This package knows
+ * nothing of X3D, files or displays and uses no other package of ours. Its subpackages are {@code
+ * mesh}, {@code convex}, {@code tree}, {@code font}, {@code nurbs}, {@code geo} and {@code
+ * tessellate}; the last two know X3D. Computations for generated files are bit-identical on every
+ * machine.
  */
 @NullMarked
 package org.selectiverenderer.geometry;

@@ -12,19 +12,20 @@ import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
- * A picture for each eye to check a display by ({@code run --hmd-check}), instead of the world:
+ * A test pattern for each eye that is shown instead of the world to check a display ({@code run
+ * --hmd-check}):
  *
  * <ul>
- *   <li>a frame at the picture's very edge: all four sides are to be seen;
- *   <li>which eye it is, in its corner: closing the other eye must leave the right word;
- *   <li>lines every 5 degrees, every 10 with figures: the field of view, with a protractor or by
- *       turning the tracker by a known angle;
- *   <li>a circle 10 degrees about the middle: round if width and height agree;
- *   <li>three squares of 10 cm at 1, 2 and 4 m: seen with both eyes as one each, in this order of
- *       depth; the nearest as wide as a real one of 10 cm held at 1 m.
+ *   <li>a frame at the picture's very edge: all four sides must be visible;
+ *   <li>the name of the eye in a corner: with the other eye closed, the right name must be visible;
+ *   <li>lines every 5 degrees, labelled every 10 degrees: they measure the field of view, with a
+ *       protractor or by turning the tracker by a known angle;
+ *   <li>a circle of 10 degrees radius about the centre: round if the aspect ratio is right;
+ *   <li>three squares of 10 cm at 1, 2 and 4 m: with both eyes each must be seen as one, in this
+ *       order of depth; the nearest must look as wide as a real 10 cm square held at 1 m.
  * </ul>
  *
- * @param layout of the two views
+ * @param layout the layout of the two views
  */
 record CheckPattern(StereoLayout layout) implements ViewLayout {
   private static final int FRAME = 0xffffffff;
@@ -37,9 +38,9 @@ record CheckPattern(StereoLayout layout) implements ViewLayout {
   private static final int STEP = 5;
   private static final int ROUND = 72;
 
-  /** One eye's page. */
+  /** One eye's picture. */
   private record Page(EyeFrustum frustum, double width, double height, List<Mark> marks) {
-    /** Where a direction of the head's tangents is drawn. */
+    /** Returns the pixel position of a direction, given by its tangents from the head's axis. */
     double[] at(double x, double y) {
       Vector2d seen = frustum.project(new Vector3d(x, y, -1));
       return new double[] {(1 + seen.x) / 2 * width, (1 - seen.y) / 2 * height};
@@ -71,7 +72,7 @@ record CheckPattern(StereoLayout layout) implements ViewLayout {
     degrees(page);
     circle(page);
     squares(page, eye);
-    // The outermost pixels and no others, so that a side cut off by the display is missed at once.
+    // Only the outermost pixels, so that a side that the display cuts off is noticed at once.
     page.line(new double[] {0, 0.5}, new double[] {width, 0.5}, 1, FRAME);
     page.line(new double[] {0, height - 0.5}, new double[] {width, height - 0.5}, 1, FRAME);
     page.line(new double[] {0.5, 0}, new double[] {0.5, height}, 1, FRAME);
@@ -127,7 +128,7 @@ record CheckPattern(StereoLayout layout) implements ViewLayout {
     Vector3d at = layout.geometry().position(eye);
     for (int i = 0; i < DISTANCES.length; i++) {
       double distance = DISTANCES[i];
-      // Side by side in the middle of the view, whatever their distance.
+      // Side by side in the centre of the view, whatever their distance.
       double x = distance * (0.15 * i - 0.15);
       double[] corners = new double[8];
       int[][] sides = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};

@@ -1,6 +1,6 @@
 package org.selectiverenderer.hmd;
 
-/** How a run is shown ({@code run --display}). */
+/** The output of a run ({@code run --display}). */
 public enum DisplayMode {
   /** One view in a window. */
   WINDOW,

@@ -4,21 +4,22 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What a display shows to two eyes.
+ * The optical properties of a head-mounted or other stereo display.
  *
- * @param name for people
- * @param width of one eye's picture in pixels
- * @param height of one eye's picture in pixels
- * @param fieldOfView of one eye's picture
- * @param overlap the share of an eye's picture that the other eye sees too, above 0, at most 1;
- *     what is missing to 1 lies at the outer sides
- * @param imageDistance metres to the plane in which the optics show both pictures; infinite for
- *     collimated optics. What is drawn at that distance has no disparity on the display
- * @param leftOffset metres by which the left eye lies beside its nominal place (half the
+ * @param name the display's name for messages
+ * @param width the width of one eye's picture in pixels
+ * @param height the height of one eye's picture in pixels
+ * @param fieldOfView the field of view of one eye's picture
+ * @param overlap the share of an eye's picture that the other eye sees too, above 0, at most 1; the
+ *     rest lies at the outer sides
+ * @param imageDistance the distance in metres of the plane in which the optics show both pictures
+ *     (the image plane); infinite for collimated optics. Objects at that distance have no disparity
+ *     on the display
+ * @param leftOffset the offset in metres of the left eye from its nominal position (half the
  *     interpupillary distance to the left): right, up, back
- * @param rightOffset likewise
- * @param leftScreen number of the monitor that the left eye sees, counted from 0
- * @param rightScreen likewise
+ * @param rightOffset the same for the right eye
+ * @param leftScreen the number of the left eye's monitor, counted from 0
+ * @param rightScreen the same for the right eye
  */
 public record DisplayProfile(
     String name,
@@ -35,7 +36,7 @@ public record DisplayProfile(
   /**
    * Kaiser Electro-Optics ProView 50, VGA: the display of the thesis's experiment (6.1.1). 50
    * degrees from corner to corner, each eye its own input. Full overlap and collimated optics are
-   * taken for granted, not measured.
+   * assumed, not measured.
    */
   public static final DisplayProfile PROVIEW_50 = proView("ProView 50", 640, 480);
 
@@ -43,8 +44,8 @@ public record DisplayProfile(
   public static final DisplayProfile PROVIEW_30 = proView("ProView 30", 1024, 768);
 
   /**
-   * A monitor on a desk, for checks without a head-mounted display: 50 degrees from corner to
-   * corner. What is two metres away lies in the screen, so that nothing in a room is far off it.
+   * A desktop monitor, for tests without a head-mounted display: 50 degrees from corner to corner.
+   * Objects at two metres have no disparity, so that disparities within a room stay small.
    */
   public static final DisplayProfile DESK =
       new DisplayProfile(
@@ -65,11 +66,11 @@ public record DisplayProfile(
   public DisplayProfile {
     if (width < 1 || height < 1 || leftScreen < 0 || rightScreen < 0) {
       throw new IllegalArgumentException(
-          "a display needs pixels, and its screens are counted from 0");
+          "a display must be at least 1 pixel wide and high, its screen numbers 0 or more");
     }
     if (!(overlap > 0 && overlap <= 1) || !(imageDistance > 0)) {
       throw new IllegalArgumentException(
-          "the overlap must be above 0 and at most 1, and the image in front of the eyes");
+          "the overlap must be above 0 and at most 1, the image distance above 0 metres");
     }
     leftOffset = new Vector3d(leftOffset);
     rightOffset = new Vector3d(rightOffset);
@@ -93,7 +94,7 @@ public record DisplayProfile(
     return eye == Eye.LEFT ? leftOffset : rightOffset;
   }
 
-  /** The monitor that an eye sees, counted from 0. */
+  /** Returns the number of an eye's monitor, counted from 0. */
   public int screen(Eye eye) {
     return eye == Eye.LEFT ? leftScreen : rightScreen;
   }

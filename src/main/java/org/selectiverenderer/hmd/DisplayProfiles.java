@@ -13,7 +13,7 @@ import org.selectiverenderer.base.json.JsonValue;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * Finds a display profile by the name of a built-in one or in a JSON file:
+ * Loads display profiles: built-in ones by name, others from a JSON file:
  *
  * <pre>{@code
  * {"name": "our display", "width": 1280, "height": 1024,
@@ -35,7 +35,7 @@ public final class DisplayProfiles {
 
   private DisplayProfiles() {}
 
-  /** A built-in one: {@code proview50}, {@code proview30} or {@code desk}. */
+  /** Returns a built-in profile: {@code proview50}, {@code proview30} or {@code desk}. */
   public static Optional<DisplayProfile> builtIn(String name) {
     return Optional.ofNullable(
         switch (name.toLowerCase(Locale.ROOT)) {
@@ -49,17 +49,17 @@ public final class DisplayProfiles {
   /**
    * Reads a file.
    *
-   * @return empty when it has faults, which are then in {@code problems}
-   * @throws IOException if the file cannot be read at all, or is no UTF-8
+   * @return the profile; empty when the file has errors, which are added to {@code problems}
+   * @throws IOException if the file cannot be read or is not UTF-8
    */
   public static Optional<DisplayProfile> read(Path path, Problems problems) throws IOException {
     return parse(path.toString(), InputFile.text(path), problems);
   }
 
   /**
-   * Reads a text.
+   * Reads a profile from JSON text.
    *
-   * @param file its name, for messages
+   * @param file the file's name, for messages
    */
   static Optional<DisplayProfile> parse(String file, String text, Problems problems) {
     return JSON.parse(file, text, problems, DisplayProfiles::profile);
@@ -124,7 +124,7 @@ public final class DisplayProfiles {
     return field.number(key, 1, FieldOfView.WIDEST, Double.NaN);
   }
 
-  /** Metres; the file has millimetres. */
+  /** Reads an eye's offset and converts it from millimetres to metres. */
   private static Vector3d offset(JsonMembers eyes, String eye) {
     if (!eyes.has(eye)) {
       return new Vector3d();

@@ -1,6 +1,6 @@
 package org.selectiverenderer.hmd;
 
-/** One of the two. */
+/** The left or the right eye. */
 enum Eye {
   LEFT(-1),
   RIGHT(1);
@@ -11,7 +11,7 @@ enum Eye {
     this.side = side;
   }
 
-  /** Where it lies along the head's X axis: -1 or 1. */
+  /** Returns the side along the head's X axis: -1 or 1. */
   public int side() {
     return side;
   }

@@ -5,8 +5,8 @@ import org.joml.Vector2d;
 import org.joml.Vector3dc;
 
 /**
- * What one eye sees, as tangents of the angles from its view axis to the four sides of its picture;
- * the axis looks along -Z and need not meet the picture's middle.
+ * The view frustum of one eye, as tangents of the angles from its view axis to the four sides of
+ * its picture. The axis points along -Z and need not meet the picture's centre (off-axis frustum).
  *
  * @param left usually below 0
  * @param right above {@code left}
@@ -16,7 +16,7 @@ import org.joml.Vector3dc;
 public record EyeFrustum(double left, double right, double bottom, double top) {
 
   /**
-   * From the eye's coordinates to clip coordinates, depth -1..1.
+   * Returns the projection matrix from the eye's coordinates to clip coordinates, depth -1..1.
    *
    * @param near above 0
    * @param far above {@code near}
@@ -27,7 +27,7 @@ public record EyeFrustum(double left, double right, double bottom, double top) {
   }
 
   /**
-   * Where a point is seen: x and y from -1 (left, bottom) to 1 (right, top).
+   * Projects a point to the picture: x and y from -1 (left, bottom) to 1 (right, top).
    *
    * @param point in the eye's coordinates, in front of it (z below 0)
    */

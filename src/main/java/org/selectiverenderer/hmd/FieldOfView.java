@@ -1,24 +1,25 @@
 package org.selectiverenderer.hmd;
 
 /**
- * How large one eye's flat picture looks: the tangents of half its horizontal and half its vertical
- * angle.
+ * The field of view of one eye's flat picture, as the tangents of half its horizontal and half its
+ * vertical angle.
  *
- * @param x above 0
- * @param y above 0
+ * @param x the horizontal tangent, above 0
+ * @param y the vertical tangent, above 0
  */
 public record FieldOfView(double x, double y) {
-  /** Beyond it a flat picture stretches without bound. */
+  /** The widest angle in degrees, beyond which a flat picture would become too large. */
   public static final double WIDEST = 170;
 
   public FieldOfView {
     if (!(x > 0) || !(y > 0) || x == Double.POSITIVE_INFINITY || y == Double.POSITIVE_INFINITY) {
-      throw new IllegalArgumentException("a field of view must be larger than 0");
+      throw new IllegalArgumentException("the tangents of a field of view must be above 0");
     }
   }
 
   /**
-   * A picture of square pixels by the angle from corner to corner, as makers of displays state it.
+   * Returns the field of view of a picture with square pixels from the angle between opposite
+   * corners, which manufacturers of displays state.
    *
    * @param degrees above 0, at most {@link #WIDEST}
    */
@@ -27,29 +28,33 @@ public record FieldOfView(double x, double y) {
     return new FieldOfView(corner * width, corner * height);
   }
 
-  /** By both angles in degrees, each above 0 and at most {@link #WIDEST}. */
+  /**
+   * Returns the field of view from both angles in degrees, each above 0 and at most {@link
+   * #WIDEST}.
+   */
   public static FieldOfView angles(double horizontal, double vertical) {
     return new FieldOfView(tangent(horizontal), tangent(vertical));
   }
 
   private static double tangent(double degrees) {
     if (!(degrees > 0 && degrees <= WIDEST)) {
-      throw new IllegalArgumentException("an angle of view must be above 0 and at most " + WIDEST);
+      throw new IllegalArgumentException(
+          "a field of view in degrees must be above 0 and at most " + WIDEST);
     }
     return Math.tan(Math.toRadians(degrees) / 2);
   }
 
-  /** Degrees from left to right. */
+  /** Returns the angle from left to right in degrees. */
   public double horizontal() {
     return 2 * Math.toDegrees(Math.atan(x));
   }
 
-  /** Degrees from bottom to top. */
+  /** Returns the angle from bottom to top in degrees. */
   public double vertical() {
     return 2 * Math.toDegrees(Math.atan(y));
   }
 
-  /** Degrees from corner to corner. */
+  /** Returns the angle from corner to corner in degrees. */
   public double diagonal() {
     return 2 * Math.toDegrees(Math.atan(Math.hypot(x, y)));
   }

@@ -3,15 +3,15 @@ package org.selectiverenderer.hmd;
 import org.joml.Vector3dc;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
-/** The body under a tracked head, which stands in the scene: walls hold it up. */
+/** Moves the body under a tracked head, with collision detection: walls stop it. */
 @FunctionalInterface
 public interface FollowingBody {
   /**
-   * Moves the body after its head, as far as walls let it.
+   * Moves the body after its head, as far as walls allow.
    *
-   * @param viewer stands where the body's own eyes are, and is moved
-   * @param way in the world
-   * @return whether the body can walk now; one that cannot stays
+   * @param viewer the viewer at the position of the body's eyes, which is moved
+   * @param way the desired translation in the world
+   * @return whether the body can walk now; otherwise it stays
    */
   boolean follow(Viewer viewer, Vector3dc way);
 }

@@ -13,29 +13,29 @@ import org.selectiverenderer.runtime.walk.Navigation;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
- * Where a tracked head is above its body. The body stands in the scene as a walker does: on the
- * ground, its eyes as high as the NavigationInfo says, held up by walls. The head is beside and
- * above it by what the tracker tells, so nothing that the user does with his head is delayed,
- * softened or kept from him. When the head goes away to a side, the body follows, as far as walls
- * let it; what it cannot follow is a lean, of at most {@value #LEAN} m: who leans farther takes the
- * room with him, so that nobody gets behind a wall.
+ * Maps the tracked position of the head to the viewer. The user's body stands in the scene like a
+ * walking viewer: on the ground, with its eyes at the avatar height of the NavigationInfo, stopped
+ * by walls. The head is displaced from the body by the tracked position, so that head movements are
+ * neither delayed, smoothed nor restricted. When the head moves away sideways, the body follows as
+ * far as walls allow. The rest is a lean of at most {@value #LEAN} m: if the user leans farther,
+ * the tracker's room is shifted instead, so that the viewer never gets behind a wall.
  *
  * <p>Belongs to the thread that steps the world.
  */
 final class HeadPlace {
-  /** Metres that a head may be beside its body. */
+  /** The largest horizontal distance of the head from its body, in metres. */
   static final double LEAN = 0.5;
 
   private final World world;
   private final HeadSettings settings;
   private final @Nullable FollowingBody body;
 
-  /** The place of the tracker's room above which the body stands: right, back. */
+  /** The body's position in the tracker's room: right, back. */
   private double footX;
 
   private double footZ;
 
-  /** The height that counts as that of the body's eyes. */
+  /** The tracked height that corresponds to the body's eyes. */
   private double footY;
 
   private int straightened = -1;
@@ -44,7 +44,7 @@ final class HeadPlace {
   private final Vector3d eyes = new Vector3d();
 
   /**
-   * @param body that follows; null for one that something else moves, such as a path
+   * @param body the body that follows the head; null if something else moves it, such as a path
    */
   HeadPlace(World world, HeadSettings settings, @Nullable FollowingBody body) {
     this.world = world;
@@ -53,7 +53,7 @@ final class HeadPlace {
     jumps = world.views().jumps();
   }
 
-  /** Puts the viewer to the body's eyes, where walking goes on from. */
+  /** Moves the viewer back to the body's eyes, from where walking continues. */
   void leave(Viewer viewer) {
     Vector3d before = head;
     if (before == null) {
@@ -62,17 +62,17 @@ final class HeadPlace {
     boolean jumped = world.views().jumps() != jumps;
     jumps = world.views().jumps();
     if (jumped) {
-      return; // It was taken to a viewpoint: the body goes there.
+      return; // The viewer jumped to a viewpoint, and so does the body.
     }
-    // What moved the viewer since, such as a viewpoint that rides on something, moved the body.
+    // Movements of the viewer since then, for example by an animated viewpoint, also move the body.
     viewer.moveTo(viewer.position().sub(before, new Vector3d()).add(eyes));
   }
 
   /**
-   * Puts the viewer to the head.
+   * Moves the viewer to the head.
    *
-   * @param viewer stands where the body's eyes are
-   * @param chair how the tracker's room is turned, in the walker's upright frame
+   * @param viewer the viewer at the position of the body's eyes
+   * @param chair the yaw of the tracker's room in the walking viewer's upright frame, in radians
    */
   void enter(Viewer viewer, PoseSample sample, double chair, Quaterniondc upright) {
     double scale = settings.size() * StereoLayout.unitsPerMetre(world);
@@ -122,7 +122,7 @@ final class HeadPlace {
     }
   }
 
-  /** How high the body's eyes are above the ground, in the world's unit. */
+  /** Returns the height of the body's eyes above the ground, in the world's units. */
   private double eyeHeight() {
     double height =
         world

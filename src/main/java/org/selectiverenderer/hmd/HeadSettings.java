@@ -3,17 +3,17 @@ package org.selectiverenderer.hmd;
 import java.util.function.BooleanSupplier;
 
 /**
- * What is made of the place that a tracker tells of the head.
+ * Options for the use of the tracked position of the head.
  *
- * @param placed whether it is used at all; else the tracker only turns the head
- * @param floor whether heights are above the floor that the user stands on; else above where the
- *     head was when it was last straightened
- * @param size how large the user is in the scene: 1 for one who finds it as large as it is
+ * @param placed whether the position is used; otherwise only the orientation
+ * @param floor whether tracked heights are above the user's floor; otherwise they count from where
+ *     the head was when the tracker was last re-centred
+ * @param size the size of the user relative to the scene, 1 for true scale
  */
 public record HeadSettings(boolean placed, BooleanSupplier floor, double size) {
-  /** A tracker that only turns the head. */
+  /** Uses the orientation only. */
   public static final HeadSettings TURNED = new HeadSettings(false, () -> false, 1);
 
-  /** A head whose place counts from where it was when it was last straightened. */
+  /** Uses the position relative to where the head was when the tracker was last re-centred. */
   public static final HeadSettings SEATED = new HeadSettings(true, () -> false, 1);
 }

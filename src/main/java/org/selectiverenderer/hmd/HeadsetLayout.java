@@ -16,19 +16,19 @@ import org.selectiverenderer.runtime.camera.HiddenPart;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
- * Both eyes' views as a headset's runtime tells them anew in each frame: where each eye is, how it
- * is turned, and how far it sees to each side. Their pictures lie side by side, the left eye's on
- * the left. Belongs to the thread that steps the world.
+ * The layout of both eyes' views in a headset, whose runtime gives the position, orientation and
+ * frustum of each eye anew in each frame. The pictures lie side by side, the left eye's on the
+ * left. Belongs to the thread that steps the world.
  */
 public final class HeadsetLayout implements ViewLayout {
-  /** Until the runtime says more: a right angle for both eyes. */
+  /** The field of view until the runtime gives one: 90 degrees. */
   private static final FieldOfView UNKNOWN = new FieldOfView(1, 1);
 
   /**
-   * An eye in the frame of the head.
+   * An eye in the coordinates of the head.
    *
    * @param position metres
-   * @param orientation takes the eye's frame to the head's
+   * @param orientation the rotation from the eye's to the head's coordinates
    */
   public record EyeAt(Vector3dc position, Quaterniondc orientation, EyeFrustum frustum) {}
 
@@ -39,37 +39,37 @@ public final class HeadsetLayout implements ViewLayout {
   private boolean floor;
 
   /**
-   * @param size how large the user is in the scene: 2 for one who finds everything half as large
+   * @param size the size of the user relative to the scene: with 2 everything appears half as large
    */
   public HeadsetLayout(double size) {
     this.size = size;
   }
 
-  /** The eyes of the frame that is due, the left one first. */
+  /** Sets the eyes of the frame that is due, the left one first. */
   public void eyes(List<EyeAt> told) {
     eyes = List.copyOf(told);
   }
 
-  /** The eyes as they were told last; none before the first frame. */
+  /** Returns the eyes as last set; none before the first frame. */
   public List<EyeAt> eyes() {
     return eyes;
   }
 
-  /** What a lens hides, in the picture of a frustum. */
+  /** The hidden area of an eye's picture and the frustum that it was computed for. */
   private record Mask(EyeFrustum frustum, HiddenPart part) {}
 
   /**
-   * What the lenses hide, the left one first, until it is told anew.
+   * Sets the hidden area meshes of the lenses, the left one first.
    *
-   * @param told per eye x and y of each corner of triangles, as tangents of angles from its axis;
-   *     not written to; none when nobody knows
+   * @param told per eye the x and y of the corners of triangles, as tangents of angles from its
+   *     axis; not modified; empty if the runtime gives none
    */
   public void hidden(List<float[]> told) {
     lenses = List.copyOf(told);
     masks.clear();
   }
 
-  /** What is hidden of an eye's picture; computed when lens or frustum change. */
+  /** Returns the hidden area of an eye's picture, computed when its mesh or frustum changes. */
   private HiddenPart hidden(int eye, EyeFrustum frustum) {
     if (eye >= lenses.size()) {
       return HiddenPart.NONE;
@@ -94,17 +94,17 @@ public final class HeadsetLayout implements ViewLayout {
     return new Mask(frustum, new HiddenPart(corners));
   }
 
-  /** Whether the heights that the runtime tells are above the user's floor. */
+  /** Sets whether the runtime's heights are above the user's floor. */
   public void floor(boolean known) {
     floor = known;
   }
 
-  /** Whether heights are above the user's floor, as of the last frame. */
+  /** Returns whether the runtime's heights are above the user's floor, as of the last frame. */
   public boolean floor() {
     return floor;
   }
 
-  /** The scene's units for a metre of the user. */
+  /** Returns the scene's units per metre of the user. */
   public double unitsPerMetre(World world) {
     return size * StereoLayout.unitsPerMetre(world);
   }
@@ -134,7 +134,7 @@ public final class HeadsetLayout implements ViewLayout {
     return views;
   }
 
-  /** What both eyes see together, to the side on which it reaches farther. */
+  /** Returns the field of view of both eyes together; the wider side counts for both. */
   public FieldOfView bothEyes() {
     if (eyes.isEmpty()) {
       return UNKNOWN;
@@ -149,7 +149,7 @@ public final class HeadsetLayout implements ViewLayout {
     return new FieldOfView(x, y);
   }
 
-  /** What the eyes see, in a part of a sentence; empty before the first frame. */
+  /** Describes the eyes' frusta in a part of a sentence; empty before the first frame. */
   public String describe() {
     if (eyes.isEmpty()) {
       return "";

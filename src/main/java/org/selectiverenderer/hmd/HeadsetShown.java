@@ -3,19 +3,19 @@ package org.selectiverenderer.hmd;
 import org.selectiverenderer.runtime.camera.MirrorSide;
 
 /**
- * How a scene is shown in a headset.
+ * Options for showing a scene in a headset.
  *
- * @param seated whether the user sits: his eyes are as high as the scene says; else as high above
- *     its floor as they really are
- * @param size how large he is in the scene: 2 for one who finds everything half as large
- * @param turnStep radians that a controller's stick turns by at once; 0 to turn as long as it is
- *     pushed
- * @param mirror what of his pictures is shown on the desk
- * @param layout what the runtime tells of the eyes, in each frame anew
+ * @param seated whether the user sits, with the eyes at the scene's avatar height; otherwise the
+ *     eyes are as high above the scene's floor as in reality
+ * @param size the size of the user relative to the scene: with 2 everything appears half as large
+ * @param turnStep the angle in radians by which a push of the controller's stick turns at once
+ *     (snap turn); 0 for smooth turning
+ * @param mirror which eyes the mirror window on the desktop shows
+ * @param layout the layout of the eyes, which the runtime updates in each frame
  */
 public record HeadsetShown(
     boolean seated, double size, double turnStep, MirrorSide mirror, HeadsetLayout layout) {
-  /** Standing, as large as one is, turning by steps of 30 degrees. */
+  /** Returns the options of a standing user at true scale who turns by steps of 30 degrees. */
   public static HeadsetShown standing() {
     return new HeadsetShown(false, 1, Math.toRadians(30), MirrorSide.BOTH, new HeadsetLayout(1));
   }

@@ -5,20 +5,23 @@ import java.util.Optional;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
- * How a world is shown: on one screen, or to two eyes through a display.
+ * The display configuration of a run: one window, or two eyes through a display.
  *
- * @param geometry of the eyes; without meaning for {@link DisplayMode#WINDOW}
- * @param check whether a pattern to check the display by is shown instead of the world
- * @param headset how it is shown in a headset; empty for all modes but {@link DisplayMode#OPENXR}
+ * @param geometry the geometry of the eyes; unused with {@link DisplayMode#WINDOW}
+ * @param check whether a test pattern is shown instead of the world
+ * @param headset the options of a headset; empty for all modes except {@link DisplayMode#OPENXR}
  */
 public record Presentation(
     DisplayMode mode, EyeGeometry geometry, boolean check, Optional<HeadsetShown> headset) {
-  /** On a screen, or to two eyes by a profile. */
+  /** Makes a configuration without a headset. */
   public Presentation(DisplayMode mode, EyeGeometry geometry, boolean check) {
     this(mode, geometry, check, Optional.empty());
   }
 
-  /** In a headset; the mirror on the desk is as large as the profile's pictures. */
+  /**
+   * Returns the configuration of a headset; the mirror window is as large as the desk profile's
+   * pictures.
+   */
   public static Presentation in(HeadsetShown headset) {
     return new Presentation(
         DisplayMode.OPENXR,
@@ -27,45 +30,45 @@ public record Presentation(
         Optional.of(headset));
   }
 
-  /** Whether two eyes are shown two views. */
+  /** Returns whether it is stereoscopic. */
   public boolean stereo() {
     return mode != DisplayMode.WINDOW;
   }
 
-  /** The same eyes shown in another way. */
+  /** Returns the same configuration with another display mode. */
   public Presentation as(DisplayMode other) {
     return new Presentation(other, geometry, check, headset);
   }
 
   /**
-   * The same to eyes at another distance.
+   * Returns the same configuration with another interpupillary distance.
    *
-   * @param metres between the pupils
+   * @param metres the interpupillary distance
    */
   public Presentation withIpd(double metres) {
     return new Presentation(mode, new EyeGeometry(geometry.profile(), metres), check, headset);
   }
 
-  /** Width in pixels of a picture in which nothing is scaled. */
+  /** Returns the width in pixels at which nothing is scaled. */
   public int width() {
     return geometry.profile().width() * (sideBySide() ? 2 : 1);
   }
 
-  /** Height in pixels of a picture in which nothing is scaled. */
+  /** Returns the height in pixels at which nothing is scaled. */
   public int height() {
     return geometry.profile().height();
   }
 
-  /** Both eyes' pictures lie side by side, in one window or spread over two. */
+  /** Returns whether both eyes' pictures lie side by side, in one window or two. */
   private boolean sideBySide() {
     return mode == DisplayMode.SIDE_BY_SIDE || mode == DisplayMode.DUAL;
   }
 
   /**
-   * What is seen at all: by both eyes together, or in a window.
+   * Returns the whole field of view: of both eyes together, or of a window.
    *
-   * @param fieldOfView of a window's viewer in radians: the smaller of its two angles (X3D 4.0,
-   *     23.3.5)
+   * @param fieldOfView the viewer's field of view in radians for a window: the smaller of its two
+   *     angles (X3D 4.0, 23.3.5)
    * @param width of the window's picture
    * @param height of the window's picture
    */
@@ -80,7 +83,7 @@ public record Presentation(
     return new FieldOfView(half * width, half * height);
   }
 
-  /** How the views are arranged in one target. */
+  /** Returns the layout of the views in one framebuffer. */
   public ViewLayout layout() {
     if (headset.isPresent()) {
       return headset.get().layout();
@@ -91,7 +94,7 @@ public record Presentation(
     return check ? new CheckPattern(stereoLayout()) : stereoLayout();
   }
 
-  /** The two views; for modes that have them. */
+  /** Returns the layout of the two views, for stereoscopic modes. */
   public StereoLayout stereoLayout() {
     return new StereoLayout(
         geometry,
@@ -102,7 +105,7 @@ public record Presentation(
         });
   }
 
-  /** What a picture of that size shows, in a sentence; for modes of two views. */
+  /** Describes the configuration at a window size in one sentence, for stereoscopic modes. */
   public String describe(int width, int height) {
     if (headset.isPresent()) {
       return "headset by OpenXR: " + headset.get().layout().describe();

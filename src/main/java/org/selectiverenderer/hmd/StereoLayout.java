@@ -13,20 +13,19 @@ import org.selectiverenderer.runtime.camera.ViewLayout;
 import org.selectiverenderer.runtime.viewer.NavigationFrame;
 
 /**
- * Both eyes' views of the world's viewer, arranged in a target. Each picture keeps the display's
- * proportions in pixels, which need not be square; where the target has others, black bars fill it
- * up.
+ * The layout of both eyes' views in a framebuffer. Each picture keeps the display's aspect ratio in
+ * pixels, which need not be square; the rest of the framebuffer is filled with black bars.
  *
- * <p>The distance between the eyes is taken to the scene's unit of length (X3D 4.0, 7.2.5 {@code
- * UNIT}) and to the scale of the place that the bound viewpoint stands in: a viewer in a scaled
+ * <p>The interpupillary distance is converted to the scene's unit of length (X3D 4.0, 7.2.5 {@code
+ * UNIT}) and scaled with the coordinate system of the bound viewpoint: a viewer in a scaled
  * Transform is that much larger, and so is the head.
  *
- * @param geometry of the eyes before the display
- * @param arrangement where in the target the pictures go
+ * @param geometry the geometry of the eyes and the display
+ * @param arrangement the places of the pictures in the framebuffer
  */
 public record StereoLayout(EyeGeometry geometry, Arrangement arrangement) implements ViewLayout {
 
-  /** Where both eyes' pictures are drawn. */
+  /** The arrangement of both eyes' pictures. */
   public enum Arrangement {
     /** The left eye's in the left half, the right eye's in the right half. */
     SIDE_BY_SIDE,
@@ -36,20 +35,20 @@ public record StereoLayout(EyeGeometry geometry, Arrangement arrangement) implem
     QUAD
   }
 
-  /** A part of a target in pixels from the lower left. */
+  /** A viewport of a framebuffer in pixels from the lower left corner. */
   public record Part(int x, int y, int width, int height) {}
 
   @Override
   public List<EyeView> views(World world, int width, int height, DepthRange range) {
     double scale = unitsPerMetre(world);
-    // The eyes are off the middle: what is near the head must be drawn for both.
+    // The eyes are off the head's centre, so the depth range must hold for both.
     DepthRange both = new DepthRange(range.near(), range.far() + 2 * farthestEye() * scale);
     return List.of(
         view(world, Eye.LEFT, part(Eye.LEFT, width, height), scale, both),
         view(world, Eye.RIGHT, part(Eye.RIGHT, width, height), scale, both));
   }
 
-  /** The scene's units for a metre of the viewer. */
+  /** Returns the scene's units per metre of the viewer. */
   static double unitsPerMetre(World world) {
     Optional<NavigationFrame> frame =
         world
@@ -85,7 +84,7 @@ public record StereoLayout(EyeGeometry geometry, Arrangement arrangement) implem
     };
   }
 
-  /** Where an eye's picture lies in a target of that size. */
+  /** Returns the viewport of an eye's picture in a framebuffer of that size. */
   public Part part(Eye eye, int width, int height) {
     if (arrangement != Arrangement.SIDE_BY_SIDE) {
       return fit(0, width, height);
@@ -94,7 +93,7 @@ public record StereoLayout(EyeGeometry geometry, Arrangement arrangement) implem
     return fit(eye == Eye.LEFT ? 0 : width - half, half, height);
   }
 
-  /** The largest part of the display's proportions in the middle of another. */
+  /** Returns the largest centred viewport with the display's aspect ratio. */
   private Part fit(int x, int width, int height) {
     double aspect = geometry.profile().width() / (double) geometry.profile().height();
     int fitWidth = (int) Math.max(1, Math.min(width, Math.round(height * aspect)));

@@ -12,20 +12,20 @@ import org.selectiverenderer.tracker.HeadTracker;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
- * The viewer under a head tracker, on a chair that the mouse moves (thesis 4.3 and 6.1.1): the
- * tracker turns the head, whatever else moves the viewer moves and turns the chair. The head's yaw
- * 0 looks where the chair looks, at first where the viewpoint looks. Walking follows the way the
- * head looks. When another viewpoint is bound, or the bound one turns, the chair turns with it so
- * that the viewer looks its way. Where the tracker tells the head's place too, the head is beside
- * and above its body by that ({@link HeadPlace}).
+ * Moves the viewer by a head tracker and by navigation, as if on a chair that the mouse moves
+ * (thesis 4.3 and 6.1.1): the tracker turns the head, and all other input moves and turns the
+ * chair. At yaw 0 the head looks in the direction of the chair, which is at first that of the
+ * viewpoint. Walking goes in the direction of the head. When another viewpoint is bound, or the
+ * bound one turns, the chair turns with it. Where the tracker measures the head's position too, the
+ * head is displaced from its body accordingly ({@link HeadPlace}).
  *
- * <p>Takes the newest pose when it is asked to move, which is just before the frame is drawn. Makes
- * the same frames of the same poses. Belongs to the thread that steps the world.
+ * <p>It reads the newest pose when it is asked to move, which is just before the frame is drawn.
+ * The same poses give the same frames. Belongs to the thread that steps the world.
  */
 public final class TrackedMotion implements ViewerMotion {
-  /** What turns the view while the tracker is silent or lost. */
+  /** The source of the view's orientation while the tracker sends no data. */
   public enum WhenLost {
-    /** Nothing: it stays as it is. */
+    /** Nothing: the view stays as it is. */
     FREEZE,
     /** The mouse. */
     MOUSE
@@ -51,10 +51,10 @@ public final class TrackedMotion implements ViewerMotion {
   }
 
   /**
-   * With the place of the head.
+   * Makes a motion with the position of the head.
    *
    * @param walking moves the body, and turns it by mouse and keys
-   * @param body that follows the head; null for one that does not
+   * @param body the body that follows the head; null if none does
    */
   public TrackedMotion(
       World world,
@@ -70,17 +70,19 @@ public final class TrackedMotion implements ViewerMotion {
     place = settings.placed() ? new HeadPlace(world, settings, body) : null;
   }
 
-  /** Whether the tracker turns the view, or kept it where it was, in the frame last moved. */
+  /**
+   * Returns whether the tracker determined the view in the last frame, by a new or its last pose.
+   */
   public boolean steering() {
     return steering;
   }
 
-  /** Whether the frame last moved used a record that no frame before it had used. */
+  /** Returns whether the last frame used a tracker record that no frame before had used. */
   public boolean fresh() {
     return fresh;
   }
 
-  /** The pose last read; good until the next move. */
+  /** Returns the pose last read; valid until the next move. */
   public PoseSample sample() {
     return sample;
   }
@@ -121,7 +123,7 @@ public final class TrackedMotion implements ViewerMotion {
     return Heading.of(upright.conjugate(new Quaterniond()).mul(viewer.orientation())).yaw();
   }
 
-  /** Which way is up, as the walker takes it. */
+  /** Returns the upright frame of the walking viewer, which defines the up direction. */
   private Quaterniondc upright() {
     return world
         .bindables()

@@ -1,16 +1,16 @@
 /**
- * Head-mounted displays: what each eye of a display sees, and the viewer under a head tracker.
+ * Head-mounted displays: the frustum of each eye, and the motion of the viewer by a head tracker.
  *
- * <p>In: a display profile (built in or one's own as JSON), the interpupillary distance, the
- * scene's unit, a tracker's orientation. Out: per eye a frustum and a place, as cameras of {@code
- * runtime.camera}; a check pattern as marks; the viewer's motion for {@code runtime}. The geometry
- * is plain arithmetic without GL: {@link org.selectiverenderer.hmd.EyeGeometry} is its heart. All
+ * <p>In: a display profile (built in or the user's own as JSON), the interpupillary distance, the
+ * scene's unit of length, a tracker's poses. Out: per eye a frustum and a position, as cameras of
+ * {@code runtime.camera}; a test pattern as flat graphics; the viewer's motion for {@code runtime}.
+ * The geometry is computed without GL, mainly in {@link org.selectiverenderer.hmd.EyeGeometry}. All
  * lengths of a display are metres or, where named so, millimetres; angles of files and options are
  * degrees.
  *
  * <p>The pose of the head is read in the frame step ({@link
- * org.selectiverenderer.hmd.TrackedMotion}), so that sensors see what is drawn; the step of a frame
- * begins when the frame before is on its way.
+ * org.selectiverenderer.hmd.TrackedMotion}), so that sensors are evaluated for the same view that
+ * is drawn; the step of a frame begins when the previous frame has been submitted.
  *
  * <p>Uses {@code tracker}, {@code runtime} but its renderer, {@code base.json} for the profiles and
  * {@code base.problem}; makes no GL call.

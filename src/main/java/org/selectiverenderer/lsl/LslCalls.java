@@ -10,7 +10,7 @@ import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 import org.lwjgl.system.SharedLibrary;
 
-/** The functions of {@code lsl_c.h} that are used. */
+/** Bindings of the functions of {@code lsl_c.h} that this package calls. */
 final class LslCalls {
   final NativeFunction version;
   final NativeFunction clock;
@@ -46,9 +46,9 @@ final class LslCalls {
   final NativeFunction childValue;
 
   /**
-   * Finds all.
+   * Looks up all functions.
    *
-   * @throws IOException if one is missing: it is another library
+   * @throws IOException if a function is missing, as in another library
    */
   LslCalls(SharedLibrary from) throws IOException {
     version = NativeFunction.of(from, "lsl_library_version", INT);
@@ -95,12 +95,12 @@ final class LslCalls {
     childValue = NativeFunction.of(from, "lsl_child_value_n", POINTER, POINTER, POINTER);
   }
 
-  /** A C string, which lives as long as the stack's frame. */
+  /** Returns the address of a C string that lives as long as the stack frame. */
   static long text(MemoryStack stack, String text) {
     return MemoryUtil.memAddress(stack.UTF8(text));
   }
 
-  /** What a C string says; empty for none. */
+  /** Returns the text of a C string; empty for NULL. */
   static String text(long address) {
     return address == MemoryUtil.NULL ? "" : MemoryUtil.memUTF8(address);
   }

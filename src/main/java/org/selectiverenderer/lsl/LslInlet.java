@@ -10,11 +10,11 @@ import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 
 /**
- * A stream of another program that is read. A connection that breaks is made anew by the library
- * when the program is there again.
+ * An inlet: receives a stream of another program. The library reconnects when a lost program
+ * returns.
  */
 public final class LslInlet implements AutoCloseable {
-  /** Seconds of samples that are kept until they are pulled. */
+  /** Capacity of the inlet's buffer in seconds. */
   private static final int BUFFERED = 360;
 
   private final LslCalls calls;
@@ -24,10 +24,10 @@ public final class LslInlet implements AutoCloseable {
   private final boolean texts;
 
   /**
-   * A sample.
+   * A sample of a stream.
    *
-   * @param time of the sender's clock; see {@link Offset}
-   * @param values numbers as texts, or texts
+   * @param time time stamp by the sender's clock; see {@link Offset}
+   * @param values the values of the channels; numbers as texts
    */
   public record Sample(double time, List<String> values) {
     public Sample {
@@ -36,11 +36,12 @@ public final class LslInlet implements AutoCloseable {
   }
 
   /**
-   * What is to be added to the sender's times to get times of {@link LslLibrary#clock}.
+   * A time correction: the offset to be added to the sender's time stamps to get times of {@link
+   * LslLibrary#clock}.
    *
    * @param remote the sender's clock at the time of the measurement
-   * @param seconds to be added
-   * @param uncertainty at most so many seconds wrong, as the network's way back and forth took
+   * @param seconds the offset
+   * @param uncertainty maximum error in seconds: the round-trip time of the measurement
    */
   public record Offset(double remote, double seconds, double uncertainty) {}
 
@@ -53,9 +54,9 @@ public final class LslInlet implements AutoCloseable {
   }
 
   /**
-   * What the stream is.
+   * Returns the description of the stream.
    *
-   * @param timeout seconds to wait for the names of its channels; they are numbered without
+   * @param timeout seconds to wait for the labels of the channels, which are numbered otherwise
    */
   public StreamDescription description(double timeout) {
     List<StreamDescription.Channel> named = named(timeout);
@@ -96,7 +97,7 @@ public final class LslInlet implements AutoCloseable {
         String unit = value(channel, "unit");
         String type = value(channel, "type");
         if (label.isEmpty() && unit.isEmpty() && type.isEmpty()) {
-          break; // The empty node that stands for none.
+          break; // liblsl returns an empty node after the last channel.
         }
         found.add(new StreamDescription.Channel(label, unit, type));
         channel = calls.nextSibling.call(channel, LslCalls.text(stack, "channel"));
@@ -112,7 +113,10 @@ public final class LslInlet implements AutoCloseable {
     }
   }
 
-  /** The next sample that has come; does not wait. The first call connects to the sender. */
+  /**
+   * Returns the next sample that has arrived, without waiting. The first call connects to the
+   * sender.
+   */
   public Optional<Sample> pull() {
     try (MemoryStack stack = MemoryStack.stackPush()) {
       IntBuffer failed = stack.callocInt(1);
@@ -121,7 +125,7 @@ public final class LslInlet implements AutoCloseable {
   }
 
   private Optional<Sample> numbers(MemoryStack stack, IntBuffer failed) {
-    DoubleBuffer sample = MemoryUtil.memAllocDouble(channels); // hundreds in an EEG's
+    DoubleBuffer sample = MemoryUtil.memAllocDouble(channels); // EEG has hundreds
     try {
       double time =
           calls.pullDoubles.callDouble(
@@ -139,7 +143,7 @@ public final class LslInlet implements AutoCloseable {
     }
   }
 
-  /** As exact as it came; a whole number without a point. */
+  /** Formats a number at full precision; a whole number without a decimal point. */
   private static String number(double value) {
     return value == Math.rint(value) && Math.abs(value) < 1e15
         ? Long.toString((long) value)
@@ -163,10 +167,10 @@ public final class LslInlet implements AutoCloseable {
   }
 
   /**
-   * The newest measurement of the clocks' offset; empty until there is one. The first call begins
-   * to measure, which takes a second or two and goes on in the background.
+   * Returns the latest time correction; empty until there is one. The first call starts the
+   * measurement, which takes a second or two and continues in the background.
    *
-   * @param timeout seconds to wait for it
+   * @param timeout seconds to wait for a measurement
    */
   public Optional<Offset> offset(double timeout) {
     try (MemoryStack stack = MemoryStack.stackPush()) {

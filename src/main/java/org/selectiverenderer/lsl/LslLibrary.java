@@ -9,9 +9,9 @@ import java.util.Optional;
 import org.lwjgl.system.APIUtil;
 import org.lwjgl.system.SharedLibrary;
 
-/** The user's liblsl. Once found it stays loaded until the program ends. */
+/** The liblsl that the user has installed. Once loaded, it stays loaded until the program ends. */
 public final class LslLibrary {
-  /** The environment variable that names the library's file. */
+  /** Name of the environment variable with the path of the library. */
   public static final String VARIABLE = "SELECTIVE_RENDERER_LSL";
 
   private static final String RELEASES = "https://github.com/sccn/liblsl/releases";
@@ -23,10 +23,10 @@ public final class LslLibrary {
   }
 
   /**
-   * Finds it: the file that is named, else the one that {@value #VARIABLE} names, else the system's
-   * by its usual names.
+   * Loads the library: the named file, else the file that {@value #VARIABLE} names, else the
+   * system's library by its usual names.
    *
-   * @throws IOException if it is not there or is none, with one line that says what to do
+   * @throws IOException if there is no such library, with a message that says what to do
    */
   public static LslLibrary open(Optional<Path> named) throws IOException {
     Optional<String> file =
@@ -35,7 +35,11 @@ public final class LslLibrary {
             .or(() -> Optional.ofNullable(System.getenv(VARIABLE)).filter(text -> !text.isEmpty()));
     if (file.isPresent()) {
       if (!Files.isRegularFile(Path.of(file.get()))) {
-        throw new IOException(file.get() + ": there is no such file, where liblsl should be");
+        throw new IOException(
+            file.get()
+                + ": there is no such file; --lsl-library or "
+                + VARIABLE
+                + " must name the file of liblsl");
       }
       return load(
           List.of(Path.of(file.get()).toAbsolutePath().toString()),
@@ -63,7 +67,7 @@ public final class LslLibrary {
   }
 
   /**
-   * @param missing what is said when none of them is there and can be loaded
+   * @param missing message of the exception if none of them can be loaded
    */
   private static LslLibrary load(List<String> names, String missing) throws IOException {
     UnsatisfiedLinkError reason = new UnsatisfiedLinkError();
@@ -72,36 +76,39 @@ public final class LslLibrary {
         SharedLibrary library = APIUtil.apiCreateLibrary(name);
         return new LslLibrary(new LslCalls(library));
       } catch (UnsatisfiedLinkError e) {
-        reason.addSuppressed(e); // For --debug: the loader's words are of its own settings.
+        reason.addSuppressed(e); // For --debug: LWJGL's message is about its own settings.
       }
     }
     throw new IOException(missing, reason);
   }
 
-  /** Its version: 116 is 1.16. */
+  /** Returns the version: 116 is 1.16. */
   public int version() {
     return calls.version.callInt();
   }
 
-  /** Seconds of this machine's clock, by which all samples are stamped; never goes back. */
+  /**
+   * Returns the time of the library's clock on this machine, in seconds; it is monotonic and stamps
+   * all samples.
+   */
   public double clock() {
     return calls.clock.callDouble();
   }
 
   /**
-   * Offers a stream to the network.
+   * Creates an outlet, which offers a stream to the network.
    *
-   * @throws IOException if the library refuses it
+   * @throws IOException if the library rejects the stream
    */
   public LslOutlet outlet(StreamDescription description) throws IOException {
     return LslOutlet.open(calls, description);
   }
 
   /**
-   * Looks for streams from now on.
+   * Creates a resolver, which looks for streams in the background.
    *
-   * @param predicate an XPath condition on a stream's description, such as {@code type='EEG'}
-   * @throws IOException if it is none
+   * @param predicate an XPath 1.0 predicate on a stream's description, such as {@code type='EEG'}
+   * @throws IOException if the predicate is not valid
    */
   public LslResolver resolver(String predicate) throws IOException {
     return LslResolver.open(calls, predicate);

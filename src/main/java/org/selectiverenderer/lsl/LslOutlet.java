@@ -6,12 +6,12 @@ import org.lwjgl.PointerBuffer;
 import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 
-/** A stream that this program offers. Pushing waits for nobody. */
+/** An outlet: sends a stream of this program. Pushing a sample does not block. */
 public final class LslOutlet implements AutoCloseable {
-  /** Seconds of samples that are kept for a receiver that is slow. */
+  /** Capacity of the outlet's buffer for slow receivers in seconds. */
   private static final int BUFFERED = 360;
 
-  /** {@code lsl_channel_format_t}. */
+  /** Values of {@code lsl_channel_format_t}: cft_double64 and cft_string. */
   static final int NUMBERS = 2;
 
   static final int TEXTS = 3;
@@ -31,7 +31,7 @@ public final class LslOutlet implements AutoCloseable {
     try {
       long handle = calls.createOutlet.call(info, 0, BUFFERED);
       if (handle == MemoryUtil.NULL) {
-        throw new IOException("liblsl does not offer the stream " + stream.name());
+        throw new IOException("liblsl could not create an outlet for the stream " + stream.name());
       }
       return new LslOutlet(calls, handle, stream.channels().size());
     } finally {
@@ -50,7 +50,7 @@ public final class LslOutlet implements AutoCloseable {
               stream.texts() ? TEXTS : NUMBERS,
               LslCalls.text(stack, stream.sourceId()));
       if (info == MemoryUtil.NULL) {
-        throw new IOException("liblsl refuses the description of the stream " + stream.name());
+        throw new IOException("liblsl rejects the description of the stream " + stream.name());
       }
       long channels =
           calls.appendChild.call(calls.description.call(info), LslCalls.text(stack, "channels"));
@@ -75,8 +75,8 @@ public final class LslOutlet implements AutoCloseable {
   /**
    * Sends a sample.
    *
-   * @param time by {@link LslLibrary#clock}
-   * @param values as many as there are channels
+   * @param time time stamp by {@link LslLibrary#clock}
+   * @param values one value for each channel
    */
   public void push(double time, double... values) {
     require(values.length);
@@ -86,7 +86,7 @@ public final class LslOutlet implements AutoCloseable {
     }
   }
 
-  /** The same of texts. */
+  /** Sends a sample of texts. */
   public void push(double time, String... values) {
     require(values.length);
     long[] texts = new long[values.length];

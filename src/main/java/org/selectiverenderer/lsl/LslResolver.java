@@ -8,9 +8,12 @@ import org.lwjgl.PointerBuffer;
 import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 
-/** Looks for streams in the background; asking for what it has found waits for nobody. */
+/**
+ * A continuous resolver: looks for streams in the background. Asking for the results does not
+ * block.
+ */
 public final class LslResolver implements AutoCloseable {
-  /** Seconds after which a stream that does not answer any more is forgotten. */
+  /** Seconds after which a stream that no longer answers is forgotten. */
   private static final double FORGET = 5;
 
   private static final int MOST = 64;
@@ -27,17 +30,18 @@ public final class LslResolver implements AutoCloseable {
     try (MemoryStack stack = MemoryStack.stackPush()) {
       long handle = calls.createResolver.call(LslCalls.text(stack, predicate), FORGET);
       if (handle == MemoryUtil.NULL) {
-        throw new IOException("liblsl does not understand the condition \"" + predicate + "\"");
+        throw new IOException(
+            "liblsl rejects \"" + predicate + "\"; write a condition such as type='EEG'");
       }
       return new LslResolver(calls, handle);
     }
   }
 
   /**
-   * Begins to read the streams that are there and are not known yet.
+   * Opens inlets for the streams that were found and are not known yet.
    *
-   * @param known their {@link StreamDescription#uid}s
-   * @return to be closed by the caller
+   * @param known {@link StreamDescription#uid}s of the known streams
+   * @return the inlets, which the caller closes
    */
   public List<LslInlet> found(Set<String> known) {
     List<LslInlet> inlets = new ArrayList<>();

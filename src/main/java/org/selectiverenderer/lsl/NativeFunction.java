@@ -9,9 +9,9 @@ import org.lwjgl.system.libffi.FFICIF;
 import org.lwjgl.system.libffi.FFIType;
 import org.lwjgl.system.libffi.LibFFI;
 
-/** A C function of a library, called by libffi. May be called by several threads at a time. */
+/** A C function of a library, called through libffi. Thread-safe. */
 final class NativeFunction {
-  /** What a parameter or a result is; each takes at most eight bytes. */
+  /** The type of a parameter or a result, of at most eight bytes. */
   enum Type {
     VOID(LibFFI.ffi_type_void),
     INT(LibFFI.ffi_type_sint32),
@@ -42,7 +42,7 @@ final class NativeFunction {
   }
 
   /**
-   * Finds it.
+   * Looks up a function.
    *
    * @throws IOException if the library has no such function
    */
@@ -57,10 +57,10 @@ final class NativeFunction {
   }
 
   /**
-   * Calls it.
+   * Calls the function.
    *
-   * @param arguments as many as it has parameters: Integer, Double, Long for a pointer
-   * @return its result's bits; 0 for a function without
+   * @param arguments one for each parameter: Integer, Double, or Long for a pointer
+   * @return the bits of the result; 0 for a void function
    */
   private long bits(Number... arguments) {
     try (MemoryStack stack = MemoryStack.stackPush()) {
@@ -83,17 +83,17 @@ final class NativeFunction {
     }
   }
 
-  /** Calls one that returns nothing, a pointer or a whole number. */
+  /** Calls a function that returns void or a pointer. */
   long call(Number... arguments) {
     return bits(arguments);
   }
 
-  /** Calls one that returns an int. */
+  /** Calls a function that returns an int. */
   int callInt(Number... arguments) {
     return (int) bits(arguments);
   }
 
-  /** Calls one that returns a double. */
+  /** Calls a function that returns a double. */
   double callDouble(Number... arguments) {
     return Double.longBitsToDouble(bits(arguments));
   }

@@ -3,16 +3,16 @@ package org.selectiverenderer.lsl;
 import java.util.List;
 
 /**
- * What a stream is.
+ * The description of a stream (LSL: stream info).
  *
- * @param name by which people know it
- * @param type its content, such as {@code EEG}, {@code MoCap} or {@code Markers} (XDF's names)
- * @param channels in the order of a sample's values
- * @param rate samples per second; 0 for an irregular one
- * @param texts whether values are texts; else they are numbers
- * @param sourceId by which a program that was started anew is known again
- * @param host the machine that sends it; empty for this one
- * @param uid of this very stream; empty for one that is not sent yet
+ * @param name name of the stream, for people
+ * @param type content type, such as {@code EEG}, {@code MoCap} or {@code Markers} (XDF's names)
+ * @param channels the channels, in the order of a sample's values
+ * @param rate nominal samples per second; 0 for an irregular rate
+ * @param texts whether the values are texts; if not, they are numbers
+ * @param sourceId identifies the source, also after its program is restarted
+ * @param host the machine that sends the stream; empty for this one
+ * @param uid unique id of this instance of the stream; empty for one that is not sent yet
  */
 public record StreamDescription(
     String name,
@@ -24,14 +24,14 @@ public record StreamDescription(
     String host,
     String uid) {
 
-  /** A value of each sample; unit and type as XDF has them, empty where there are none. */
+  /** A channel: one value of each sample. Unit and type are XDF's, and empty for none. */
   public record Channel(String label, String unit, String type) {}
 
   public StreamDescription {
     channels = List.copyOf(channels);
   }
 
-  /** One that is sent from here, at an irregular rate. */
+  /** Returns the description of a stream that this program sends at an irregular rate. */
   public static StreamDescription sent(
       String name, String type, List<Channel> channels, boolean texts, String sourceId) {
     return new StreamDescription(name, type, channels, 0, texts, sourceId, "", "");

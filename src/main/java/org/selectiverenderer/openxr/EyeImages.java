@@ -3,12 +3,12 @@ package org.selectiverenderer.openxr;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The textures of both eyes' pictures: a swapchain for each, in the best format. */
+/** The swapchains of both eyes, in the best texture format that the runtime supports. */
 final class EyeImages {
-  /** GL_SRGB8_ALPHA8, GL_SRGB8, GL_RGBA8: what the scene is drawn as already, sRGB values. */
+  /** Preferred formats: GL_SRGB8_ALPHA8, GL_SRGB8, GL_RGBA8. The scene is drawn in sRGB values. */
   private static final List<Integer> WANTED = List.of(0x8C43, 0x8C41, 0x8058);
 
-  /** A texture that was taken and not given back. */
+  /** Index that stands for no acquired texture. */
   private static final int NONE = -1;
 
   private final XrSession session;
@@ -29,8 +29,8 @@ final class EyeImages {
   }
 
   /**
-   * The best of the formats that a runtime takes. The scene's colours are sRGB values, written as
-   * they are; a runtime takes the values of other formats for linear light.
+   * Returns the best of the formats that a runtime supports. The scene's colours are sRGB values,
+   * which are written unchanged; a runtime interprets the values of other formats as linear light.
    */
   static int format(List<Integer> offered) {
     return WANTED.stream()
@@ -43,14 +43,14 @@ final class EyeImages {
     return size;
   }
 
-  /** Takes the next texture of an eye: its OpenGL name. */
+  /** Acquires the next texture of an eye and returns its OpenGL name. */
   int acquire(int eye) {
     int index = session.acquire(chains.get(eye));
     taken[eye] = index;
     return textures.get(eye)[index];
   }
 
-  /** Gives back what was taken. */
+  /** Releases the acquired textures. */
   void release() {
     for (int eye = 0; eye < taken.length; eye++) {
       if (taken[eye] != NONE) {
@@ -60,7 +60,7 @@ final class EyeImages {
     }
   }
 
-  /** The layer of a frame. */
+  /** Returns the views of a frame's projection layer. */
   List<XrSession.EyePicture> pictures(List<EyeSight> sights) {
     List<XrSession.EyePicture> pictures = new ArrayList<>();
     for (int eye = 0; eye < taken.length; eye++) {

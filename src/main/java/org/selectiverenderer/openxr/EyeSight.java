@@ -1,12 +1,12 @@
 package org.selectiverenderer.openxr;
 
 /**
- * What an eye sees, and from where.
+ * The view of an eye: pose and field of view (XrView).
  *
- * @param pose of the eye, in the frame that is told with it
- * @param left tangent of the angle to the left side of its picture, usually below 0
- * @param right likewise, above {@code left}
- * @param bottom likewise, usually below 0
- * @param top likewise, above {@code bottom}
+ * @param pose pose of the eye, in the space in which the view was located
+ * @param left tangent of the angle to the left edge of the picture, usually below 0
+ * @param right tangent of the angle to the right edge, above {@code left}
+ * @param bottom tangent of the angle to the lower edge, usually below 0
+ * @param top tangent of the angle to the upper edge, above {@code bottom}
  */
 public record EyeSight(SpacePose pose, double left, double right, double bottom, double top) {}

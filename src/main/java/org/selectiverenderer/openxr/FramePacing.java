@@ -1,6 +1,6 @@
 package org.selectiverenderer.openxr;
 
-/** Counts the frames of a headset, and those that came too late to be shown. */
+/** Counts the frames of a headset, and the display periods without a new frame. */
 final class FramePacing {
   private long last;
   private boolean going;
@@ -8,12 +8,12 @@ final class FramePacing {
   private long missed;
   private double rate;
 
-  /** There were no frames for a while, and none was to be. */
+  /** Restarts after a time without frames, which do not count as missed. */
   void restart() {
     going = false;
   }
 
-  /** A frame is due. */
+  /** Counts a frame that is due. */
   void frame(XrSession.FrameTime time) {
     frames++;
     if (time.period() > 0) {
@@ -30,12 +30,12 @@ final class FramePacing {
     return frames;
   }
 
-  /** Periods of the display in which the frame before was shown again. */
+  /** Returns the number of display periods in which the previous frame was shown again. */
   long missed() {
     return missed;
   }
 
-  /** Frames per second that the runtime wants; 0 before the first. */
+  /** Returns the runtime's frame rate in frames per second; 0 before the first frame. */
   double rate() {
     return rate;
   }

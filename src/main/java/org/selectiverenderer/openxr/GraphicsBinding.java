@@ -1,6 +1,9 @@
 package org.selectiverenderer.openxr;
 
-/** The OpenGL context that a runtime shares its pictures with: handles of the window system. */
+/**
+ * The graphics binding of a session: handles of the OpenGL context whose textures the runtime
+ * shares.
+ */
 public sealed interface GraphicsBinding {
   /**
    * X11 with GLX ({@code XrGraphicsBindingOpenGLXlibKHR}).

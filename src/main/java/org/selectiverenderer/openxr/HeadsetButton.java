@@ -1,22 +1,22 @@
 package org.selectiverenderer.openxr;
 
-/** What the buttons of controllers mean. */
+/** The boolean actions of the program, which are bound to buttons of controllers. */
 public enum HeadsetButton {
-  /** Walks forward while it is held. */
+  /** Walks forward while the button is held. */
   FORWARD("Walk forward"),
-  /** Walks backward while it is held. */
+  /** Walks backward while the button is held. */
   BACKWARD("Walk backward"),
-  /** To the middle of the room that the head looks at. */
+  /** Teleports to the middle of the room that the head looks at. */
   TELEPORT("To the middle of the room looked at"),
-  /** Where the head looks is straight ahead. */
+  /** Makes the heading of the head straight ahead. */
   RECENTRE("Straight ahead is where I look"),
   /** Answers yes. */
   YES("Yes"),
   /** Answers no. */
   NO("No"),
-  /** Chooses what the left hand points at. */
+  /** Chooses the target of the left hand's ray. */
   CHOOSE_LEFT("Choose, left hand"),
-  /** Chooses what the right hand points at. */
+  /** Chooses the target of the right hand's ray. */
   CHOOSE_RIGHT("Choose, right hand");
 
   private final String shown;
@@ -25,7 +25,7 @@ public enum HeadsetButton {
     this.shown = shown;
   }
 
-  /** What the runtime shows to users who assign buttons. */
+  /** Returns the localized name, which the runtime shows to users who rebind actions. */
   String shown() {
     return shown;
   }

@@ -1,28 +1,28 @@
 package org.selectiverenderer.openxr;
 
 /**
- * Something became of the headset.
+ * A change of the headset's state.
  *
  * @param text a sentence for people
  */
 public record HeadsetNews(Kind kind, String text) {
-  /** What. */
+  /** The kind of the change. */
   public enum Kind {
-    /** There is a headset. */
+    /** A headset was found. */
     FOUND,
-    /** The user sees the scene and has its controls. */
+    /** The user sees the scene, and the program has the input (FOCUSED). */
     WORN,
-    /** Something of the runtime or another program is before the scene. */
+    /** A menu of the runtime or another program covers the scene (VISIBLE). */
     COVERED,
-    /** Nobody sees the scene. */
+    /** The user does not see the scene. */
     AWAY,
-    /** Runtime or session are gone. */
+    /** The runtime or the session was lost. */
     LOST,
-    /** Somebody has set the middle of the room anew. */
+    /** The origin of the reference space was reset. */
     RECENTRED,
-    /** Hands hold something else. */
+    /** The interaction profile of a hand has changed. */
     CONTROLLERS,
-    /** The runtime wants the program to end. */
+    /** The runtime requests that the program ends. */
     LEAVE
   }
 }

@@ -2,7 +2,9 @@ package org.selectiverenderer.openxr;
 
 import java.io.IOException;
 
-/** There is no headset to show anything on. The message is a whole sentence for the user. */
+/**
+ * Thrown if there is no headset to show a scene on. The message is a whole sentence for the user.
+ */
 public final class HeadsetUnavailableException extends IOException {
   private static final long serialVersionUID = 1L;
 

@@ -1,13 +1,14 @@
 package org.selectiverenderer.openxr;
 
 /**
- * The part of an eye's picture that its lens does not show ({@code XR_KHR_visibility_mask}).
+ * The visibility mask of an eye: the part of its picture that the lens hides ({@code
+ * XR_KHR_visibility_mask}).
  *
- * @param corners x and y of each corner of triangles, six numbers each: tangents of angles from the
- *     eye's axis, right and up; not written to
+ * @param corners triangles of six numbers each, x and y of the corners: tangents of angles from the
+ *     eye's axis to the right and up; must not be modified
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record HiddenArea(float[] corners) {
-  /** All is seen. */
+  /** A mask that hides nothing. */
   public static final HiddenArea NONE = new HiddenArea(new float[0]);
 }

@@ -14,18 +14,18 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Where the program's actions are on the controllers that it knows (OpenXR 1.0, 6.4, and {@code
- * XR_EXT_hand_interaction}): walk by the left stick or by buttons, turn by the right stick. Where a
- * controller has few buttons, one means two things, of which one is asked for at a time: walking,
- * or an answer. Where its button for an answer is the one that chooses, too, what is pointed at
- * decides. Hands point by {@code aim/pose} on all of them.
+ * An interaction profile with the suggested bindings of the program's actions (OpenXR 1.0, 6.4, and
+ * {@code XR_EXT_hand_interaction}): the left stick or buttons walk, the right stick turns. On a
+ * controller with few buttons, one button has two actions, of which only one is used at a time:
+ * walking, or answering. If the button that answers also chooses, the target that the hand points
+ * at decides. Hands point by {@code aim/pose} in all profiles.
  *
- * @param path of the profile
- * @param name for people
- * @param extension that it needs; empty for none
- * @param walk input that walks by a stick; empty for none
- * @param turn input that turns by a stick, and answers more or less; empty for none
- * @param buttons inputs of each button
+ * @param path path of the profile
+ * @param name the controllers' name, for people
+ * @param extension the extension that the profile needs; empty for none
+ * @param walk input of the stick that walks; empty for none
+ * @param turn input of the stick that turns, and answers more or less; empty for none
+ * @param buttons inputs of each action
  */
 record InteractionProfiles(
     String path,
@@ -36,14 +36,14 @@ record InteractionProfiles(
     Map<HeadsetButton, List<String>> buttons) {
   static final String HANDS = "XR_EXT_hand_interaction";
 
-  /** The input of a hand, after its own path, that says where it points. */
+  /** Input of a hand's aim pose, relative to the path of the hand. */
   static final String AIM = "/input/aim/pose";
 
   private static final String LEFT = "/user/hand/left/input/";
   private static final String RIGHT = "/user/hand/right/input/";
   private static final String START = "/interaction_profiles/";
 
-  /** All that are known. */
+  /** All supported profiles. */
   static final List<InteractionProfiles> ALL =
       List.of(
           new InteractionProfiles(
@@ -101,7 +101,10 @@ record InteractionProfiles(
                   CHOOSE_LEFT, List.of(LEFT + "pinch_ext/value"),
                   CHOOSE_RIGHT, List.of(RIGHT + "pinch_ext/value"))));
 
-  /** A stick or pad in each hand, which can be pressed, and a trigger that chooses. */
+  /**
+   * Returns the profile of controllers with a stick or pad that can be pressed, and a trigger that
+   * chooses.
+   */
   private static InteractionProfiles sticks(
       String path, String name, String stick, String trigger, List<String> yes, List<String> no) {
     return new InteractionProfiles(
@@ -125,7 +128,7 @@ record InteractionProfiles(
     return List.of(LEFT + input, RIGHT + input);
   }
 
-  /** A profile's name for people. */
+  /** Returns the name of a profile's controllers, for people. */
   static String name(String path) {
     return ALL.stream()
         .filter(profile -> profile.path.equals(path))

@@ -9,12 +9,14 @@ import org.lwjgl.system.Platform;
 import org.lwjgl.system.SharedLibrary;
 
 /**
- * Keeps what the OpenXR loader and Monado's client write to standard error out of users' terminals:
- * both ask the environment how much to say. Java cannot set that of its own process, so the C
- * library does, before the loader is loaded. What the user has set is kept.
+ * Silences the log output of the OpenXR loader and Monado's client on standard error, by
+ * environment variables that set their log levels. Java cannot set variables of its own process, so
+ * {@code setenv} of the C library does, before the loader is loaded. Variables that the user has
+ * set are not changed.
  *
- * <p>Monado's levels end at {@code error} (its {@code debug_string_to_log_level}; an unknown word
- * is its default, which says more): what its client says when the service dies stays.
+ * <p>The quietest log level of Monado is {@code error} (its {@code debug_string_to_log_level}; an
+ * unknown word means its default, which logs more), so its client still reports that the service
+ * died.
  */
 final class LoaderNoise {
   private static final Map<String, String> QUIET =
@@ -47,7 +49,7 @@ final class LoaderNoise {
             }
           });
     } catch (UnsatisfiedLinkError e) {
-      // The C library has another name here: then there is some noise.
+      // The C library has another name on this system: the output is not silenced.
     }
   }
 

@@ -33,7 +33,10 @@ import org.lwjgl.openxr.XrSpace;
 import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 
-/** Real actions: one set for all of the program. They end with their instance. */
+/**
+ * The action system of LWJGL's OpenXR, with one action set for the whole program. Actions are
+ * destroyed with their instance.
+ */
 final class LwjglInputs implements XrInputs {
   private final org.lwjgl.openxr.XrInstance instance;
   private final XrActionSet set;
@@ -133,17 +136,17 @@ final class LwjglInputs implements XrInputs {
     }
   }
 
-  /** Asks the runtime for the state of an action. */
+  /** A function that gets the state of an action from the runtime. */
   private interface Asked<S> {
     int get(org.lwjgl.openxr.XrSession session, XrActionStateGetInfo info, S state);
   }
 
   /**
-   * The state of an action.
+   * Gets the state of an action.
    *
-   * @param name of the call, for messages
-   * @param empty makes what the runtime fills in
-   * @param found what there is in it, read before its memory goes
+   * @param name name of the function, for messages
+   * @param empty allocates the struct that the runtime fills in
+   * @param found reads the result from the struct before its memory is freed
    */
   private <S, T> T state(
       String name,

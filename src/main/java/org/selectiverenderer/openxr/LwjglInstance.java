@@ -33,7 +33,7 @@ import org.lwjgl.openxr.XrViewConfigurationView;
 import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 
-/** A real connection to a runtime. */
+/** An instance of LWJGL's OpenXR: a connection to the runtime. */
 final class LwjglInstance implements XrInstance {
   private static final int STEREO = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 
@@ -125,7 +125,7 @@ final class LwjglInstance implements XrInstance {
   @Override
   public XrSession session(long system, GraphicsBinding binding) {
     try (MemoryStack stack = MemoryStack.stackPush()) {
-      // A runtime refuses a session whose program has not asked this before.
+      // Required before xrCreateSession (XR_KHR_opengl_enable).
       XrGraphicsRequirementsOpenGLKHR needs =
           XrGraphicsRequirementsOpenGLKHR.calloc(stack).type$Default();
       check(

@@ -14,7 +14,7 @@ import org.lwjgl.openxr.XrExtensionProperties;
 import org.lwjgl.openxr.XrInstanceCreateInfo;
 import org.lwjgl.system.MemoryStack;
 
-/** The loader that LWJGL brings. Its memory is freed in the call that takes it. */
+/** The OpenXR loader that LWJGL contains. Memory of a call is freed within the call. */
 final class LwjglLoader implements XrLoader {
   private static final String NAME = "Selective Renderer";
 
@@ -22,7 +22,7 @@ final class LwjglLoader implements XrLoader {
     LoaderNoise.silence();
   }
 
-  /** Fails for a result below 0; the others are successes of several kinds. */
+  /** Throws {@link XrFailure} for a result below 0; all other results are success codes. */
   static int check(String function, int result) {
     if (result < 0) {
       throw new XrFailure(function, result);

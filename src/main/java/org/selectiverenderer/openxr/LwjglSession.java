@@ -44,7 +44,7 @@ import org.lwjgl.openxr.XrVisibilityMaskKHR;
 import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 
-/** A real session. Handles are told as numbers, as those who use them know them. */
+/** A session of LWJGL's OpenXR. Handles are passed as numbers. */
 final class LwjglSession implements XrSession {
   private static final int STEREO = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
   private static final long ORIENTATION = XR10.XR_SPACE_LOCATION_ORIENTATION_VALID_BIT;
@@ -53,7 +53,10 @@ final class LwjglSession implements XrSession {
           | XR10.XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT
           | XR10.XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
-  /** A picture that nobody gives back in this time belongs to a runtime that hangs; nanoseconds. */
+  /**
+   * Timeout of waiting for a swapchain texture in nanoseconds, after which the runtime counts as
+   * hung.
+   */
   private static final long PATIENCE = 2_000_000_000;
 
   private final org.lwjgl.openxr.XrSession session;
@@ -68,7 +71,7 @@ final class LwjglSession implements XrSession {
     return session;
   }
 
-  /** Takes a space that others have made. */
+  /** Registers a space that was created elsewhere. */
   long known(XrSpace space) {
     spaces.put(space.address(), space);
     return space.address();

@@ -1,10 +1,10 @@
 package org.selectiverenderer.openxr;
 
 /**
- * An eye's picture as the runtime recommends it.
+ * The size of an eye's picture that the runtime recommends.
  *
  * @param width in pixels
  * @param height in pixels
- * @param samples per pixel
+ * @param samples recommended samples per pixel
  */
 public record PictureSize(int width, int height, int samples) {}

@@ -1,9 +1,9 @@
 package org.selectiverenderer.openxr;
 
-/** How the user of a headset holds himself. */
+/** The posture of a headset's user. */
 public enum Posture {
-  /** Upright in a room whose floor the runtime knows: eyes are as high as they really are. */
+  /** Standing: heights are above the real floor, which the runtime knows (STAGE space). */
   STANDING,
-  /** On a chair: the eyes are as high as the scene says, wherever they are at the beginning. */
+  /** Seated: the eyes start at the height of the scene's viewpoint (LOCAL space). */
   SEATED
 }

@@ -8,9 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The file by which an OpenXR runtime makes itself known to programs (Khronos, OpenXR Loader Design
- * and Operation, "Desktop Active Runtime File Location" and "Overriding the Default Runtime
- * Usage").
+ * Finds the manifest file of the active OpenXR runtime (Khronos, OpenXR Loader Design and
+ * Operation, "Desktop Active Runtime File Location" and "Overriding the Default Runtime Usage").
  */
 public final class RuntimeManifest {
   private static final String VARIABLE = "XR_RUNTIME_JSON";
@@ -19,13 +18,13 @@ public final class RuntimeManifest {
   private RuntimeManifest() {}
 
   /**
-   * The file that the loader takes on Linux: the one that {@value #VARIABLE} names, whether it is
-   * there or not, else the first that is there.
+   * Returns the file that the loader uses on Linux: the one that {@value #VARIABLE} names, whether
+   * it exists or not, else the first existing one.
    *
-   * @param environment variables of the process
-   * @param home the user's folder
-   * @param root of the file system
-   * @return empty where none is set up
+   * @param environment environment variables of the process
+   * @param home the user's home folder
+   * @param root root of the file system
+   * @return empty if no runtime is set up
    */
   public static Optional<Path> find(Map<String, String> environment, Path home, Path root) {
     String named = environment.getOrDefault(VARIABLE, "");

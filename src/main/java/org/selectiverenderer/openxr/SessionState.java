@@ -1,6 +1,6 @@
 package org.selectiverenderer.openxr;
 
-/** What a runtime does with a session (OpenXR 1.0, 9.3); in the order of its numbers. */
+/** The state of a session (XrSessionState, OpenXR 1.0, 9.3), in the order of OpenXR's numbers. */
 enum SessionState {
   UNKNOWN,
   IDLE,

@@ -4,13 +4,13 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Where something is in a space.
+ * A pose in a space.
  *
- * @param position metres
- * @param orientation takes its own frame to that of the space
+ * @param position in metres
+ * @param orientation rotation from the pose's own frame to that of the space
  */
 public record SpacePose(Vector3d position, Quaterniond orientation) {
-  /** This pose as something at another pose of the same space sees it. */
+  /** Returns this pose relative to another pose of the same space. */
   SpacePose seenFrom(SpacePose other) {
     Quaterniond back = other.orientation.conjugate(new Quaterniond());
     return new SpacePose(

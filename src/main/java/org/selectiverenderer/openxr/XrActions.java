@@ -11,14 +11,17 @@ import java.util.Set;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 
-/** The program's actions on all controllers and eyes, of one connection to a runtime. */
+/**
+ * The program's actions with their bindings to controllers and eye tracker, for one connection to a
+ * runtime.
+ */
 final class XrActions {
   static final String GAZE = "XR_EXT_eye_gaze_interaction";
   private static final String GAZE_PROFILE = "/interaction_profiles/ext/eye_gaze_interaction";
   private static final String GAZE_POSE = "/user/eyes_ext/input/gaze_ext/pose";
   private static final List<String> HANDS = List.of("/user/hand/left", "/user/hand/right");
 
-  /** How far a stick that rests may be off its middle. */
+  /** Dead zone of a stick. */
   private static final double REST = 0.15;
 
   private final XrInputs inputs;
@@ -31,8 +34,8 @@ final class XrActions {
   private List<Long> aimSpaces = List.of();
 
   /**
-   * @param enabled extensions of the connection
-   * @param eyeGaze whether the headset tells where the eyes look
+   * @param enabled enabled extensions of the connection
+   * @param eyeGaze whether the headset has an eye tracker
    */
   XrActions(XrInputs inputs, Set<String> enabled, boolean eyeGaze) {
     this.inputs = inputs;
@@ -78,7 +81,7 @@ final class XrActions {
       if (e.code() == XrFailure.INSTANCE_LOST || e.code() == XrFailure.RUNTIME_FAILURE) {
         throw e;
       }
-      // A runtime need not know every controller; it knows its own.
+      // A runtime need not support every profile.
     }
   }
 
@@ -88,7 +91,7 @@ final class XrActions {
     aimSpaces = aims.stream().map(inputs::space).toList();
   }
 
-  /** What is done at a time, as the head in its own space tells directions. */
+  /** Reads the state of all actions at a time; directions are in the space of the head. */
   XrInput read(XrSession session, long head, long time) {
     if (!inputs.sync()) {
       return XrInput.NONE;
@@ -132,7 +135,7 @@ final class XrActions {
     return Math.copySign(Math.min(1, beyond), value);
   }
 
-  /** What the hands hold, in a sentence. */
+  /** Describes the controllers in the hands in a sentence. */
   String held() {
     List<String> names =
         HANDS.stream()
@@ -141,7 +144,7 @@ final class XrActions {
             .distinct()
             .toList();
     return names.isEmpty()
-        ? "the hands hold no controllers"
+        ? "no controllers are active"
         : "the headset's controls are " + String.join(" and ", names);
   }
 }

@@ -11,7 +11,7 @@ final class XrConnection implements AutoCloseable {
   static final String PRESENCE = "XR_EXT_user_presence";
   static final String CLOCK = "XR_KHR_convert_timespec_time";
 
-  /** Asked for where the runtime has them. */
+  /** Extensions that are enabled if the runtime supports them. */
   private static final Set<String> WANTED =
       Set.of(OPENGL, MASK, PRESENCE, CLOCK, XrActions.GAZE, InteractionProfiles.HANDS);
 
@@ -30,16 +30,16 @@ final class XrConnection implements AutoCloseable {
   }
 
   /**
-   * Connects.
+   * Connects to the runtime and finds a headset.
    *
-   * @throws HeadsetUnavailableException with a sentence that says what is missing and what to do
+   * @throws HeadsetUnavailableException with a message that says what is missing and what to do
    */
   static XrConnection open(XrLoader loader) throws HeadsetUnavailableException {
     try {
       Set<String> offered = loader.extensions();
       if (!offered.contains(OPENGL)) {
         throw new HeadsetUnavailableException(
-            "the OpenXR runtime of this computer takes no pictures of OpenGL (it lacks "
+            "the OpenXR runtime of this computer does not support OpenGL (it lacks "
                 + OPENGL
                 + "): make another one the active runtime, such as SteamVR or Monado");
       }
@@ -87,8 +87,8 @@ final class XrConnection implements AutoCloseable {
   private static String missing(XrFailure failure) {
     return switch (failure.code()) {
       case XrFailure.RUNTIME_UNAVAILABLE, -32 ->
-          "no OpenXR runtime is set up on this computer: install the headset's, SteamVR or Monado and"
-              + " make it the active one (XR_RUNTIME_JSON names the file of another)";
+          "no OpenXR runtime is set up on this computer: install the headset's runtime, SteamVR or"
+              + " Monado and make it the active one, or name its manifest file in XR_RUNTIME_JSON";
       default ->
           "the OpenXR runtime of this computer does not answer (%s): start it, and see that its headset is connected"
               .formatted(failure.getMessage());
@@ -111,7 +111,7 @@ final class XrConnection implements AutoCloseable {
     return facts.name();
   }
 
-  /** Whether the headset tells where it is, not only how it is turned. */
+  /** Returns whether the headset tracks its position, not only its orientation. */
   boolean position() {
     return facts.position();
   }
@@ -124,7 +124,7 @@ final class XrConnection implements AutoCloseable {
     return new XrActions(instance.inputs(), enabled, tracksEyes());
   }
 
-  /** Whether the headset has an eye tracker, and the runtime tells where the eyes look. */
+  /** Returns whether the headset has an eye tracker that the runtime supports. */
   boolean tracksEyes() {
     return facts.eyeGaze() && has(XrActions.GAZE);
   }

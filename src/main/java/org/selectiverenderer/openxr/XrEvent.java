@@ -1,25 +1,25 @@
 package org.selectiverenderer.openxr;
 
-/** What a runtime tells a program (OpenXR 1.0, 2.22). */
+/** An event of the runtime (OpenXR 1.0, 2.22). */
 sealed interface XrEvent {
-  /** The session has come to a state. */
+  /** The state of the session has changed. */
   record State(SessionState state) implements XrEvent {}
 
-  /** The runtime is about to end. */
+  /** The runtime is about to end (instance loss pending). */
   record InstanceLoss() implements XrEvent {}
 
-  /** The user has set another place or direction for the middle of the space. */
+  /** The origin of a reference space is about to change. */
   record Recentred() implements XrEvent {}
 
-  /** Lenses hide something else ({@code XR_KHR_visibility_mask}). */
+  /** The visibility mask has changed ({@code XR_KHR_visibility_mask}). */
   record MaskChanged() implements XrEvent {}
 
-  /** Hands hold something else. */
+  /** The interaction profile of a hand has changed. */
   record ControllersChanged() implements XrEvent {}
 
   /** The headset was put on or taken off ({@code XR_EXT_user_presence}). */
   record Presence(boolean there) implements XrEvent {}
 
-  /** Something that nobody here asks about. */
+  /** Any other event, which is ignored. */
   record Other() implements XrEvent {}
 }

@@ -2,7 +2,7 @@ package org.selectiverenderer.openxr;
 
 import java.util.Map;
 
-/** A function of OpenXR failed. */
+/** Thrown if a function of OpenXR returns an error code. */
 final class XrFailure extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
@@ -12,7 +12,7 @@ final class XrFailure extends RuntimeException {
   static final int FORM_FACTOR_UNAVAILABLE = -35;
   static final int RUNTIME_UNAVAILABLE = -51;
 
-  /** OpenXR 1.0, 2.8.2: the results that are met. */
+  /** Names of the error codes that occur (OpenXR 1.0, 2.8.2). */
   private static final Map<Integer, String> NAMES =
       Map.ofEntries(
           Map.entry(-1, "VALIDATION_FAILURE"),
@@ -39,8 +39,8 @@ final class XrFailure extends RuntimeException {
   private final int code;
 
   /**
-   * @param function its name without {@code xr}
-   * @param code its result, below 0
+   * @param function name of the function without {@code xr}
+   * @param code result of the function, below 0
    */
   XrFailure(String function, int code) {
     super("xr%s: XR_ERROR_%s".formatted(function, NAMES.getOrDefault(code, "(" + code + ")")));

@@ -9,10 +9,11 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A headset behind a runtime, through everything that may become of either: taken off, covered,
- * gone, there again. A frame is {@link #next}, {@link #begin}, {@link #acquire} for both eyes,
- * {@link #end}; none of them fails when the runtime goes away: then {@link #next} has no frames,
- * looks for it every second, and goes on when it is back. Belongs to the thread that opened it.
+ * A headset of an OpenXR runtime, with its frame loop and the handling of all its states: taken
+ * off, covered by another program, lost, reconnected. A frame is {@link #next}, {@link #begin},
+ * {@link #acquire} for both eyes, {@link #end}. None of them throws when the runtime is lost:
+ * {@link #next} then returns no frames, tries to reconnect every second, and continues when the
+ * runtime is back. Belongs to the thread that opened it.
  */
 public final class XrHeadset implements AutoCloseable {
   private static final long RETRY = 1_000_000_000;
@@ -77,37 +78,37 @@ public final class XrHeadset implements AutoCloseable {
                         ? "the floor is not known, so heights are those of the scene"
                         : "seated"));
     if (!on.position()) {
-      tell(HeadsetNews.Kind.FOUND, "the headset tells only how it is turned, not where it is");
+      tell(HeadsetNews.Kind.FOUND, "the headset tracks its orientation only, not its position");
     }
   }
 
-  /** The size of an eye's picture; empty while the runtime is gone. */
+  /** Returns the size of an eye's picture; empty while the runtime is lost. */
   public Optional<PictureSize> size() {
     return Optional.ofNullable(sitting).map(known -> known.images().size());
   }
 
   /**
-   * What the lens of each eye hides, the left one's first; the same list until that changes.
+   * Returns the visibility masks, the left eye's first; the same list until they change.
    *
-   * @return empty when nobody knows
+   * @return empty if the runtime has no masks
    */
   public List<HiddenArea> hidden() {
     return sitting == null ? List.of() : sitting.hidden();
   }
 
-  /** How it does; any thread. */
+  /** Returns the status of the headset; thread-safe. */
   public XrStatus status() {
     return status;
   }
 
-  /** Whether the middle of the room was set anew since the last call. */
+  /** Returns whether the origin of the space was reset since the last call. */
   public boolean takeRecentred() {
     boolean was = recentred;
     recentred = false;
     return was;
   }
 
-  /** Whether the user sees the scene. */
+  /** Returns whether the user sees the scene. */
   public boolean visible() {
     return running && there && (state == SessionState.VISIBLE || state == SessionState.FOCUSED);
   }
@@ -115,7 +116,7 @@ public final class XrHeadset implements AutoCloseable {
   /**
    * Waits until a frame is due.
    *
-   * @return empty at once when none is: nobody sees the headset, or there is none
+   * @return empty, without waiting, if no frame is due: the headset is not worn or lost
    */
   public Optional<XrFrame> next() {
     time = null;
@@ -150,7 +151,7 @@ public final class XrHeadset implements AutoCloseable {
     pacing.frame(due);
     Optional<XrFrame> frame = sat.frame(due);
     if (frame.isEmpty()) {
-      // The runtime counts on every frame that was waited for.
+      // The runtime requires begin and end of every frame that was waited for.
       sat.session().beginFrame();
       sat.end(due.display(), false);
       time = null;
@@ -177,14 +178,14 @@ public final class XrHeadset implements AutoCloseable {
           tell(HeadsetNews.Kind.LEAVE, "the headset's runtime asks the program to end");
         }
         default -> {
-          // What is seen follows from the state.
+          // The state determines the visibility.
         }
       }
     } else if (event instanceof XrEvent.InstanceLoss) {
       lost("the runtime ends");
     } else if (event instanceof XrEvent.Recentred) {
       recentred = true;
-      tell(HeadsetNews.Kind.RECENTRED, "the middle of the room was set anew");
+      tell(HeadsetNews.Kind.RECENTRED, "the origin of the room was reset in the headset");
     } else if (event instanceof XrEvent.Presence presence) {
       there = presence.there();
     } else if (event instanceof XrEvent.MaskChanged) {
@@ -194,13 +195,13 @@ public final class XrHeadset implements AutoCloseable {
     }
   }
 
-  /** Tells when the user begins or ceases to see the scene. */
+  /** Reports when the user begins or ceases to see the scene. */
   private void look() {
     HeadsetNews.Kind now =
         !visible()
             ? HeadsetNews.Kind.AWAY
             : state == SessionState.FOCUSED ? HeadsetNews.Kind.WORN : HeadsetNews.Kind.COVERED;
-    // Before it was seen for the first time it has not gone.
+    // The headset counts as taken off only after it was worn.
     boolean first = seen == null && now == HeadsetNews.Kind.AWAY;
     if (now == seen || first) {
       return;
@@ -211,11 +212,11 @@ public final class XrHeadset implements AutoCloseable {
         switch (now) {
           case WORN -> "the headset shows the scene";
           case COVERED -> "another program is in front of the scene in the headset";
-          default -> "nobody sees the headset: it was taken off, or shows something else";
+          default -> "the headset was taken off, or shows another program";
         });
   }
 
-  /** The frame that was waited for begins. */
+  /** Begins the frame that was waited for. */
   public void begin() {
     guarded(
         () -> {
@@ -227,10 +228,10 @@ public final class XrHeadset implements AutoCloseable {
   }
 
   /**
-   * The texture that an eye's picture is to be drawn into, until the frame ends.
+   * Acquires the texture for an eye's picture, until the frame ends.
    *
    * @param eye 0 for the left one, 1 for the right one
-   * @return its OpenGL name; empty when the runtime has gone
+   * @return the texture's OpenGL name; empty if the runtime was lost
    */
   public Optional<Integer> acquire(int eye) {
     XrSitting sat = sitting;
@@ -240,7 +241,7 @@ public final class XrHeadset implements AutoCloseable {
   }
 
   /**
-   * The frame ends; what was acquired is given back.
+   * Ends the frame and releases its textures.
    *
    * @param shown whether both eyes' pictures were drawn
    */
@@ -255,7 +256,7 @@ public final class XrHeadset implements AutoCloseable {
     time = null;
   }
 
-  /** Calls the runtime; when it fails, the session is given up and looked for again. */
+  /** Calls the runtime; after a failure the session is closed and the runtime counts as lost. */
   private <T> Optional<T> guarded(Supplier<T> call) {
     try {
       return Optional.of(call.get());
@@ -269,10 +270,11 @@ public final class XrHeadset implements AutoCloseable {
     leave();
     tell(
         HeadsetNews.Kind.LOST,
-        "the headset's runtime has gone (%s); it is looked for every second".formatted(why));
+        "the headset's runtime was lost (%s); the program tries to reconnect every second"
+            .formatted(why));
   }
 
-  /** Gives everything up; {@link #next} looks for it again in a second. */
+  /** Closes session and connection; {@link #next} tries to reconnect after a second. */
   private void leave() {
     XrSitting sat = sitting;
     XrConnection on = connection;
@@ -293,7 +295,7 @@ public final class XrHeadset implements AutoCloseable {
         left.close();
       }
     } catch (Exception e) {
-      // Of a runtime that has gone nothing is left to let go of; that it has is told.
+      // A lost runtime has nothing left to close; its loss has been reported.
     }
   }
 
@@ -307,7 +309,7 @@ public final class XrHeadset implements AutoCloseable {
       connection = found;
       sit(found);
     } catch (HeadsetUnavailableException e) {
-      // Told when it was lost; it is tried again.
+      // The loss has been reported; the next attempt follows.
     } catch (XrFailure e) {
       leave();
     }
@@ -330,10 +332,13 @@ public final class XrHeadset implements AutoCloseable {
         frame.filter(due -> due.lead() >= 0).map(due -> due.lead() * 1e-6).orElse(status.leadMs()));
   }
 
-  /** For people: {@code Monado 25.0.0, 90 Hz, 3 of 5400 frames missed, pose 21 ms ahead}. */
+  /**
+   * Describes a status for people: {@code Monado 25.0.0, 90 Hz, 3 of 5400 frames missed, pose 21 ms
+   * ahead}.
+   */
   public static String describe(XrStatus status) {
     if (status.lost()) {
-      return "headset: the runtime %s has gone".formatted(status.runtime());
+      return "headset: the runtime %s was lost".formatted(status.runtime());
     }
     return String.format(
         Locale.ROOT,
@@ -345,7 +350,7 @@ public final class XrHeadset implements AutoCloseable {
         status.leadMs() > 0
             ? String.format(Locale.ROOT, ", pose %.0f ms ahead", status.leadMs())
             : "",
-        status.visible() ? "" : ", not seen");
+        status.visible() ? "" : ", not worn");
   }
 
   @Override

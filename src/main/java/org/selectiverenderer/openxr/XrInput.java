@@ -5,17 +5,17 @@ import java.util.Set;
 import org.joml.Vector3d;
 
 /**
- * What hands and eyes do in a frame.
+ * The state of the controllers and the gaze in a frame.
  *
- * @param forward -1 to 1: how fast the stick walks
- * @param side -1 to 1: likewise, to the right
- * @param turn -1 (left) to 1: the stick that turns
- * @param more -1 to 1: the same stick, away from the user; answers more or less
- * @param held buttons that are down
- * @param gaze where the eyes look, in the frame of the head: a unit vector; empty while unknown
- * @param left where the left hand is and points, along -Z, in the frame of the head; empty while
- *     unknown
- * @param right likewise the right hand
+ * @param forward -1 (backward) to 1 (forward): the stick that walks
+ * @param side -1 (left) to 1 (right): the same stick
+ * @param turn -1 (left) to 1 (right): the stick that turns
+ * @param more -1 (towards the user) to 1 (away): the same stick, which answers less or more
+ * @param held actions whose buttons are pressed
+ * @param gaze gaze direction in the frame of the head, a unit vector; empty while unknown
+ * @param left aim pose of the left hand, which points along -Z, in the frame of the head; empty
+ *     while unknown
+ * @param right aim pose of the right hand
  */
 public record XrInput(
     double forward,
@@ -26,10 +26,10 @@ public record XrInput(
     Optional<Vector3d> gaze,
     Optional<SpacePose> left,
     Optional<SpacePose> right) {
-  /** Nothing is done. */
+  /** No input. */
   public static final XrInput NONE = new XrInput(0, 0, 0, 0, Set.of(), Optional.empty());
 
-  /** Nobody points at anything. */
+  /** Makes an input without aim poses. */
   public XrInput(
       double forward,
       double side,

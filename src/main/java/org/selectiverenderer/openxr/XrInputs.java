@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.Optional;
 import org.joml.Vector2d;
 
-/** The functions for what hands and eyes do. All throw {@link XrFailure}. */
+/** The functions of OpenXR's action system. All throw {@link XrFailure}. */
 interface XrInputs {
-  /** What an action is: numbers of OpenXR 1.0, 11.4. */
+  /** The type of an action, with its number in OpenXR (XrActionType, OpenXR 1.0, 11.4). */
   enum Kind {
     BUTTON(1),
     STICK(3),
@@ -25,37 +25,39 @@ interface XrInputs {
   }
 
   /**
-   * Makes an action.
+   * Creates an action.
    *
-   * @param name of lower-case letters
-   * @param shown to users by the runtime
+   * @param name name of lower-case letters
+   * @param shown localized name, which the runtime shows to users
    */
   long action(String name, String shown, Kind kind);
 
   /**
-   * Suggests where the actions are on a kind of controller.
+   * Suggests bindings of the actions for an interaction profile.
    *
    * @param bindings paths of the inputs, each with its action
-   * @throws XrFailure also when the runtime does not know the profile
+   * @throws XrFailure also if the runtime does not support the profile
    */
   void suggest(String profile, List<Map.Entry<Long, String>> bindings);
 
-  /** Has a session use the actions. */
+  /** Attaches the action set to a session. */
   void attach(XrSession session);
 
-  /** Asks for the present state; false while the program does not have the input. */
+  /**
+   * Synchronizes the states of the actions; false while the program does not have the input focus.
+   */
   boolean sync();
 
   boolean button(long action);
 
   Vector2d stick(long action);
 
-  /** The space of a pose's action. */
+  /** Creates the action space of a pose action. */
   long space(long action);
 
-  /** Whether a pose's action has something that tells it. */
+  /** Returns whether a pose action is active. */
   boolean active(long action);
 
-  /** What a hand holds, as the path of its profile; empty for nothing. */
+  /** Returns the path of a hand's current interaction profile; empty for none. */
   Optional<String> profile(String hand);
 }

@@ -4,39 +4,41 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 
-/** The functions of an instance: a connection to a runtime. All throw {@link XrFailure}. */
+/**
+ * The functions of an OpenXR instance, a connection to the runtime. All throw {@link XrFailure}.
+ */
 interface XrInstance extends AutoCloseable {
-  /** The runtime's name and version. */
+  /** Returns name and version of the runtime. */
   String runtime();
 
-  /** Finds a headset. {@link XrFailure#FORM_FACTOR_UNAVAILABLE} when none is connected. */
+  /** Finds a headset; throws {@link XrFailure#FORM_FACTOR_UNAVAILABLE} if none is connected. */
   long system();
 
   /**
-   * What a headset is.
+   * The properties of a headset.
    *
-   * @param eyeGaze whether it tells where the eyes look
+   * @param eyeGaze whether it has an eye tracker
    */
   record SystemFacts(String name, boolean position, boolean eyeGaze) {}
 
   SystemFacts facts(long system);
 
-  /** The two pictures of a headset, the left eye's first. */
+  /** Returns the recommended sizes of the two pictures, the left eye's first. */
   List<PictureSize> pictures(long system);
 
-  /** How its pictures go together with the room around: the runtime's own choice. */
+  /** Returns the environment blend mode that the runtime prefers. */
   int blendMode(long system);
 
-  /** Begins a session. The context of the binding is current. */
+  /** Creates a session; the binding's OpenGL context must be current. */
   XrSession session(long system, GraphicsBinding binding);
 
-  /** The next event; empty when there is none. */
+  /** Returns the next event; empty if there is none. */
   Optional<XrEvent> poll();
 
-  /** The runtime's present time; empty where it does not say. */
+  /** Returns the present time by the runtime's clock; empty if it cannot be converted. */
   OptionalLong now();
 
-  /** The actions of the program, before there is a session. */
+  /** Creates the action system, before there is a session. */
   XrInputs inputs();
 
   @Override

@@ -2,15 +2,17 @@ package org.selectiverenderer.openxr;
 
 import java.util.Set;
 
-/** The functions of OpenXR before there is a runtime. All throw {@link XrFailure}. */
+/** The functions of the OpenXR loader, before there is an instance. All throw {@link XrFailure}. */
 interface XrLoader {
-  /** The extensions that the runtime has; the first call that finds out whether there is one. */
+  /**
+   * Returns the extensions that the runtime supports; this is the first call that needs a runtime.
+   */
   Set<String> extensions();
 
   /**
-   * Connects to the runtime.
+   * Creates an instance, which connects to the runtime.
    *
-   * @param enabled extensions, all of which it has
+   * @param enabled extensions to enable, all of which the runtime supports
    */
   XrInstance create(Set<String> enabled);
 }

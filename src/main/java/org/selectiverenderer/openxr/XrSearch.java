@@ -17,7 +17,7 @@ public final class XrSearch implements AutoCloseable {
   /**
    * Connects to the runtime, before any window opens.
    *
-   * @throws HeadsetUnavailableException with a sentence that says what is missing and what to do
+   * @throws HeadsetUnavailableException with a message that says what is missing and what to do
    */
   public static XrSearch begin() throws HeadsetUnavailableException {
     String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
@@ -32,38 +32,38 @@ public final class XrSearch implements AutoCloseable {
     return new XrSearch(loader, XrConnection.open(loader));
   }
 
-  /** The headset's name. */
+  /** Returns the headset's name. */
   public String headset() {
     return connection.headset();
   }
 
-  /** The runtime's name and version. */
+  /** Returns name and version of the runtime. */
   public String runtime() {
     return connection.runtime();
   }
 
-  /** Whether the headset has an eye tracker, and the runtime tells where the eyes look. */
+  /** Returns whether the headset has an eye tracker that the runtime supports. */
   public boolean tracksEyes() {
     return connection.tracksEyes();
   }
 
-  /** What it recommends for an eye's picture. */
+  /** Returns the recommended size of an eye's picture. */
   public PictureSize size() {
     return connection.instance().pictures(connection.system()).get(0);
   }
 
   /**
-   * Begins to show pictures.
+   * Begins a session on the headset.
    *
    * @param binding of the OpenGL context that is current on this thread
-   * @param news hears what becomes of it, on this thread
+   * @param news receives the headset's events, on this thread
    */
   public XrHeadset show(GraphicsBinding binding, Posture posture, Consumer<HeadsetNews> news) {
     handed = true;
     return new XrHeadset(loader, connection, binding, posture, news, System::nanoTime);
   }
 
-  /** Lets go of the runtime if nothing was shown. */
+  /** Closes the connection, unless a session took it over. */
   @Override
   public void close() {
     if (!handed) {

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** The functions of a session: pictures shown on a headset. All throw {@link XrFailure}. */
+/** The functions of an OpenXR session. All throw {@link XrFailure}. */
 interface XrSession extends AutoCloseable {
-  /** The kinds of space that everything is told in, by their numbers (OpenXR 1.0, 7.1). */
+  /** The types of reference spaces, with their numbers (XrReferenceSpaceType, OpenXR 1.0, 7.1). */
   enum SpaceKind {
     VIEW(1),
     LOCAL(2),
@@ -23,35 +23,42 @@ interface XrSession extends AutoCloseable {
     }
   }
 
-  /** When a frame will be seen. */
+  /**
+   * The timing of a frame: predicted display time and period in nanoseconds, and whether it is to
+   * be rendered.
+   */
   record FrameTime(long display, long period, boolean drawn) {}
 
   Set<SpaceKind> spaceKinds();
 
-  /** Makes a space of that kind. */
+  /** Creates a reference space. */
   long space(SpaceKind kind);
 
-  /** Where a space is in another at a time; empty while nobody knows its orientation. */
+  /** Locates a space in another at a time; empty while its orientation is not valid. */
   Optional<SpacePose> locate(long space, long in, long time);
 
   /**
-   * The same, but empty unless the runtime vouches for it: guesses do not count. An eye tracker
-   * that does not see the eyes well may still tell something ({@code XR_EXT_eye_gaze_interaction}).
+   * Locates a space only if its pose is tracked, not inferred. An eye tracker that does not see the
+   * eyes well may still report a valid pose ({@code XR_EXT_eye_gaze_interaction}).
    */
   Optional<SpacePose> tracked(long space, long in, long time);
 
-  /** The eyes in a space at a time, the left one first; empty while nobody knows. */
+  /**
+   * Locates the views of the eyes in a space at a time, the left one first; empty while unknown.
+   */
   Optional<List<EyeSight>> eyes(long in, long time);
 
-  /** The formats of pictures that the runtime takes, best first: numbers of OpenGL. */
+  /** Returns the OpenGL texture formats that the runtime supports, best first. */
   List<Integer> formats();
 
   long swapchain(int format, int width, int height);
 
-  /** The textures of a swapchain. */
+  /** Returns the OpenGL names of a swapchain's textures. */
   int[] textures(long swapchain);
 
-  /** Takes the next texture; returns its number once nobody else reads it. */
+  /**
+   * Acquires the next texture, waits until the runtime no longer reads it, and returns its index.
+   */
   int acquire(long swapchain);
 
   void release(long swapchain);
@@ -66,21 +73,21 @@ interface XrSession extends AutoCloseable {
   void beginFrame();
 
   /**
-   * One eye's part of a frame.
+   * One view of a frame's projection layer.
    *
-   * @param sight from where it was drawn, in the space of the layer
+   * @param sight view with which it was rendered, in the space of the layer
    */
   record EyePicture(long swapchain, int width, int height, EyeSight sight) {}
 
   /**
    * Ends a frame.
    *
-   * @param space that the eyes are told in
-   * @param pictures of both eyes; empty to show nothing
+   * @param space the space of the views
+   * @param pictures the views of both eyes; empty to show nothing
    */
   void endFrame(long display, int blendMode, long space, List<EyePicture> pictures);
 
-  /** What an eye's lens hides; only where the extension is there. */
+  /** Returns the visibility mask of an eye; only if the extension is enabled. */
   HiddenArea hidden(int eye);
 
   @Override

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** A session with its spaces, pictures and actions, from its creation to its end. */
+/** A running session with its spaces, swapchains and actions. */
 final class XrSitting implements AutoCloseable {
   private final XrConnection connection;
   private final XrSession session;
@@ -18,9 +18,9 @@ final class XrSitting implements AutoCloseable {
   private List<EyeSight> sights = List.of();
 
   /**
-   * Begins.
+   * Creates the session.
    *
-   * @param binding of the context, which is current
+   * @param binding binding of the OpenGL context, which is current
    */
   XrSitting(XrConnection connection, GraphicsBinding binding, Posture posture) {
     this.connection = connection;
@@ -43,7 +43,7 @@ final class XrSitting implements AutoCloseable {
     }
   }
 
-  /** Whether heights are above the real floor. */
+  /** Returns whether heights are above the real floor. */
   boolean floor() {
     return floor;
   }
@@ -56,7 +56,7 @@ final class XrSitting implements AutoCloseable {
     return images;
   }
 
-  /** Asks what the lenses hide, at first and when they are turned to another distance. */
+  /** Reads the visibility masks, at first and when they change. */
   void readHidden() {
     hidden =
         connection.has(XrConnection.MASK)
@@ -64,7 +64,7 @@ final class XrSitting implements AutoCloseable {
             : List.of();
   }
 
-  /** What the lens of each eye hides, the left one's first; empty when nobody knows. */
+  /** Returns the visibility masks, the left eye's first; empty without the extension. */
   List<HiddenArea> hidden() {
     return hidden;
   }
@@ -73,7 +73,9 @@ final class XrSitting implements AutoCloseable {
     return actions.held();
   }
 
-  /** Where everything will be when a frame is seen; empty while nobody knows. */
+  /**
+   * Returns the frame for a display time, with predicted poses; empty while the poses are unknown.
+   */
   Optional<XrFrame> frame(XrSession.FrameTime time) {
     Optional<SpacePose> at = session.locate(head, room, time.display());
     Optional<List<EyeSight>> eyes = session.eyes(room, time.display());
@@ -114,7 +116,7 @@ final class XrSitting implements AutoCloseable {
   /**
    * Ends a frame.
    *
-   * @param shown whether both eyes' pictures were drawn: as seen from where the frame said
+   * @param shown whether the pictures of both eyes were rendered, with the views of the frame
    */
   void end(long display, boolean shown) {
     images.release();

@@ -1,17 +1,16 @@
 package org.selectiverenderer.openxr;
 
 /**
- * How a headset does; a value for any thread.
+ * The status of a headset; immutable.
  *
- * @param runtime name and version; empty while there is none
- * @param headset its name; empty while there is none
+ * @param runtime name and version of the runtime; empty before the first
+ * @param headset name of the headset; empty before the first
  * @param visible whether the user sees the scene
- * @param lost whether the runtime is gone and being looked for
- * @param rate frames per second at which the headset wants them; 0 before the first
- * @param frames due so far
- * @param missed frames that were not ready in time
- * @param leadMs milliseconds from the pose's being asked for to the time that it was predicted for;
- *     0 when unknown
+ * @param lost whether the runtime was lost and is being looked for
+ * @param rate frame rate of the headset in frames per second; 0 before the first frame
+ * @param frames number of frames due so far
+ * @param missed number of frames that were not ready in time
+ * @param leadMs milliseconds from the prediction of a pose to its display time; 0 if unknown
  */
 public record XrStatus(
     String runtime,
@@ -22,6 +21,6 @@ public record XrStatus(
     long frames,
     long missed,
     double leadMs) {
-  /** Nothing is known yet. */
+  /** The status before the first frame. */
   public static final XrStatus NONE = new XrStatus("", "", false, false, 0, 0, 0, 0);
 }

@@ -11,32 +11,34 @@ import org.selectiverenderer.radiosity.solve.Transport;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * The light on patches, wherever it is stored in the end.
+ * The radiosity solution on patches, from which light at vertices and light at texels both start,
+ * and the cost of finding it.
  *
- * @param rays cast for it
+ * @param rays number of rays cast for the form factors and for direct light
  */
 record Iterations(Solution solution, long rays) {
-  /** Sides of patches, as a share of the maximum mesh size. */
+  /** Side of a patch, as a share of the maximum mesh size. */
   private static final double PATCH = 0.4;
 
-  /** Rays per patch, and lamp places per patch. */
+  /** Rays per patch, and sample points of each lamp per patch. */
   private static final int PATCH_RAYS = 64;
 
   private static final int PATCH_LAMP_PLACES = 8;
 
   /**
-   * The share of them where texels take their light from elsewhere: see {@link Transport.Effort}.
+   * Divides both numbers for versions whose texels copy the light of the reference version: see
+   * {@link Transport.Effort}.
    */
   private static final int FEWER = 4;
 
-  /** Patches of one triangle: those of 100 parts to an edge. */
+  /** Upper bound of the patches of one triangle: 100 parts to an edge, squared. */
   private static final double MOST_PARTS = 10_000;
 
   /**
-   * Passes light on until the wanted share of the energy is distributed. If it is cancelled, the
+   * Iterates until the requested share of the energy is distributed. If the work is cancelled, the
    * last complete iteration is the result.
    *
-   * @param each hears the solution after every iteration
+   * @param each receives the solution after every iteration
    * @throws UnlitSceneException if there is not enough memory, before the long work, or if it is
    *     cancelled before the first iteration is complete
    */
@@ -63,7 +65,7 @@ record Iterations(Solution solution, long rays) {
   }
 
   /**
-   * Whether there is memory for it.
+   * Checks that the patches and the mesh fit into Java's memory.
    *
    * @throws UnlitSceneException if there is not enough
    */
@@ -79,7 +81,10 @@ record Iterations(Solution solution, long rays) {
         "a maximum mesh size of %s m makes".formatted(RadiositySettings.shortest(plan.maxMesh())));
   }
 
-  /** Most that there will be: right-angled halves of squares with this side as longest. */
+  /**
+   * Returns an upper bound of the number of patches: triangles are counted as right-angled halves
+   * of squares whose diagonal has this length, metres.
+   */
   private static double patches(LightScene scene, double length) {
     double[] normal = new double[3];
     double sum = 0;

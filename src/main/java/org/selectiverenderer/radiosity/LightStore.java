@@ -3,19 +3,20 @@ package org.selectiverenderer.radiosity;
 import java.util.OptionalDouble;
 
 /**
- * Where light is stored, and how well.
+ * Settings of where the computed light is stored (lightmaps or vertex colours) and how finely.
  *
- * @param kind pictures, or colours at the vertices
- * @param texelsPerMetre of surfaces as large as a room's; empty for as many as the budget allows,
- *     up to a default
- * @param megabytes of all pictures together in memory, at most: three bytes a texel, 2^20 bytes
- *     each; their files are smaller
- * @param highlights whether shapes that shine keep their highlights, by lights that stay on
- * @param noise the mean standard error that is wished for in pictures, percent of the light
+ * @param kind lightmaps, or colours at the vertices
+ * @param texelsPerMetre texel density of surfaces as large as a room's; empty for the density that
+ *     the budget allows, up to a default
+ * @param megabytes upper limit of the memory of all lightmaps together, in units of 2^20 bytes at
+ *     three bytes a texel; their files are smaller
+ * @param highlights whether glossy shapes keep their specular highlights, for which lights stay on
+ *     in the lit scene
+ * @param noise the requested standard error of the light in lightmaps, percent of the light
  */
 public record LightStore(
     Kind kind, OptionalDouble texelsPerMetre, double megabytes, boolean highlights, double noise) {
-  /** Pictures or vertices. */
+  /** Lightmaps or vertex colours. */
   public enum Kind {
     TEXTURES,
     VERTICES
@@ -24,7 +25,7 @@ public record LightStore(
   private static final double BUDGET = 24;
   private static final double NOISE = 8;
 
-  /** Pictures, as fine as the budget allows. */
+  /** Lightmaps, as fine as the budget allows. */
   public static final LightStore DEFAULT =
       new LightStore(Kind.TEXTURES, OptionalDouble.empty(), BUDGET, true);
 
@@ -36,10 +37,10 @@ public record LightStore(
   private static final double DENSEST = 10_000;
   private static final double SMALLEST = 0.01;
 
-  /** Three numbers a texel of all pictures must be as many as an array has. */
+  /** Largest budget: three numbers for each texel of all lightmaps must fit into one Java array. */
   private static final double LARGEST = 2_000;
 
-  /** With the noise that is wished for by default. */
+  /** Creates settings with the default noise. */
   public LightStore(
       Kind kind, OptionalDouble texelsPerMetre, double megabytes, boolean highlights) {
     this(kind, texelsPerMetre, megabytes, highlights, NOISE);
@@ -57,7 +58,7 @@ public record LightStore(
     require(noise >= LEAST_NOISE && noise <= 100, "the noise must be from 0.1 to 100 percent");
   }
 
-  /** Whether light is stored in pictures. */
+  /** Returns whether light is stored in lightmaps. */
   public boolean inTextures() {
     return kind == Kind.TEXTURES;
   }

@@ -9,23 +9,27 @@ import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 import org.selectiverenderer.radiosity.trace.Versions;
 
 /**
- * What is to be subdivided and how far: the regions with a polygon budget, or, in a scene without
- * any, everything that has no versions, unless its light is in pictures.
+ * The plan of the adaptive subdivision: which bodies are subdivided and to how many polygons. These
+ * are the regions with a polygon budget or, in a scene without budgets, all bodies without
+ * versions, unless light is stored in lightmaps.
  *
- * @param minMesh metres
- * @param maxMesh metres
- * @param regions none when subdivision is off
+ * @param minMesh minimum mesh size, metres
+ * @param maxMesh maximum mesh size, metres
+ * @param regions the groups of bodies that share a polygon count; none when subdivision is off
  */
 record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
 
-  /** Sizes by default: shares of the scene's largest extent, and of the maximum. */
+  /**
+   * Default mesh sizes: the maximum as a share of the scene's largest extent, the minimum as a
+   * share of the maximum.
+   */
   private static final double MAX_SHARE = 1.0 / 40;
 
   private static final double MIN_SHARE = 0.1;
 
   /**
-   * @param bodies by their numbers
-   * @param exact whether {@code polygons} is the number to come to, or the most there may be
+   * @param bodies numbers of the bodies in the scene
+   * @param exact whether {@code polygons} is the exact number to reach, or an upper limit
    */
   record Region(List<Integer> bodies, int polygons, boolean exact) {}
 
@@ -47,17 +51,17 @@ record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
   }
 
   /**
-   * Brings a region to its number of polygons, if it has to come to one.
+   * Brings a region to its exact number of polygons, if it has one.
    *
    * @throws UnlitSceneException if there is no such division
    */
   void require(Region region, Subdivision subdivision) throws UnlitSceneException {
     if (region.exact() && !subdivision.toNumber()) {
       throw new UnlitSceneException(
-          ("the surfaces for which the scene asks %d polygons get %d: all of them are "
-                      + "closed, so")
+          ("the surfaces for which the scene asks for %d polygons can only have %d: all of them "
+                      + "are closed, so")
                   .formatted(region.polygons(), subdivision.count())
-              + " their number must be even");
+              + " the number must be even");
     }
   }
 
@@ -79,12 +83,12 @@ record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
     String place = String.valueOf(scene.bodies().get(bodies.get(0)).shape().node().location());
     if (triangles > polygons) {
       throw new UnlitSceneException(
-          "%s: the scene allows %d polygons here (radiosity polygons), but there are %d already"
+          "%s: the scene asks for %d polygons here (metadata radiosity), fewer than the %d it has"
               .formatted(place, polygons, triangles));
     }
     if (polygons > settings.maxPolygons()) {
       throw new UnlitSceneException(
-          "%s: the scene asks for %d polygons here (radiosity polygons), more than the %d allowed;"
+          "%s: the scene asks for %d polygons here (metadata radiosity), more than the %d allowed;"
                   .formatted(place, polygons, settings.maxPolygons())
               + " raise --max-polygons");
     }
@@ -108,7 +112,7 @@ record MeshPlan(double minMesh, double maxMesh, List<Region> regions) {
       bodies.add(i);
       triangles += body.triangles();
       for (int k = 0; k < body.triangles(); k++) {
-        // Right-angled halves of squares with the maximum as longest side.
+        // Counts right-angled halves of squares whose diagonal is the maximum mesh size.
         double parts = scene.triangles().normal(body.firstTriangle() + k, normal) / (max * max / 4);
         needed += Math.max(1, parts);
       }

@@ -8,17 +8,17 @@ import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.texel.TexelNoise;
 
 /**
- * What has become of light in pictures.
+ * Summary of the lightmaps that were written: their number, sizes, texel densities and noise.
  *
- * @param files pictures
- * @param bytes of all of them
- * @param texels of all of them, gutters among them
- * @param leastPerMetre texels per metre of the surface that has fewest, over its area; 0 if none
- *     has any
- * @param mostPerMetre of the one that has most
- * @param multiplied shapes whose own texture stays, multiplied by the light
- * @param shining shapes that keep their highlights
- * @param noise that the rays left in the light
+ * @param files number of image files
+ * @param bytes size of all image files together
+ * @param texels number of texels of all pages, gutters included
+ * @param leastPerMetre lowest mean texel density of a body, texels per metre; 0 if no body has
+ *     texels
+ * @param mostPerMetre highest mean texel density of a body, texels per metre
+ * @param multiplied number of shapes whose own texture stays and is multiplied by the lightmap
+ * @param shining number of shapes that keep their specular highlights
+ * @param noise statistics of the Monte Carlo noise that is left in the light
  */
 public record PictureReport(
     int files,

@@ -19,25 +19,30 @@ import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.texel.SeenSides;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
-/** Lights a scene: the whole way from triangles to light at vertices. */
+/**
+ * Bakes the light of a scene to vertices: solves on patches, subdivides the mesh adaptively and
+ * gathers irradiance at its vertices.
+ */
 final class Radiosity {
-  /** Rays per vertex while it is decided where to divide. */
+  /** Rays per vertex in the rough gathering by which it is decided where to divide. */
   private static final int ROUGH_RAYS = 32;
 
   private static final int ROUGH_LAMP_EVERY = 2;
 
-  /** Of so many rays gathered at a vertex one is accompanied by shadow rays to the lamps. */
+  /** One in this many gathering rays of a vertex is accompanied by shadow rays to the lamps. */
   private static final int LAMP_EVERY = 4;
 
-  /** So many times the rays are gathered at vertices of divided surfaces. */
+  /** Factor of the rays at vertices of divided surfaces. */
   private static final int DIVIDED = 4;
 
-  /** Facets of the mesh on which errors are measured: at least and at most. */
+  /**
+   * Least and largest number of facets of the fine mesh on which interpolation errors are measured.
+   */
   private static final int LEAST_FINE = 50_000;
 
   private static final int MOST_FINE = 200_000;
 
-  /** Errors in shares of white that are not worth dividing a facet. */
+  /** Interpolation error, as a share of display white, below which a facet is not divided. */
   private static final double EVEN_ENOUGH = 0.02;
 
   private final RadiositySettings settings;
@@ -49,9 +54,9 @@ final class Radiosity {
   }
 
   /**
-   * Lights a scene. If it is cancelled, the last complete iteration is what it is lit by.
+   * Lights a scene. If the work is cancelled, the last complete iteration lights it.
    *
-   * @param each hears the solution after every iteration
+   * @param each receives the solution after every iteration
    * @throws UnlitSceneException if the scene cannot be lit as asked for, before the long work, or
    *     if it is cancelled before the first iteration is complete
    */
@@ -81,7 +86,7 @@ final class Radiosity {
     return new LitScene(scene, facets, light, solution, curve, rays + light.rays());
   }
 
-  /** Divides a region; returns the rays that it took. */
+  /** Divides a region; returns the number of rays that this took. */
   private long divide(
       LightScene scene,
       Solution solution,
@@ -110,9 +115,9 @@ final class Radiosity {
   }
 
   /**
-   * Light for deciding where to divide.
+   * Display values at the corners of a region's facets, by which it is decided where to divide.
    *
-   * @param values shares of white by body and corner
+   * @param values shares of display white by body and corner
    */
   private record Gathered(Map<Integer, double[]> values, long rays) {}
 
@@ -146,7 +151,10 @@ final class Radiosity {
     return own;
   }
 
-  /** How bright a light grey surface would be shown, by body and corner. */
+  /**
+   * Returns the display value, as a share of white, that a light grey surface would have at each
+   * corner, by body.
+   */
   private static Map<Integer, double[]> values(
       List<Integer> bodies, Facets facets, VertexLight light, ToneCurve curve) {
     double grey = 0.6;

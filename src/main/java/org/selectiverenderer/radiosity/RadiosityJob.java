@@ -44,12 +44,13 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
- * A scene file lit and written: all files or none.
+ * One run of the radiosity command: reads a scene file, computes its light and writes the lit
+ * scene, all files or none.
  *
- * @param scene to be lit; it is left alone
- * @param access what it may name besides its own files
- * @param output the lit scene's file
- * @param inlines the folder for the files that it inlines
+ * @param scene the scene file to light; it is not changed
+ * @param access the content that the scene may load besides its own files
+ * @param output the file of the lit scene
+ * @param inlines the folder for the files that the lit scene inlines
  * @param preview a PNG file that shows the first viewpoint after every iteration, or null
  */
 public record RadiosityJob(
@@ -62,18 +63,21 @@ public record RadiosityJob(
   private static final String LIT = "-lit";
   private static final String UNLIT = "-unlit";
 
-  /** Share of light that leaves an open scene above which its author is told, percent. */
+  /**
+   * Share of the light that leaves the scene above which its author is told that it is open,
+   * percent.
+   */
   private static final double OPEN = 30;
 
   /**
-   * What came of it.
+   * The result of a run, as the command reports it.
    *
-   * @param triangles that were lit, versions included
-   * @param facets that carry light
-   * @param vertices at which light is stored; 0 if it is in pictures
-   * @param files of text
-   * @param complete whether nothing was cancelled
-   * @param pictures that the light is in; null if it is at vertices
+   * @param triangles number of triangles that were lit, versions included
+   * @param facets number of facets that carry light, versions included
+   * @param vertices number of vertices at which light is stored; 0 if it is in lightmaps
+   * @param files number of X3D files written
+   * @param complete whether the work ran to its end without being cancelled
+   * @param pictures summary of the lightmaps; null if light is stored at vertices
    */
   public record Report(
       int triangles,
@@ -88,23 +92,25 @@ public record RadiosityJob(
       boolean complete,
       @Nullable PictureReport pictures) {}
 
-  /** What is read, and what is written from it. */
+  /** The loaded scene and what is derived from it. */
   private record Work(LoadedScene loaded, InstanceTree tree, LightScene light, Problems problems) {}
 
-  /** A scene that may name no more than its own files. */
+  /** Creates a job for a scene that may load its own files only. */
   public RadiosityJob(
       Path scene, Path output, Path inlines, @Nullable Path preview, RadiositySettings settings) {
     this(scene, ContentAccess.none(), output, inlines, preview, settings);
   }
 
-  /** The file for a scene's lit copy by default: {@code room.x3d} gives {@code room-lit.x3d}. */
+  /**
+   * Returns the default file of a scene's lit copy: {@code room.x3d} gives {@code room-lit.x3d}.
+   */
   public static Path outputOf(Path scene) {
     return scene.resolveSibling(stem(scene) + LIT + ".x3d");
   }
 
   /**
-   * The folder for inlined files by default: in the folder {@code inlineNodes} beside the scene's
-   * own, which the scene may name, or else beside the scene.
+   * Returns the default folder for inlined files: in the folder {@code inlineNodes} beside the
+   * scene's own folder, which the scene may name, or else beside the scene.
    */
   public static Path inlinesOf(Path output) {
     Path folder = output.toAbsolutePath().normalize().getParent();
@@ -122,10 +128,12 @@ public record RadiosityJob(
   }
 
   /**
-   * Does it. If it is cancelled, the last complete iteration is written; nothing before the first.
+   * Runs the job. If it is cancelled, the last complete iteration is written, and nothing before
+   * the first one is complete.
    *
-   * @param iterations hears the energy balance of each
-   * @throws IOException if a file cannot be read or written, with one line
+   * @param iterations receives the energy balance of each iteration and the requested quality in
+   *     percent
+   * @throws IOException if a file cannot be read or written; the message is one line
    * @throws UnlitSceneException if the scene cannot be lit, before the long work, or if it is
    *     cancelled before the first iteration is complete
    */
@@ -223,12 +231,12 @@ public record RadiosityJob(
   }
 
   /**
-   * @param pictures bytes of each
+   * @param pictures size of each image file, bytes
    */
   private record Written(int texts, List<Integer> pictures) {}
 
   /**
-   * @param where the light is
+   * @param where the place of the light for the file's description: colours or pictures
    */
   private Written write(Work work, LitForm form, WorkProgress progress, String where)
       throws IOException {
@@ -251,7 +259,9 @@ public record RadiosityJob(
         texts.size(), pictures.values().stream().map(bytes -> bytes.length).toList());
   }
 
-  /** Over the last one, in its place, so that a viewer that has it open shows the new one. */
+  /**
+   * Overwrites the preview in place, so that an image viewer that has it open shows the new one.
+   */
   private void show(@Nullable PreviewPicture picture, Function<PreviewPicture, byte[]> png) {
     if (preview != null && picture != null) {
       try {

@@ -3,22 +3,23 @@ package org.selectiverenderer.radiosity;
 import java.util.OptionalDouble;
 
 /**
- * The parameters of thesis 5.2.1. Lengths are metres.
+ * The parameters of the radiosity computation (thesis 5.2.1). Lengths are metres.
  *
- * @param iterations number of iterations: how often light is passed on at most
- * @param quality initial quality: percent of the energy distributed at which passing on stops
+ * @param iterations largest number of iterations, that is of reflections
+ * @param quality initial quality: percent of the energy distributed at which iterations stop
  * @param minMesh edges are not divided below this; empty for a tenth of {@code maxMesh}
  * @param maxMesh edges of the largest faces after subdivision; empty for a 40th of the scene's
  *     largest extent
  * @param globalSubdivision whether surfaces without versions are subdivided at all
- * @param regather whether the light at each vertex is gathered anew by rays from the solution, or
- *     taken from the solution's own patches: faster, coarser
- * @param photometric whether point and spot lights fall off with the square of the distance, or by
- *     their {@code attenuation} as X3D draws them
- * @param rays gathered at each vertex
- * @param seed of all point sets
+ * @param regather whether light at vertices and texels is gathered by rays (final gathering), or
+ *     taken from the patches of the solution, which is faster and coarser
+ * @param photometric whether the light of point and spot lights falls with the square of the
+ *     distance, or by their {@code attenuation} as X3D draws them
+ * @param rays number of rays gathered at each vertex or irradiance record
+ * @param seed random seed of all point sets
  * @param exposure stops brighter (above 0) or darker than the automatic exposure
- * @param maxPolygons that surfaces without a polygon budget may have after subdivision
+ * @param maxPolygons largest number of polygons of surfaces without a polygon budget after
+ *     subdivision
  * @param store where the light is stored
  */
 public record RadiositySettings(
@@ -35,7 +36,7 @@ public record RadiositySettings(
     int maxPolygons,
     LightStore store) {
 
-  /** What one command without options does. */
+  /** The settings of the command without options. */
   public static final RadiositySettings DEFAULT =
       new RadiositySettings(
           50,
@@ -51,7 +52,7 @@ public record RadiositySettings(
           300_000,
           LightStore.DEFAULT);
 
-  /** Light at vertices. */
+  /** Creates settings that store light at vertices. */
   public RadiositySettings(
       int iterations,
       double quality,
@@ -94,7 +95,7 @@ public record RadiositySettings(
     require(maxPolygons >= 1, "the largest number of polygons must be at least 1");
   }
 
-  /** The same with light stored elsewhere. */
+  /** Returns these settings with another storage of light. */
   public RadiositySettings with(LightStore other) {
     return new RadiositySettings(
         iterations,
@@ -111,7 +112,7 @@ public record RadiositySettings(
         other);
   }
 
-  /** The same with another number of rays and share of the energy. */
+  /** Returns these settings with another number of rays and another quality. */
   public RadiositySettings with(int otherRays, double otherQuality) {
     return new RadiositySettings(
         iterations,
@@ -134,7 +135,7 @@ public record RadiositySettings(
     }
   }
 
-  /** A length for a message, to three digits. */
+  /** Formats a length for a message, to three digits. */
   static String shortest(double length) {
     return String.format(java.util.Locale.ROOT, "%.3g", length);
   }

@@ -23,14 +23,17 @@ import org.selectiverenderer.radiosity.texel.SharedTexels;
 import org.selectiverenderer.radiosity.texel.TexelGatherer;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
-/** Lights a scene: the whole way from triangles to light in pictures. */
+/**
+ * Bakes the light of a scene to lightmaps: solves on patches, builds the atlas and gathers
+ * irradiance at its texels.
+ */
 final class TexelRadiosity {
   private final RadiositySettings settings;
   private final WorkProgress progress;
   private final Problems problems;
 
   /**
-   * @param problems hears of surfaces whose light is coarser than wished
+   * @param problems receives a note for each surface whose texels are coarser than requested
    */
   TexelRadiosity(RadiositySettings settings, WorkProgress progress, Problems problems) {
     this.settings = settings;
@@ -39,10 +42,11 @@ final class TexelRadiosity {
   }
 
   /**
-   * Lights a scene. If it is cancelled, the last complete iteration is what it is lit by.
+   * Lights a scene. If the work is cancelled, the last complete iteration lights it.
    *
-   * @param fileOf the number of the file of each body, or {@link AtlasMaker#NO_GROUP}
-   * @param each hears the solution after every iteration
+   * @param fileOf by body: the number of the file that it is written to, or {@link
+   *     AtlasMaker#NO_GROUP}
+   * @param each receives the solution after every iteration
    * @throws UnlitSceneException if the scene cannot be lit as asked for, before the long work, or
    *     if it is cancelled before the first iteration is complete
    */
@@ -52,9 +56,9 @@ final class TexelRadiosity {
   }
 
   /**
-   * Likewise.
+   * Lights a scene and reports an intermediate result.
    *
-   * @param rough hears what there is at texels before light from surfaces is gathered, or null
+   * @param rough receives the light at texels before indirect light is gathered, or null
    */
   TexelScene light(
       LightScene scene,
@@ -93,7 +97,10 @@ final class TexelRadiosity {
         AtlasSettings.DEFAULT.largestPage());
   }
 
-  /** The surfaces that a scene asks a number of polygons for: longest edges are halved first. */
+  /**
+   * Subdivides the surfaces for which the scene asks a number of polygons; the longest edges are
+   * halved first.
+   */
   private static Map<Integer, List<Facet>> divided(LightScene scene, MeshPlan plan)
       throws UnlitSceneException {
     Map<Integer, List<Facet>> divided = new HashMap<>();

@@ -12,23 +12,23 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.runtime.instance.SurfaceDetail;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** What authors hear about the images on their surfaces before the long work. */
+/** Tells authors what becomes of the textures on their surfaces, before the long computation. */
 final class TextureNotes {
   private TextureNotes() {}
 
-  /** Where light is stored at vertices. */
+  /** Reports textures that a scene lit at its vertices loses. */
   static void atVertices(LightScene scene, Problems problems) {
     List<Body> textured =
         scene.bodies().stream().filter(body -> body.shape().surface().texture() != null).toList();
     if (!textured.isEmpty()) {
       problems.info(
           textured.get(0).shape().node().location(),
-          "textures are averaged over each triangle, and the lit scene has none (%s)"
+          "--store vertices averages textures over each triangle and drops their images (%s)"
               .formatted(shapes(textured.size())));
     }
   }
 
-  /** Where it is stored in pictures. */
+  /** Reports textures that a scene lit by lightmaps keeps in part only. */
   static void inPictures(LightScene scene, Problems problems) {
     left(scene, problems);
     List<Body> flat =
@@ -38,12 +38,15 @@ final class TextureNotes {
     if (!flat.isEmpty()) {
       problems.info(
           flat.get(0).shape().node().location(),
-          "the texture coordinates lie in one line or point, so the texture is drawn as stripes or"
+          "all texture coordinates lie on one line or point, so the texture is drawn as stripes or"
               + " one colour, with light and without (%s)".formatted(shapes(flat.size())));
     }
   }
 
-  /** What shines and does so no more, when it is known which images stay apart. */
+  /**
+   * Reports glossy surfaces that lose their highlights because their image stays a texture of its
+   * own.
+   */
   static void withoutHighlights(LightScene scene, TextureUse use, Problems problems) {
     List<Body> matt = new ArrayList<>();
     for (int i = 0; i < scene.bodies().size(); i++) {
@@ -55,14 +58,14 @@ final class TextureNotes {
     if (!matt.isEmpty()) {
       problems.info(
           matt.get(0).shape().node().location(),
-          ("the surface loses its highlights, since its image is much finer than its light, repeats"
-                  + " often or has holes, and stays apart; raise --texels-per-metre or"
-                  + " --texture-budget, or give it an image with fewer pixels (%s)")
+          ("the surface loses its highlights, since its texture is much finer than the lightmap,"
+                  + " repeats often or has transparency and cannot be merged with it; raise"
+                  + " --texels-per-metre or --texture-budget, or use a smaller image (%s)")
               .formatted(shapes(matt.size())));
     }
   }
 
-  /** Images beyond the first, of which none is in the lit scene. */
+  /** Reports MultiTextures, of which the lit scene has the first image only. */
   private static void left(LightScene scene, Problems problems) {
     List<Body> several = scene.bodies().stream().filter(body -> images(body) > 1).toList();
     if (several.isEmpty()) {
@@ -78,7 +81,7 @@ final class TextureNotes {
             .formatted(images(first), shapes(several.size())));
   }
 
-  /** The images of a MultiTexture; 0 for another texture. */
+  /** Returns the number of images of a MultiTexture; 0 for another texture. */
   private static int images(Body body) {
     SurfaceDetail detail = body.shape().surface().detail();
     return detail == null ? 0 : detail.stages().size();

@@ -1,6 +1,6 @@
 /**
  * Radiosity (thesis 2.1.4 and 5.2.1): diffuse inter-reflection in a scene, computed once and stored
- * in pictures or as colours at the vertices.
+ * in lightmaps or as colours at the vertices.
  *
  * <pre>
  * instance tree -> scene: triangles, reflectance, lamps -> trace: box trees over triangles
@@ -10,16 +10,17 @@
  *   -> output: X3D files, and pictures beside them
  * </pre>
  *
- * <p>The instance tree of a scene that does not run is read, so that every path is a place with a
- * light of its own, and that tree is written back as files: lit shapes have pictures or colours and
- * no diffuse material, every place of an Inline has a file of its own. Visibility knows versions:
- * one of each object stands for it, any other is lit in its place. Form factors are found once per
- * patch and kept as the patches that rays met; iterations are sums over them. Vertices gather over
- * the facets around them, all with the same directions.
+ * <p>The instance tree of a scene that does not run is read, so that every path to a shape has
+ * light of its own, and that tree is written back as files: lit shapes have lightmaps or vertex
+ * colours and no diffuse material, and every instance of an Inline has a file of its own.
+ * Visibility knows versions: one version of each object stands for it, and any other is lit in its
+ * place. Form factors are found once per patch and kept as the list of patches that its rays met;
+ * iterations are sums over them. Vertices gather over the facets around them, all with the same
+ * directions.
  *
  * <p>The same scene, settings and seed give the same bytes on every machine with any number of
- * processors: every patch and vertex has its own place to write to and takes its points from sets
- * with integer seeds, and only {@code StrictMath} is used beyond square roots.
+ * processors: every patch and vertex writes to its own array elements and takes its sample points
+ * from sets with integer seeds, and only {@code StrictMath} is used beyond square roots.
  *
  * <p>In: a scene's file and {@link org.selectiverenderer.radiosity.RadiositySettings}. Out: {@link
  * org.selectiverenderer.radiosity.bake.LitScene} and, by {@code output}, files; by {@code preview},

@@ -10,16 +10,17 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
 /**
- * Follows Anchors (X3D 4.0, 9.4.1): {@code #Name} binds a viewpoint of the Anchor's own file, any
- * other url is a scene to go to, {@code file#Name} from that viewpoint of it.
+ * Follows the link of an activated Anchor (X3D 4.0, 9.4.1): {@code #Name} binds a viewpoint of the
+ * Anchor's own file; any other url names a scene that replaces the present one; {@code file#Name}
+ * shows that scene from the named viewpoint.
  */
 final class AnchorLinks {
-  /** What an Anchor can do to the world. */
+  /** The changes that an Anchor can make to the world. */
   interface Target {
-    /** Binds a viewpoint of the scene that is shown. */
+    /** Binds a viewpoint of the scene that the world shows. */
     void bind(Node viewpoint);
 
-    /** Shows another scene. */
+    /** Shows another scene in place of the present one. */
     void show(LoadedScene scene);
   }
 
@@ -35,16 +36,16 @@ final class AnchorLinks {
     this.target = target;
   }
 
-  /** The user activated an Anchor. */
+  /** Follows the link of an Anchor that the user activated. */
   void follow(GroupInstance anchor) {
     follow(anchor.node(), anchor.node().strings("url"), fileOf(anchor));
   }
 
   /**
-   * Goes where an Anchor with some urls leads.
+   * Follows a link with the given urls.
    *
-   * @param node the Anchor, or the Script that asks for it
-   * @param file the scene of the file in which it stands
+   * @param node the Anchor, or the Script that follows the link
+   * @param file the scene of the file that contains {@code node}
    */
   void follow(Node node, String[] urls, Scene file) {
     if (urls.length > 0 && urls[0].strip().startsWith("#")) {
@@ -72,7 +73,7 @@ final class AnchorLinks {
     }
   }
 
-  /** The scene of the file in which an Anchor stands. */
+  /** Returns the scene of the file that contains an Anchor. */
   private Scene fileOf(GroupInstance anchor) {
     for (GroupInstance above = anchor.parent(); above != null; above = above.parent()) {
       if (above.node() instanceof InlineNode inline && inline.content().isPresent()) {

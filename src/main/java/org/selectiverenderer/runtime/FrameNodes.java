@@ -23,15 +23,16 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
 /**
- * The nodes of a scene that a frame is about, each once, in document order.
+ * The nodes of a layer that the frame step visits, sorted by role; each node once, in document
+ * order.
  *
- * @param frameNodes sensors and clocks, those that stand in no group last
- * @param inlines all Inlines, filled or not
- * @param scripts all Scripts, those that stand in no group last
- * @param keySensors sensors of the keyboard
- * @param sounds all Sounds
- * @param picks picking sensors
- * @param touchable whether there is a sensor of the pointing device or an Anchor
+ * @param frameNodes sensors and clocks; those outside all groups come last
+ * @param inlines all Inlines, whether or not they have content
+ * @param scripts all Scripts; those outside all groups come last
+ * @param keySensors key device sensors
+ * @param sounds all Sound nodes
+ * @param picks pick sensors
+ * @param touchable whether there is a pointing device sensor or an Anchor
  * @param draggable whether there is a drag sensor
  */
 record FrameNodes(
@@ -45,9 +46,10 @@ record FrameNodes(
     boolean draggable) {
 
   /**
-   * The nodes of a layer of a scene.
+   * Collects the nodes of a layer of a scene.
    *
-   * @param base whether the scene's nodes in no group count too
+   * @param base whether the layer is the scene's base layer, which also has the nodes outside all
+   *     groups
    */
   static FrameNodes of(Scene scene, boolean base, InstanceTree instances) {
     Set<InlineNode> inlines = new LinkedHashSet<>();
@@ -61,7 +63,7 @@ record FrameNodes(
     for (InlineNode inline : inlines) {
       inline.shown().ifPresent(content -> loose.addAll(content.loose()));
     }
-    // Else they came with a scene that a script or an application has made and taken nodes of.
+    // Other nodes came with a scene of which a script or an application has taken nodes over.
     placed.forEach(node -> InstanceFace.beside(node, beside));
     instances.shapes().forEach(shape -> InstanceFace.beside(shape.node(), beside));
     beside.removeAll(scene.loose());
@@ -97,7 +99,7 @@ record FrameNodes(
     from.stream().filter(kind::isInstance).forEach(node -> to.add(kind.cast(node)));
   }
 
-  /** What is drawn and changes by itself, each once. */
+  /** Returns the nodes that make their own mesh and change by themselves, each once. */
   private static Set<Node> formed(InstanceTree instances) {
     Set<Node> formed = new LinkedHashSet<>();
     for (ShapeInstance shape : instances.shapes()) {
@@ -108,7 +110,10 @@ record FrameNodes(
     return formed;
   }
 
-  /** What plays on shapes and in backgrounds, and what is drawn on shapes, each once. */
+  /**
+   * Returns the movie textures on shapes and in backgrounds, and the generated cube maps on shapes,
+   * each once.
+   */
   private static Set<Node> films(InstanceTree instances, List<Node> placed) {
     Set<Node> films = new LinkedHashSet<>();
     instances.shapes().forEach(shape -> films.addAll(shape.films()));
@@ -125,7 +130,10 @@ record FrameNodes(
     return films;
   }
 
-  /** Collects Inlines and what stands beside groups; says whether there is an Anchor. */
+  /**
+   * Collects Inlines and the nodes that stand beside instances of prototypes; returns whether the
+   * group or one below it is an Anchor.
+   */
   private static boolean collect(GroupInstance group, Set<InlineNode> inlines, Set<Node> beside) {
     InstanceFace.beside(group.node(), beside);
     if (group.node() instanceof InlineNode inline) {

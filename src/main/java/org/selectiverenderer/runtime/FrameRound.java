@@ -19,14 +19,14 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 
 /**
- * Has the sensors and clocks of a scene look at each frame, in their order. Of ProximitySensors
- * only those look that can have something to say: the viewer is at their box, or was in it, or what
- * a sensor before them sent has changed their box in this very frame; of {@link Sleeper}s those
- * that are awake. The events are those of a round through all of them; what a frame costs depends
- * on the sensors near the viewer.
+ * Updates the sensors and clocks of a layer in every frame, in their order, and skips those that
+ * cannot have an event to send. A ProximitySensor is updated only if the viewer is in its bounding
+ * box, or was in the frame before, or if an event of an earlier sensor has changed that box in this
+ * very frame; a {@link Sleeper} only while it is awake. The events are the same as if all nodes
+ * were updated in every frame, but the cost of a frame depends only on the sensors near the viewer.
  */
 final class FrameRound {
-  /** Changed boxes per sensor after which the tree's shape is worth making anew. */
+  /** Number of moved boxes per sensor after which the BVH is rebuilt instead of refitted. */
   private static final int WORN = 4;
 
   private static final int BEFORE_ALL = -1;
@@ -50,7 +50,7 @@ final class FrameRound {
   private int turn = AFTER_ALL;
 
   /**
-   * @param nodes in the order in which they look
+   * @param nodes the nodes in update order
    */
   FrameRound(List<FrameNode> nodes) {
     this.nodes = nodes;
@@ -76,7 +76,7 @@ final class FrameRound {
     }
   }
 
-  /** Whether it is a round of these nodes in this order. */
+  /** Returns whether this is the schedule of these nodes in this order. */
   boolean isOf(List<FrameNode> others) {
     if (others.size() != nodes.size()) {
       return false;
@@ -89,7 +89,10 @@ final class FrameRound {
     return true;
   }
 
-  /** A node stands elsewhere than in the frame before; any node, not during {@link #frame}. */
+  /**
+   * Notes that a node (of any type) has another world position than in the frame before; not to be
+   * called during {@link #frame}.
+   */
   void moved(Node node) {
     Watched watched = byNode.get(node);
     if (watched != null) {
@@ -97,16 +100,16 @@ final class FrameRound {
     }
   }
 
-  /** Leaves the nodes without an observer. */
+  /** Removes the observers from the nodes. */
   void close() {
     sensors.forEach(watched -> watched.sensor.removeObserver(watched));
     sleepers.forEach(sleeping -> sleeping.sleeper.wakeBy(null));
   }
 
   /**
-   * One frame.
+   * Updates the nodes for one frame.
    *
-   * @return how many nodes have looked at it
+   * @return the number of nodes that were updated
    */
   int frame(Frame frame, Cascade cascade) {
     BoxTree boxes = follow(frame);
@@ -143,7 +146,7 @@ final class FrameRound {
     return looked;
   }
 
-  /** The tree with every sensor's box where it is now. */
+  /** Returns the BVH of the sensors' boxes, refitted to their present positions. */
   private BoxTree follow(Frame frame) {
     if (tree == null) {
       sensors.forEach(watched -> watched.sensor.reach(frame, watched.box));
@@ -163,7 +166,7 @@ final class FrameRound {
     return tree;
   }
 
-  /** A node that looks at some frames only. */
+  /** A node that is updated in some frames only. */
   private abstract class Due {
     final int order;
     private boolean queued;
@@ -172,7 +175,7 @@ final class FrameRound {
       this.order = order;
     }
 
-    /** Looks at a frame; returns whether it is to look at the next one too. */
+    /** Updates the node; returns whether it must be updated in the next frame too. */
     abstract boolean look(Frame frame, Cascade cascade);
 
     final void queue() {
@@ -183,7 +186,7 @@ final class FrameRound {
     }
   }
 
-  /** A node that may rest. */
+  /** A node that may sleep. */
   private final class Sleeping extends Due implements Runnable {
     private final Sleeper sleeper;
 
@@ -195,7 +198,7 @@ final class FrameRound {
     @Override
     public void run() {
       if (order <= turn && turn != AFTER_ALL) {
-        late.add(this); // It has had its turn in this frame.
+        late.add(this); // Its turn in this frame is over.
       } else {
         queue();
       }
@@ -208,7 +211,7 @@ final class FrameRound {
     }
   }
 
-  /** A ProximitySensor and the box in the world out of which it senses nothing. */
+  /** A ProximitySensor and its world-space bounding box; a viewer outside the box is not sensed. */
   private final class Watched extends Due implements NodeObserver {
     private final ProximitySensorNode sensor;
     private final int item = sensors.size();
@@ -226,7 +229,7 @@ final class FrameRound {
       return sensor.active();
     }
 
-    /** Rounds outwards, so that no float box is smaller than what it stands for. */
+    /** Rounds outwards to float, so that the float box encloses the double box. */
     void box(float[] out) {
       for (int axis = 0; axis < 3; axis++) {
         out[axis] = Math.nextDown((float) box[axis]);

@@ -5,15 +5,16 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
-/** Takes what the pointing device says of the whole picture into the part of a layer. */
+/** Maps the pointing device's direction in the whole picture to a layer's part of the picture. */
 final class LayerPointing {
   private LayerPointing() {}
 
   /**
-   * The same in a layer; away where it points beside its part.
+   * Returns the pointer as the viewer of a layer sees it; {@link Pointer#AWAY} where it points
+   * outside the layer's part of the picture.
    *
-   * @param pointer as the viewer of the whole picture sees it
-   * @param layer who sees the layer
+   * @param pointer the pointer in the frame of the viewer of the whole picture
+   * @param layer the viewer of the layer
    */
   static Pointer in(LayerView.Part part, Viewer layer, Pointer pointer, Viewer whole) {
     Optional<Vector3dc> direction =
@@ -27,7 +28,7 @@ final class LayerPointing {
     if (at.z() >= 0) {
       return Optional.empty();
     }
-    // From the middle of the picture to its edges, -1..1.
+    // Position in the picture: 0 is its middle, -1 and 1 are its edges.
     double unit = Math.tan(whole.fieldOfView() / 2) * -at.z();
     double x = at.x() / unit * Math.min(1, 1 / aspect);
     double y = at.y() / unit * Math.min(1, aspect);

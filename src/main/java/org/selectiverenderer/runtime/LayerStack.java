@@ -24,13 +24,14 @@ import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * The layers of a scene (X3D 4.0, 35.2 and 35.4.2): what stands in no layer is layer 0, the others
- * are those of the LayerSet among the scene's root nodes, from 1. The user walks in the active one
- * and sees those of the order, the first at the bottom. A scene without a LayerSet is layer 0 and
- * costs nothing more. Belongs to the thread that steps the world.
+ * The layers of a scene (X3D 4.0, 35.2 and 35.4.2). Layer 0 holds the nodes that are in no Layer
+ * node; layers 1 and up are those of the LayerSet among the scene's root nodes. The user navigates
+ * in the active layer and sees the layers that the field {@code order} lists, the first at the
+ * bottom. A scene without a LayerSet consists of layer 0 only and has no extra cost. Belongs to the
+ * thread that steps the world.
  */
 final class LayerStack {
-  /** What all layers share. */
+  /** The objects that all layers share. */
   record Parts(
       Assets assets, MeshTrees meshes, Consumer<GroupInstance> activated, Cascade cascade) {}
 
@@ -42,12 +43,15 @@ final class LayerStack {
   private List<Node> rootNodes = List.of();
   private @Nullable Node layerSet;
 
-  /** The layers as the LayerSet has them: their numbers count, also of those not acted on. */
+  /**
+   * The LayerSet's {@code layers} field as it is: its indices number the layers, including nodes
+   * that are no layers known here.
+   */
   private List<Node> given = List.of();
 
   private List<Node> layerNodes = List.of();
 
-  /** Whether layers came or went since their nodes were last looked at. */
+  /** Whether layers were added or removed since their nodes were last collected. */
   private boolean relayered;
 
   private SceneLayer active;
@@ -55,8 +59,8 @@ final class LayerStack {
   private Picture picture;
 
   /**
-   * @param user who walks in the active layer
-   * @param picture that the scene is seen in
+   * @param user the viewer that the user moves in the active layer
+   * @param picture the size of the picture
    */
   LayerStack(Scene scene, Parts parts, Viewer user, Picture picture) {
     this.picture = picture;
@@ -68,7 +72,7 @@ final class LayerStack {
     follow();
   }
 
-  /** The layer that the user walks in. */
+  /** Returns the layer in which the user navigates. */
   SceneLayer active() {
     return active;
   }
@@ -77,7 +81,7 @@ final class LayerStack {
     return layerSet == null;
   }
 
-  /** All layers, the scene's own first. */
+  /** Returns all layers, layer 0 first. */
   Collection<SceneLayer> all() {
     if (alone()) {
       return List.of(base);
@@ -87,7 +91,7 @@ final class LayerStack {
     return all;
   }
 
-  /** Follows the LayerSet: layers that came or went, and which of them is active. */
+  /** Brings the layers and the active layer up to date with the LayerSet. */
   void follow() {
     List<Node> roots = base.root.children();
     if (roots != rootNodes) {
@@ -134,7 +138,9 @@ final class LayerStack {
     }
   }
 
-  /** The layer that is to be active: a number of no layer means the scene's own. */
+  /**
+   * Returns the layer that {@code activeLayer} names; layer 0 if the number belongs to no layer.
+   */
   private SceneLayer wanted() {
     return layerSet == null
         ? base
@@ -150,7 +156,7 @@ final class LayerStack {
         : Optional.ofNullable(known.get(given.get(number - 1)));
   }
 
-  /** The layers in the order of drawing, the lowest first; each once. */
+  /** Returns the layers in drawing order, the lowest first, each once. */
   private List<SceneLayer> order() {
     if (layerSet == null) {
       return List.of(base);
@@ -162,7 +168,7 @@ final class LayerStack {
     return order;
   }
 
-  /** The layers that are seen, the lowest first. */
+  /** Returns the visible layers, the lowest first. */
   List<LayerView> views() {
     return order().stream().map(layer -> layer.view(part(layer), layer == active)).toList();
   }
@@ -180,7 +186,10 @@ final class LayerStack {
     return layer.root.type().field("pickable").isEmpty() || layer.root.bool("pickable");
   }
 
-  /** The other viewers follow their viewpoints; the user is led by the world. */
+  /**
+   * Moves the viewers of the inactive layers to their viewpoints; the world moves the viewer of the
+   * active one.
+   */
   void lead() {
     if (!alone()) {
       all().stream().filter(layer -> layer != active).forEach(layer -> layer.follower.follow());
@@ -191,17 +200,17 @@ final class LayerStack {
     all().forEach(layer -> layer.look(picture, part(layer), cascade));
   }
 
-  /** What depends on the picture follows it. */
+  /** Brings nodes whose layout depends on the size of the picture up to date. */
   void see(Picture now) {
     picture = now;
     all().forEach(layer -> layer.see(now, part(layer)));
   }
 
   /**
-   * Takes the pointing device to the layers, from the top: what it is over in one hides those
-   * below.
+   * Passes the pointing device to the layers from the top down: a layer with a shape under the
+   * pointer hides the layers below it.
    *
-   * @param since what the device said since the last frame, oldest first
+   * @param since the pointer states since the last frame, oldest first
    */
   void point(List<Pointer> since, Cascade cascade) {
     if (alone()) {
@@ -218,10 +227,10 @@ final class LayerStack {
   }
 
   /**
-   * The shape of the active layer that is pointed at, with nothing above it, if the scene itself
-   * has nothing to do with a click there.
+   * Returns the shape of the active layer under the pointer, unless a layer above covers it or a
+   * sensor or Anchor of the scene takes clicks there.
    *
-   * @param latest what the device said since the last frame, if anything
+   * @param latest the last pointer state since the last frame, if there was one
    */
   Optional<ShapeInstance> pointedAt(Optional<Pointer> latest) {
     if (alone()) {
@@ -250,26 +259,34 @@ final class LayerStack {
     all().forEach(layer -> layer.bindables.update(cascade));
   }
 
-  /** Polygons that all layers hold, whether they are in the order or not. */
+  /**
+   * Returns the number of polygons shown in all layers, including layers that the field {@code
+   * order} does not list.
+   */
   long shownPolygons() {
     return alone()
         ? base.instances.shownPolygons()
         : all().stream().mapToLong(layer -> layer.instances.shownPolygons()).sum();
   }
 
-  /** What all layers have of a kind; what is USEd in several, once. */
+  /**
+   * Collects the nodes of one kind from all layers; a node that is USEd in several layers comes
+   * once.
+   */
   <T> List<T> gathered(Function<SceneLayer, List<T>> kind) {
     return alone()
         ? kind.apply(base)
         : all().stream().flatMap(l -> kind.apply(l).stream()).distinct().toList();
   }
 
-  /** Whether something is so of what is pointed at in any layer. */
+  /** Returns whether a condition holds for the pointing device handler of any layer. */
   boolean anyPointing(Predicate<Pointing> so) {
     return all().stream().anyMatch(layer -> so.test(layer.pointing));
   }
 
-  /** What the scene says of what is pointed at, the highest layer first. */
+  /**
+   * Returns the descriptions of the sensors or Anchor under the pointer, the topmost layer first.
+   */
   List<String> descriptions() {
     List<SceneLayer> order = order();
     for (int i = order.size() - 1; i >= 0; i--) {
@@ -281,7 +298,7 @@ final class LayerStack {
     return List.of();
   }
 
-  /** Follows the structure of all layers; says whether anything was new. */
+  /** Collects the nodes of all layers whose structure has changed; returns whether any has. */
   boolean frameNodes() {
     boolean changed = relayered;
     relayered = false;
@@ -289,7 +306,7 @@ final class LayerStack {
       changed |= layer.frameNodes(scene, layer == base);
     }
     if (changed) {
-      // A node may stand in several layers; it looks at a frame once.
+      // A node may be USEd in several layers; it is updated once per frame.
       Set<FrameNode> taken = Collections.newSetFromMap(new IdentityHashMap<>());
       all().forEach(layer -> layer.choose(taken));
       all().forEach(SceneLayer::engage);

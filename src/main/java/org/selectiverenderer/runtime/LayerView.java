@@ -8,15 +8,16 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * A layer of a scene as it is seen (X3D 4.0, 35.2). A scene without a LayerSet is one layer.
+ * A visible layer of a scene with everything a renderer needs to draw it (X3D 4.0, 35.2). A scene
+ * without a LayerSet has one layer.
  *
- * @param instances what is in it
- * @param viewer who sees it; the user's own in the active layer
- * @param backdrop behind it; empty where the layers below are seen
- * @param navigationInfo that is bound in it
- * @param viewpoint that is bound in it
- * @param part of the picture that it is drawn into
- * @param active whether it is the one that the user walks in
+ * @param instances the instances in the layer
+ * @param viewer the layer's viewer; in the active layer this is the user's viewer
+ * @param backdrop the layer's background; empty if the layers below show through
+ * @param navigationInfo the NavigationInfo bound in the layer
+ * @param viewpoint the viewpoint bound in the layer
+ * @param part the part of the picture that the layer is drawn into
+ * @param active whether the user navigates in this layer
  */
 public record LayerView(
     InstanceTree instances,
@@ -28,12 +29,15 @@ public record LayerView(
     Part part,
     boolean active) {
 
-  /** A part of a picture, 0..1 from its left and from its bottom. */
+  /** A rectangular part of a picture; 0..1 from the left and from the bottom. */
   public record Part(double left, double right, double bottom, double top) {
-    /** All of it. */
+    /** The whole picture. */
     public static final Part WHOLE = new Part(0, 1, 0, 1);
 
-    /** The {@code clipBoundary} of a Viewport (X3D 4.0, 35.4.4); all where it spans nothing. */
+    /**
+     * Returns the part given by the {@code clipBoundary} of a Viewport (X3D 4.0, 35.4.4); the whole
+     * picture if that boundary is empty.
+     */
     static Part of(float[] boundary) {
       if (boundary.length < 4) {
         return WHOLE;

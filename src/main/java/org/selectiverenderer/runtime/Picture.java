@@ -6,21 +6,21 @@ import org.selectiverenderer.runtime.viewer.Extent;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * The size of the picture that a world is seen in: of one eye's where there are two.
+ * The size of the picture in which a world is seen; in stereo, of one eye's picture.
  *
- * @param width in pixels of the desktop, above 0
- * @param height in pixels of the desktop, above 0
- * @param frustum of a display that shows another angle than the viewer's: what is seen at a
- *     distance of 1
+ * @param width the picture's width in desktop pixels, above 0
+ * @param height the picture's height in desktop pixels, above 0
+ * @param frustum the cross-section of the display's view frustum at distance 1, for displays whose
+ *     viewing angle differs from the viewer's
  */
 record Picture(double width, double height, Optional<Extent> frustum) {
   /**
-   * What is assumed where no picture is drawn: that of a window; as wide to high as {@link
-   * WorldFrame} assumes.
+   * The size assumed while nothing is drawn; its aspect ratio is the one that {@link WorldFrame}
+   * assumes.
    */
   static final Picture DEFAULT = new Picture(1024, 768, Optional.empty());
 
-  /** What a viewer sees in a part of it. */
+  /** Returns the view parameters of a viewer for a part of the picture. */
   Sight sight(Viewer viewer, LayerView.Part part) {
     double wide = width * part.width();
     double high = height * part.height();

@@ -5,18 +5,18 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What the pointing device says.
+ * The state of the pointing device at one moment.
  *
- * @param direction where it points, in the viewer's frame (looking along -Z, Y up), of any length;
- *     empty when it is over nothing of the scene, outside the window for instance
- * @param pressed whether its button is down
- * @param aspect width of the picture that it points into, to its height
+ * @param direction the pointing direction in the viewer's frame (looking along -Z, Y up), of any
+ *     length; empty if the device points at nothing of the scene, for example outside the window
+ * @param pressed whether the device's button is down
+ * @param aspect the ratio of width to height of the picture that it points into
  */
 public record Pointer(Optional<Vector3dc> direction, boolean pressed, double aspect) {
-  /** Over nothing. */
+  /** The state in which the device points at nothing. */
   public static final Pointer AWAY = new Pointer(Optional.empty(), false);
 
-  /** In a picture as wide as high. */
+  /** Makes a state for a square picture. */
   public Pointer(Optional<Vector3dc> direction, boolean pressed) {
     this(direction, pressed, 1);
   }

@@ -16,10 +16,10 @@ import org.selectiverenderer.runtime.viewer.ViewRay;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * Takes the pointing device to the TouchSensors, drag sensors and Anchors of a scene. What it says
- * between two frames is evaluated in order, so that no click is lost, and its last word again in
- * every frame, since viewer and scene move under it. An Anchor is activated when the button is
- * released where it was pressed.
+ * Passes the pointing device to the TouchSensors, drag sensors and Anchors of a layer. All states
+ * between two frames are evaluated in order, so that no click is lost; the last state is evaluated
+ * again in every frame, since viewer and scene move under the pointer. An Anchor is activated when
+ * the button is released over the Anchor on which it was pressed.
  */
 final class Pointing {
   private final InstanceTree instances;
@@ -33,7 +33,7 @@ final class Pointing {
   private boolean touchable;
 
   /**
-   * @param activated hears of an Anchor that the user clicked on
+   * @param activated called with each Anchor that the user clicked
    */
   Pointing(InstanceTree instances, MeshTrees meshes, Consumer<GroupInstance> activated) {
     this.instances = instances;
@@ -41,22 +41,27 @@ final class Pointing {
     this.meshes = meshes;
   }
 
-  /** Whether there is a sensor or an Anchor: without any, no ray is cast. */
+  /**
+   * Sets whether the layer has a pointing device sensor or an Anchor; without any, no ray is cast.
+   */
   void touchable(boolean anything) {
     touchable = anything;
   }
 
-  /** Whether a drag sensor has the pointer, or would have it if the button went down. */
+  /**
+   * Returns whether a drag sensor has grabbed the pointer, or would grab it if the button went
+   * down.
+   */
   boolean wantsDrag() {
     return touchable && (touch.dragging() || touch.overDragSensor());
   }
 
-  /** Whether a drag sensor has the pointer. */
+  /** Returns whether a drag sensor has grabbed the pointer. */
   boolean dragging() {
     return touchable && touch.dragging();
   }
 
-  /** What the scene says of what is pointed at; none where it says nothing. */
+  /** Returns the author's descriptions of the sensors or Anchor under the pointer. */
   List<String> descriptions() {
     if (!touchable || pointedAnchor.isEmpty()) {
       return touchable ? touch.descriptions() : List.of();
@@ -66,7 +71,7 @@ final class Pointing {
   }
 
   /**
-   * @param since what the device said since the last frame, oldest first
+   * @param since the pointer states since the last frame, oldest first
    */
   void frame(List<Pointer> since, Viewer viewer, Cascade cascade) {
     if (!touchable) {
@@ -80,7 +85,7 @@ final class Pointing {
     }
   }
 
-  /** Whether it is over any shape. */
+  /** Returns whether the pointer is over any shape. */
   boolean meets(Pointer pointer, Viewer viewer) {
     return ray(pointer, viewer).flatMap(this::cast).isPresent();
   }
@@ -96,12 +101,14 @@ final class Pointing {
     return rays().cast(ray.origin(), ray.direction(), Double.POSITIVE_INFINITY);
   }
 
-  /** The last word of the device. */
+  /** Returns the last state of the device. */
   Pointer last() {
     return last;
   }
 
-  /** The shape that it is over, if the scene itself has nothing to do with a click there. */
+  /**
+   * Returns the shape under the pointer, unless a sensor or Anchor of the scene takes clicks there.
+   */
   Optional<ShapeInstance> idle(Pointer pointer, Viewer viewer) {
     return ray(pointer, viewer)
         .flatMap(this::cast)

@@ -17,9 +17,9 @@ import org.selectiverenderer.runtime.script.Scripts;
 import org.selectiverenderer.runtime.sound.Voice;
 
 /**
- * The scene that a world shows, with all that runs in it: its layers, the files that it comes to
- * name, its scripts. Made anew when the world shows another one. Belongs to the thread that steps
- * the world.
+ * The scene that a world shows, with everything that runs in it: its layers, the files that it
+ * loads while it runs, and its scripts. A new one is made when the world shows another scene.
+ * Belongs to the thread that steps the world.
  */
 final class RunningScene {
   private final World world;
@@ -49,13 +49,13 @@ final class RunningScene {
     reportCutOff();
   }
 
-  /** Lets go of what runs in it, when another scene takes its place. */
+  /** Stops everything that runs in the scene; called when another scene replaces it. */
   void close() {
     layers.close();
     scripts.close();
   }
 
-  /** Says once that a part of the scene is left out. */
+  /** Reports once that a part of the scene is left out. */
   private void reportCutOff() {
     InstanceTree instances = layers.active().instances;
     if (instances.cutOff() && !cutOff) {
@@ -67,13 +67,13 @@ final class RunningScene {
     }
   }
 
-  /** Carries the events sent, and brings up to date what follows the scene. */
+  /** Delivers the events sent and brings layers, bindings and files up to date. */
   void settle() {
     carry();
     layers.follow();
     layers.update();
     layers.bind(cascade);
-    carry(); // Nodes that came or went may have been bound or unbound.
+    carry(); // Added and removed nodes may have been bound or unbound.
     layers.update();
     frameNodes();
     reportCutOff();
@@ -81,7 +81,8 @@ final class RunningScene {
   }
 
   /**
-   * Calls listeners and scripts until none sends anything more; scripts call each other so often.
+   * Calls listeners and scripts until no more events are sent; the number of rounds in which
+   * scripts may call each other is limited.
    */
   private void carry() {
     cascade.run();
@@ -90,7 +91,7 @@ final class RunningScene {
     }
   }
 
-  /** Follows the structure of the scene with the nodes that look at every frame. */
+  /** Collects the nodes that are updated per frame, if the structure of the scene has changed. */
   void frameNodes() {
     if (layers.frameNodes()) {
       files.watch(layers.gathered(SceneLayer::inlines));
@@ -101,7 +102,9 @@ final class RunningScene {
     }
   }
 
-  /** What is heard as of the last step: nothing in a scene without a Sound. */
+  /**
+   * Returns the voices that are audible as of the last step; none in a scene without a Sound node.
+   */
   List<Voice> voices() {
     List<SoundNode> sounds = layers.gathered(SceneLayer::sounds);
     return sounds.isEmpty()
@@ -115,7 +118,7 @@ final class RunningScene {
         .toList();
   }
 
-  /** What an Anchor may do. */
+  /** The changes that an Anchor may make to this world. */
   private final class LinkTarget implements AnchorLinks.Target {
     @Override
     public void bind(Node viewpoint) {
@@ -128,7 +131,7 @@ final class RunningScene {
     }
   }
 
-  /** What Scripts see of it. */
+  /** The running scene as Scripts see it. */
   private final class ScriptsWorld implements ScriptWorld {
     private final AnchorLinks links;
 

@@ -29,11 +29,14 @@ import org.selectiverenderer.runtime.walk.Navigation;
 import org.selectiverenderer.runtime.walk.NavigationMode;
 
 /**
- * A layer of a scene with all that a frame does in it: its instances, what is bound in it, who sees
- * it, what is pointed at, its sensors (X3D 4.0, 35.2). Belongs to the thread that steps the world.
+ * A layer of a running scene (X3D 4.0, 35.2) with its instances, binding stacks, viewer, pointing
+ * device and sensors. Belongs to the thread that steps the world.
  */
 final class SceneLayer {
-  /** Who sees a LayoutLayer: in parallel, -1 to 1 of the smaller side (X3D 4.0, 36.4.3). */
+  /**
+   * Eye position of a LayoutLayer's viewer: an orthographic view that spans -1 to 1 along the
+   * smaller side (X3D 4.0, 36.4.3).
+   */
   private static final Vector3dc FLAT_EYE = new Vector3d(0, 0, 10);
 
   private static final Quaterniondc UPRIGHT = new Quaterniond();
@@ -56,11 +59,11 @@ final class SceneLayer {
   private List<SoundNode> sounds = List.of();
   private boolean draggable;
 
-  /** Whether it is a layer of rectangles, which no viewpoint and no walking moves. */
+  /** Whether this is a LayoutLayer, which no viewpoint and no navigation moves. */
   private final boolean flat;
 
   /**
-   * @param viewer who sees it
+   * @param viewer the viewer of the layer
    */
   SceneLayer(GroupingNode root, LayerStack.Parts parts, Viewer viewer) {
     this.root = root;
@@ -79,7 +82,7 @@ final class SceneLayer {
     return viewer;
   }
 
-  /** Another viewer sees it from now on, who takes the place of the one before. */
+  /** Replaces the viewer; the new one takes the old one's position and orientation. */
   void seenBy(Viewer other) {
     other.become(viewer);
     viewer = other;
@@ -102,12 +105,12 @@ final class SceneLayer {
     return sounds;
   }
 
-  /** What looks at frames, also where another layer has it look. */
+  /** Returns the frame-driven nodes of the layer, including those that another layer updates. */
   List<FrameNode> looking() {
     return looking;
   }
 
-  /** Whether it has a drag sensor. */
+  /** Returns whether the layer has a drag sensor. */
   boolean draggable() {
     return draggable;
   }
@@ -142,9 +145,9 @@ final class SceneLayer {
   }
 
   /**
-   * Adapts LOD and Billboard nodes to its viewer.
+   * Adapts LOD and Billboard nodes to the layer's viewer.
    *
-   * @param picture that the scene was last seen in
+   * @param picture the picture in which the scene was last drawn
    */
   void look(Picture picture, LayerView.Part part, Cascade cascade) {
     if (flat) {
@@ -158,14 +161,17 @@ final class SceneLayer {
     instances.update();
   }
 
-  /** Places what depends on the picture. */
+  /** Places the nodes whose layout depends on the size of the picture. */
   void see(Picture picture, LayerView.Part part) {
     if (instances.dependsOnPicture()) {
       instances.see(picture.sight(viewer, part));
     }
   }
 
-  /** What is turned about, where the NavigationInfo has the user do that first of all. */
+  /**
+   * Returns the centre of rotation, if the first navigation type of the bound NavigationInfo turns
+   * about one.
+   */
   private Optional<Vector3dc> pivot() {
     return bindables
         .bound("NavigationInfo")
@@ -174,17 +180,17 @@ final class SceneLayer {
         .flatMap(mode -> follower.pivot());
   }
 
-  /** Its sensors and clocks look at the frame. */
+  /** Updates the layer's sensors and clocks for a frame. */
   void sense(double time, Cascade cascade) {
     round.frame(new WorldFrame(time, viewer, instances, this::pivot), cascade);
     picking.frame(cascade);
   }
 
   /**
-   * Chooses the sensors and clocks that look at frames with it: none that do with another layer,
-   * where they stand too.
+   * Chooses the sensors and clocks that this layer updates; a node that is USEd in several layers
+   * is updated by the first only.
    *
-   * @param taken those of other layers, to which its own are added
+   * @param taken the nodes that other layers update, to which the chosen ones are added
    */
   void choose(Set<FrameNode> taken) {
     chosen = looking.stream().filter(taken::add).toList();
@@ -194,7 +200,7 @@ final class SceneLayer {
     }
   }
 
-  /** Has those look that were chosen; after other layers have let go of them. */
+  /** Schedules the chosen nodes; called after the other layers have released theirs. */
   void engage() {
     if (!round.isOf(chosen)) {
       round = new FrameRound(chosen);
@@ -202,11 +208,11 @@ final class SceneLayer {
   }
 
   /**
-   * Follows the structure with the nodes that look at every frame.
+   * Collects the nodes that are updated per frame, if the structure has changed.
    *
-   * @param scene that it is a layer of
-   * @param base whether the scene's nodes outside of all groups count with this layer
-   * @return whether anything was new
+   * @param scene the scene to which the layer belongs
+   * @param base whether this is the base layer, which also has the scene's nodes outside all groups
+   * @return whether the structure had changed
    */
   boolean frameNodes(Scene scene, boolean base) {
     if (frameNodesOf == instances.structureVersion()) {
@@ -226,9 +232,10 @@ final class SceneLayer {
   }
 
   /**
-   * Takes the pointing device to what is in it.
+   * Passes the pointing device to the layer's sensors and Anchors.
    *
-   * @return what it says to the layers below: away where it is over something of this one
+   * @return the states for the layers below: {@link Pointer#AWAY} where the pointer is over a shape
+   *     of this layer
    */
   List<Pointer> point(
       List<Pointer> since, LayerView.Part part, boolean pickable, Viewer whole, Cascade cascade) {

@@ -21,13 +21,13 @@ import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * Ties the viewer to the bound Viewpoint (X3D 4.0, 23.3.1): binding one takes the viewer there
- * unless its {@code jump} is FALSE; when it moves, by animation or through the SAI, the viewer
- * moves with it and keeps the offset that the user walked. A viewpoint with {@code
- * retainUserOffsets} is taken with the offset that the user had from the one before.
+ * Keeps the viewer at the bound Viewpoint (X3D 4.0, 23.3.1). Binding a viewpoint moves the viewer
+ * there unless its {@code jump} is FALSE. When the bound viewpoint moves, by animation or through
+ * the SAI, the viewer moves with it and keeps the offset by which the user has navigated away from
+ * it. With {@code retainUserOffsets} the viewer keeps that offset when the viewpoint is bound.
  */
 final class ViewpointFollower {
-  /** Where the viewer is in a scene without viewpoints: the defaults of Viewpoint. */
+  /** The viewer's pose in a scene without viewpoints: the defaults of Viewpoint. */
   private static final Matrix4dc DEFAULT = new Matrix4d().translation(0, 0, 10);
 
   private final InstanceTree instances;
@@ -40,7 +40,7 @@ final class ViewpointFollower {
   private int jumps;
   private boolean viewsAll;
 
-  /** Whether all is to be looked at as soon as something is there. */
+  /** Whether the viewer is to be moved to see the whole scene as soon as a shape is shown. */
   private boolean allWanted;
 
   private @Nullable Vector3d centre;
@@ -54,23 +54,23 @@ final class ViewpointFollower {
     follow();
   }
 
-  /** Leads another viewer from now on, who stands where the one before stood. */
+  /** Moves another viewer from now on, which takes the pose of the one before. */
   void lead(Viewer other) {
     viewer = other;
   }
 
-  /** Takes the viewer to the bound viewpoint, whatever the user walked. */
+  /** Moves the viewer to the bound viewpoint and drops the user's offset. */
   void jump() {
     started = false;
     follow();
   }
 
-  /** How often another viewpoint was bound that took the viewer there. */
+  /** Returns how often binding a viewpoint has moved the viewer. */
   int jumps() {
     return jumps;
   }
 
-  /** Once per frame, before the user's own motion. */
+  /** Updates the viewer; called once per frame, before the user's own motion. */
   void follow() {
     Optional<ViewpointNode> bound =
         bindables
@@ -115,7 +115,7 @@ final class ViewpointFollower {
     followAll(viewpoint, first, another);
   }
 
-  /** A viewpoint with {@code viewAll} shows the scene whenever it is bound or the field is set. */
+  /** Shows the whole scene when a viewpoint with {@code viewAll} is bound or the field is set. */
   private void followAll(@Nullable ViewpointNode viewpoint, boolean first, boolean another) {
     boolean before = viewsAll && !another;
     viewsAll = viewpoint != null && viewpoint.viewAll();
@@ -131,9 +131,9 @@ final class ViewpointFollower {
   }
 
   /**
-   * Takes the viewer to where all that is shown is seen; the next viewpoint ends that.
+   * Moves the viewer to where the whole scene is in view; binding another viewpoint ends that.
    *
-   * @return whether anything is shown
+   * @return whether the scene shows any shape
    */
   boolean viewAll() {
     Optional<Bounds> all = ShownBounds.of(instances.shapes());
@@ -141,7 +141,7 @@ final class ViewpointFollower {
     return all.isPresent();
   }
 
-  /** Takes the viewer to where a box is seen as a whole. */
+  /** Moves the viewer to where a whole bounding box is in view. */
   void look(Bounds box) {
     Node from = followed;
     NavigationFrame frame =
@@ -154,7 +154,10 @@ final class ViewpointFollower {
     centre = framing.centre();
   }
 
-  /** What the user turns about: the centre, or else what the bound viewpoint says. */
+  /**
+   * Returns the point that EXAMINE turns about: the centre of the last framed box, or else the
+   * bound viewpoint's {@code centerOfRotation}.
+   */
   Optional<Vector3dc> pivot() {
     return centre()
         .or(
@@ -172,7 +175,7 @@ final class ViewpointFollower {
     wide = null;
   }
 
-  /** The middle of what the viewer was last taken to see; empty at a viewpoint of the scene. */
+  /** Returns the centre of the box that was last framed; empty at a viewpoint of the scene. */
   Optional<Vector3dc> centre() {
     return Optional.ofNullable(centre);
   }
@@ -181,7 +184,7 @@ final class ViewpointFollower {
     return viewpoint.bool("retainUserOffsets") || groups.retainsOffsets(viewpoint);
   }
 
-  /** The viewer's pose with the viewpoint there instead of where it was. */
+  /** Returns the viewer's pose with the same offset from the viewpoint's new pose. */
   private Matrix4d keepingOffset(Matrix4dc now) {
     Matrix4d viewerPose = new Matrix4d().translationRotate(viewer.position(), viewer.orientation());
     return now.mul(pose.invertAffine(new Matrix4d()).mul(viewerPose), new Matrix4d());
@@ -192,12 +195,15 @@ final class ViewpointFollower {
     viewer.turnTo(to.getUnnormalizedRotation(new Quaterniond()));
   }
 
-  /** Whether the ViewpointGroups above a viewpoint offer it to the user now. */
+  /** Returns whether the ViewpointGroups above a viewpoint offer it to the user now. */
   boolean offers(Node viewpoint) {
     return groups.offers(viewpoint, viewer.position());
   }
 
-  /** Where a viewpoint looks from: a rigid transformation, the scale above it left out. */
+  /**
+   * Returns a viewpoint's pose in the world: a rigid transformation without the scale of the groups
+   * above.
+   */
   Matrix4d poseOf(ViewpointNode viewpoint) {
     Matrix4dc place = placeOf(viewpoint);
     Vector3d eye = place.transformPosition(viewpoint.position());
@@ -205,7 +211,10 @@ final class ViewpointFollower {
     return new Matrix4d().translationRotate(eye, turn.mul(viewpoint.orientation()));
   }
 
-  /** From a viewpoint's local coordinates to the world; the identity when it is nowhere. */
+  /**
+   * Returns the matrix from a viewpoint's local coordinates to the world; the identity if the
+   * viewpoint is in no part of the scene.
+   */
   Matrix4dc placeOf(Node viewpoint) {
     List<Matrix4dc> places = instances.places(viewpoint);
     Matrix4dc place = places.isEmpty() ? new Matrix4d() : places.get(0);

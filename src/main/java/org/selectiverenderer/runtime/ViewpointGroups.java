@@ -10,7 +10,7 @@ import org.selectiverenderer.runtime.instance.Instance;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** What the ViewpointGroups above a viewpoint say of it (X3D 4.0, 23.4.7). */
+/** Evaluates the ViewpointGroups above a viewpoint (X3D 4.0, 23.4.7). */
 final class ViewpointGroups {
   private final InstanceTree instances;
 
@@ -19,8 +19,9 @@ final class ViewpointGroups {
   }
 
   /**
-   * Whether a viewpoint is offered to the user: no group above it is hidden, and the viewer is in
-   * the boxes of those that have one. A viewpoint in several places counts where it is first.
+   * Returns whether a viewpoint is offered to the user: no group above it is hidden, and the viewer
+   * is inside the box of each group that has one. Of several instances of a viewpoint the first
+   * counts.
    */
   boolean offers(Node viewpoint, Vector3dc eye) {
     for (GroupInstance group = above(viewpoint); group != null; group = group.parent()) {
@@ -31,7 +32,7 @@ final class ViewpointGroups {
     return true;
   }
 
-  /** Whether a group above it says that the user's offset is kept. */
+  /** Returns whether a group above the viewpoint has {@code retainUserOffsets}. */
   boolean retainsOffsets(Node viewpoint) {
     for (GroupInstance group = above(viewpoint); group != null; group = group.parent()) {
       if (isGroup(group) && group.node().bool("retainUserOffsets")) {
@@ -50,7 +51,7 @@ final class ViewpointGroups {
     return group.node().type().name().equals("ViewpointGroup");
   }
 
-  /** Whether the viewer is in the box of a group; a size of 0 is no box. */
+  /** Returns whether the viewer is inside the box of a group; a size of 0 means no box. */
   private static boolean inBox(GroupInstance group, Vector3dc eye) {
     float[] size = group.node().floats("size");
     if (size[0] == 0 && size[1] == 0 && size[2] == 0) {

@@ -9,8 +9,8 @@ import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * Where the viewer of a world can be taken: to the viewpoints of the scene, to where all of it or a
- * part of it is seen. In a scene with layers, of the active one. Belongs to the thread that steps
+ * Moves the viewer of a world to viewpoints of the scene, or to where the whole scene or a shape is
+ * in view. In a scene with layers this concerns the active layer. Belongs to the thread that steps
  * the world.
  */
 public final class Views {
@@ -24,7 +24,7 @@ public final class Views {
     return world.stack().active().follower;
   }
 
-  /** Moves the viewer to a viewpoint of the scene: binds it and forgets where the user went. */
+  /** Moves the viewer to a viewpoint of the scene: binds it and drops the user's offset. */
   public void goTo(Node viewpoint) {
     world.hold(
         () -> {
@@ -35,9 +35,9 @@ public final class Views {
   }
 
   /**
-   * Takes the viewer to where all that is shown is seen at once.
+   * Moves the viewer to where the whole scene is in view.
    *
-   * @return whether there is anything to see
+   * @return whether the scene shows any shape
    */
   public boolean viewAll() {
     boolean[] moved = new boolean[1];
@@ -46,10 +46,10 @@ public final class Views {
   }
 
   /**
-   * Takes the viewer to where the shape that is pointed at is seen as a whole (X3D 4.0, 23.4.4:
+   * Moves the viewer to where the whole shape under the pointer is in view (X3D 4.0, 23.4.4:
    * LOOKAT).
    *
-   * @return whether there is one that does nothing by itself when it is clicked on
+   * @return whether there is such a shape without a sensor or Anchor that takes the click
    */
   public boolean lookAt() {
     boolean[] moved = new boolean[1];
@@ -67,33 +67,33 @@ public final class Views {
   }
 
   /**
-   * The middle of what the viewer was taken to see by {@link #viewAll}, {@link #lookAt} or a
-   * viewpoint with {@code viewAll}; empty once another viewpoint is bound.
+   * Returns the centre of the box framed by {@link #viewAll}, {@link #lookAt} or a viewpoint with
+   * {@code viewAll}; empty once another viewpoint is bound.
    */
   public Optional<Vector3dc> centre() {
     return follower().centre();
   }
 
   /**
-   * How often the viewer was taken to another viewpoint that an event has bound. Who moves the
-   * viewer may make a transition of it (X3D 4.0, 23.3.1).
+   * Returns how often an event has bound a viewpoint and moved the viewer there. Code that moves
+   * the viewer may animate such a jump as a transition (X3D 4.0, 23.3.1).
    */
   public int jumps() {
     return follower().jumps();
   }
 
   /**
-   * The viewpoints of the scene, or of its active layer, in document order; those that a
-   * ViewpointGroup hides are left out.
+   * Returns the viewpoints of the scene, or of its active layer, in document order, without those
+   * that a ViewpointGroup hides.
    */
   public List<Node> viewpoints() {
     return world.bindables().all("X3DViewpointNode").stream().filter(follower()::offers).toList();
   }
 
   /**
-   * Goes to a viewpoint counted from the bound one, around the ends of the list.
+   * Moves the viewer to a viewpoint counted from the bound one; the list wraps around.
    *
-   * @param steps +1 for the next, -1 for the one before
+   * @param steps +1 for the next viewpoint, -1 for the previous one
    */
   public void goToViewpoint(int steps) {
     List<Node> all = viewpoints();
@@ -103,14 +103,19 @@ public final class Views {
     }
   }
 
-  /** Where a viewpoint looks from: takes the viewer's frame, looking along -Z, to the world. */
+  /**
+   * Returns a viewpoint's pose: the matrix from the viewer's frame, looking along -Z, to the world.
+   */
   public Matrix4dc poseOf(Node viewpoint) {
     return viewpoint instanceof ViewpointNode known
         ? follower().poseOf(known)
         : follower().placeOf(viewpoint);
   }
 
-  /** The place of a viewpoint in the world; the identity when it is in no part of the scene. */
+  /**
+   * Returns the matrix from a viewpoint's local coordinates to the world; the identity if the
+   * viewpoint is in no part of the scene.
+   */
   public Matrix4dc placeOf(Node viewpoint) {
     return follower().placeOf(viewpoint);
   }

@@ -23,16 +23,16 @@ import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
 /**
- * A running scene and its viewer, without window and GL. {@link #step} is one frame: tasks posted
- * by other threads, the viewer's motion, sensors, the event cascade with all listeners, and the
- * instance tree brought up to date; what is drawn afterwards shows all of it. With the same scene,
- * times and motion the same frames come out.
+ * A running scene and its viewer, without a window and without GL. One call of {@link #step} is one
+ * frame: it runs the tasks that other threads have posted, moves the viewer, updates the sensors,
+ * runs the event cascade with all listeners, and brings the instance tree up to date; a picture
+ * drawn afterwards shows all of it. The same scene, times and motion always give the same frames.
  *
- * <p>Threads: one thread steps the world and may read it between steps, in {@link #hold} when
- * others may {@link #execute} meanwhile.
+ * <p>Threads: one thread steps the world and may read it between steps. If other threads may call
+ * {@link #execute} meanwhile, it must read inside {@link #hold}.
  */
 public final class World {
-  /** Hears that the world shows another scene. */
+  /** Is called when the world shows another scene. */
   @FunctionalInterface
   public interface ReplaceListener {
     void replaced(World world);
@@ -62,7 +62,7 @@ public final class World {
     shown = new RunningScene(this, loaded);
   }
 
-  /** Shows another scene, from its start viewpoint; listeners hear of it. */
+  /** Shows another scene from its start viewpoint and calls the replace listeners. */
   public void replace(LoadedScene loaded) {
     RunningScene before = shown;
     before.close();
@@ -70,7 +70,7 @@ public final class World {
     replaceListeners.forEach(listener -> listener.replaced(this));
   }
 
-  /** The same, if that scene is still the one shown. */
+  /** Shows another scene, but only if {@code before} is still the scene shown. */
   void replace(RunningScene before, LoadedScene loaded) {
     if (shown == before) {
       replace(loaded);
@@ -85,22 +85,28 @@ public final class World {
     return shown.scene;
   }
 
-  /** What is in the scene; in one with layers, in the one that the user walks in. */
+  /** Returns the instance tree of the scene, or of the active layer in a scene with layers. */
   public InstanceTree instances() {
     return shown.layers.active().instances;
   }
 
-  /** Polygons of all layers in their present versions, seen or not. */
+  /**
+   * Returns the number of polygons of all layers with the versions now shown, inside the view or
+   * not.
+   */
   public long shownPolygons() {
     return shown.layers.shownPolygons();
   }
 
-  /** The meshes and images of the scene's nodes. */
+  /** Returns the meshes and images of the scene's nodes. */
   public Assets assets() {
     return shown.files.assets();
   }
 
-  /** What rays and collisions search the meshes by; made where it is needed, for all to share. */
+  /**
+   * Returns the BVHs of the meshes, which ray casting and collisions share; each is built when
+   * first needed.
+   */
   public MeshTrees meshes() {
     return meshes;
   }
@@ -109,12 +115,15 @@ public final class World {
     return viewer;
   }
 
-  /** Which Viewpoint, NavigationInfo, Background and Fog are bound, in the active layer. */
+  /**
+   * Returns the binding stacks of the active layer: its bound Viewpoint, NavigationInfo, Background
+   * and Fog.
+   */
   public BindStacks bindables() {
     return shown.layers.active().bindables;
   }
 
-  /** Carries events; fields are set through it. */
+  /** Returns the event cascade, through which fields are set. */
   public Cascade cascade() {
     return cascade;
   }
@@ -123,12 +132,12 @@ public final class World {
     return problems;
   }
 
-  /** What is to be seen behind everything. */
+  /** Returns the bound background of the active layer. */
   public Backdrop backdrop() {
     return shown.layers.active().backdrop().orElse(Backdrop.BLACK);
   }
 
-  /** The fog that the bound Fog makes. */
+  /** Returns the fog of the bound Fog node. */
   public Fog fog() {
     return shown.layers.active().fog();
   }
@@ -138,66 +147,68 @@ public final class World {
   }
 
   /**
-   * The layers that are seen, the lowest first (X3D 4.0, 35.2): one for a scene without a LayerSet.
+   * Returns the visible layers, the lowest first (X3D 4.0, 35.2); one layer for a scene without a
+   * LayerSet.
    */
   public List<LayerView> layers() {
     return shown.layers.views();
   }
 
   /**
-   * A picture of that size is about to be drawn, of one eye where there are two: what the scene
-   * measures by the picture or in pixels follows (X3D 4.0, clause 36). Without a picture 1024 x 768
-   * are assumed. For the thread that steps.
+   * Announces that a picture of a given size is about to be drawn (in stereo: one eye's picture),
+   * so that layout nodes, which are measured in pixels or in fractions of the picture (X3D 4.0,
+   * clause 36), adapt to it. Until the first call 1024 x 768 is assumed. To be called by the
+   * stepping thread.
    *
-   * @param width in pixels of the desktop, above 0
-   * @param height in pixels of the desktop, above 0
-   * @param frustum of a display that shows another angle than the viewer's: what is seen at a
-   *     distance of 1
+   * @param width the picture's width in desktop pixels, above 0
+   * @param height the picture's height in desktop pixels, above 0
+   * @param frustum the cross-section of the display's view frustum at distance 1, for displays
+   *     whose viewing angle differs from the viewer's
    */
   public void seenIn(double width, double height, Optional<Extent> frustum) {
     picture = new Picture(width, height, frustum);
     shown.layers.see(picture);
   }
 
-  /** What the scene is seen in. */
+  /** Returns the size of the picture in which the scene is seen. */
   Picture picture() {
     return picture;
   }
 
   /**
-   * The pointing device moved, or its button went down or up. Evaluated in the next step, before
-   * its events are carried. Thread-safe.
+   * Reports that the pointing device moved or that its button went down or up. The next step
+   * evaluates it before it delivers events. Thread-safe.
    */
   public void point(Pointer pointer) {
     pointed.add(pointer);
   }
 
-  /** The keyboard of the scene's sensors. */
+  /** Returns the keyboard that the scene's key device sensors listen to. */
   public KeyDevice keys() {
     return keys;
   }
 
   /**
-   * Whether a drag sensor has the pointing device, or would have it if its button went down now:
-   * then dragging is not the viewer's. As of the last step.
+   * Returns whether a drag sensor has grabbed the pointing device, or would grab it if the button
+   * went down now; then a drag must not move the viewer. As of the last step.
    */
   public boolean wantsDrag() {
     return shown.layers.anyPointing(Pointing::wantsDrag);
   }
 
-  /** Whether the scene has a drag sensor. */
+  /** Returns whether the scene has a drag sensor. */
   public boolean draggable() {
     return shown.layers.all().stream().anyMatch(SceneLayer::draggable);
   }
 
-  /** Whether the pointing device is held for a drag. As of the last step. */
+  /** Returns whether a drag sensor has grabbed the pointing device, as of the last step. */
   public boolean dragging() {
     return shown.layers.anyPointing(Pointing::dragging);
   }
 
   /**
-   * What the author says of what the pointing device is over: the descriptions of its sensors or
-   * Anchor (X3D 4.0, 20.2.1). As of the last step.
+   * Returns the descriptions of the sensors or the Anchor under the pointing device (X3D 4.0,
+   * 20.2.1), as of the last step.
    */
   public List<String> descriptions() {
     return shown.layers.descriptions();
@@ -205,14 +216,14 @@ public final class World {
 
   /**
    * The SFTime at which the world's time is 0. X3D counts time from 1970 (X3D 4.0, 4.4.8.3), so
-   * that a startTime of 0 is long past. This one is fixed, so that the same walk gives the same
-   * events.
+   * that a startTime of 0 is long past. This value is a constant, so that the same walk always
+   * gives the same events.
    */
   public static final double EPOCH = 1L << 30;
 
   /**
-   * Counts from another time, for programs that set times by the clock on the wall. Before the
-   * first step.
+   * Sets another origin of time, for programs that work with wall-clock time. To be called before
+   * the first step.
    *
    * @param seconds since 1970 at the world's time 0
    */
@@ -220,7 +231,7 @@ public final class World {
     epoch = seconds;
   }
 
-  /** The time of the last step in seconds of the world's own time; NaN before the first. */
+  /** Returns the time of the last step in seconds of world time; NaN before the first step. */
   public double time() {
     return time;
   }
@@ -231,10 +242,10 @@ public final class World {
   }
 
   /**
-   * Runs a task that changes the scene, so that it is done when this returns: at once when no step
-   * is under way or this is the stepping thread, else when the step has ended. Should that take
-   * longer than a second, since a listener waits for this very thread, the task is left to the
-   * beginning of the next step. Tasks run in the order in which they came. Thread-safe.
+   * Runs a task that changes the scene and returns when it is done. The task runs at once if no
+   * step is under way or if the caller is the stepping thread, else when the step has ended. If
+   * that takes longer than a second, because a listener waits for the calling thread, the task is
+   * deferred to the beginning of the next step. Tasks run in the order of their calls. Thread-safe.
    */
   public void execute(Runnable task) {
     tasks.execute(task, Location.of(shown.scene.url()));
@@ -248,7 +259,7 @@ public final class World {
     tasks.hold(task);
   }
 
-  /** Called at the end of every step, on the stepping thread. */
+  /** Adds a listener that is called at the end of every step, on the stepping thread. */
   public void onStep(Runnable listener) {
     stepListeners.add(listener);
   }
@@ -258,10 +269,10 @@ public final class World {
   }
 
   /**
-   * One frame.
+   * Runs one frame.
    *
-   * @param now the frame's time in seconds, not before the last one's
-   * @param motion moves the viewer
+   * @param now the frame's time in seconds, not less than that of the last frame
+   * @param motion the motion that moves the viewer
    */
   public void step(double now, ViewerMotion motion) {
     hold(
@@ -278,7 +289,7 @@ public final class World {
     shown.frameNodes();
     shown.scripts.start();
     tasks.runDeferred(Location.of(shown.scene.url()));
-    tasks.runPosted(); // They may show another scene.
+    tasks.runPosted(); // A task may show another scene.
     shown.settle();
     if (!running) {
       return;
@@ -304,25 +315,27 @@ public final class World {
     return drained;
   }
 
-  /** What is heard as of the last step: nothing in a scene without a Sound. */
+  /**
+   * Returns the voices that are audible as of the last step; none in a scene without a Sound node.
+   */
   public List<Voice> voices() {
     return shown.voices();
   }
 
   /**
-   * Has pictures wait for those of films. Where times are not those of a clock, what is seen must
-   * not depend on how fast this machine decodes.
+   * Makes drawing wait until the due movie frames are decoded. Where frame times do not come from a
+   * clock, the picture must not depend on how fast this machine decodes.
    */
   public void waitForFilms() {
     shown.files.waitForFilms();
   }
 
-  /** Where the viewer can be taken. */
+  /** Returns the navigator that moves the viewer to viewpoints and shapes. */
   public Views views() {
     return views;
   }
 
-  /** What the pointing device said since the last frame, the last of it. */
+  /** Returns the last state of the pointing device since the last frame, if there was one. */
   Optional<Pointer> latestPointer() {
     return pointed.stream().reduce((before, after) -> after);
   }

@@ -16,9 +16,9 @@ import org.selectiverenderer.runtime.nodes.sensor.Frame;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
-/** A frame as nodes see it. */
+/** The state of the world in one frame, as sensors see it. */
 final class WorldFrame implements Frame {
-  /** Width to height assumed for what the viewer can see: headless runs have no window. */
+  /** Aspect ratio (width to height) assumed for the view frustum: headless runs have no window. */
   static final double ASPECT = 4.0 / 3.0;
 
   private static final double NEAR = 0.01;
@@ -31,7 +31,7 @@ final class WorldFrame implements Frame {
   private @Nullable FrustumIntersection frustum;
 
   /**
-   * @param pivot what the viewer turns about, if the way of navigating has that
+   * @param pivot the centre of rotation, if the navigation type has one
    */
   WorldFrame(
       double time, Viewer viewer, InstanceTree instances, Supplier<Optional<Vector3dc>> pivot) {

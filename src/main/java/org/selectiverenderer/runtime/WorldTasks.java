@@ -8,31 +8,34 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.scene.ApplicationCode;
 
 /**
- * What other threads want of a world. One lock is held by whoever steps the world or changes it;
- * what cannot be done at once waits for the next step. Thread-safe.
+ * The tasks that other threads post to a world. One lock is held by the thread that steps or
+ * changes the world; a task that cannot run at once waits for the next step. Thread-safe.
  */
 final class WorldTasks {
   private final Problems problems;
   private final ConcurrentLinkedQueue<Runnable> posted = new ConcurrentLinkedQueue<>();
   private final ConcurrentLinkedQueue<Runnable> deferred = new ConcurrentLinkedQueue<>();
 
-  /** Fair, since the stepping thread would else take it again before one that waits gets it. */
+  /**
+   * A fair lock, because otherwise the stepping thread would take the lock again before a waiting
+   * thread gets it.
+   */
   private final ReentrantLock lock = new ReentrantLock(true);
 
   /**
-   * @param problems hears of deferred tasks that fail
+   * @param problems receives the failures of deferred tasks
    */
   WorldTasks(Problems problems) {
     this.problems = problems;
   }
 
-  /** Leaves a task to the beginning of the next step. */
+  /** Queues a task for the beginning of the next step. */
   void post(Runnable task) {
     posted.add(task);
   }
 
   /**
-   * Runs a task while no other thread has the world.
+   * Runs a task while no other thread changes the world.
    *
    * @see World#hold
    */
@@ -46,9 +49,9 @@ final class WorldTasks {
   }
 
   /**
-   * Runs a task, or leaves it to the next step when the world is not to be had.
+   * Runs a task, or defers it to the next step if the lock cannot be had within a second.
    *
-   * @param place of the scene, which messages name
+   * @param place the location of the scene, for messages
    * @see World#execute
    */
   void execute(Runnable task, Location place) {
@@ -75,14 +78,17 @@ final class WorldTasks {
     }
   }
 
-  /** Tasks whose callers are gone: what they throw can only be reported. */
+  /**
+   * Runs the deferred tasks; since their callers no longer wait, exceptions are reported as
+   * problems.
+   */
   void runDeferred(Location place) {
     for (Runnable task = deferred.poll(); task != null; task = deferred.poll()) {
       ApplicationCode.call(problems, place, "a change of the scene", task);
     }
   }
 
-  /** Those of this moment; what they post in turn waits for the next step. */
+  /** Runs the tasks posted so far; tasks that these post in turn wait for the next step. */
   void runPosted() {
     for (int open = posted.size(); open > 0; open--) {
       Runnable task = posted.poll();

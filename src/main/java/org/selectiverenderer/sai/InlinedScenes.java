@@ -6,16 +6,16 @@ import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DScene;
 
 /**
- * Shows the scenes in Inlines. By the standard they are closed: of the nodes of an inlined file
- * only those that it exports can be reached (X3D 4.0, 9.4.2 and 4.4.6). A browser that opens them
- * implements this beside {@link org.web3d.x3d.sai.ExternalBrowser}.
+ * Gives access to the scenes in Inlines. By the standard only the exported nodes of an inlined file
+ * are accessible (X3D 4.0, 9.4.2 and 4.4.6). A browser that gives access to all implements this
+ * interface in addition to {@link org.web3d.x3d.sai.ExternalBrowser}.
  */
 public interface InlinedScenes {
-  /** Hears on the thread of the browser that an Inline shows something else. */
+  /** Called on the browser's thread when the scene of an Inline changes. */
   @FunctionalInterface
   interface Listener {
     /**
-     * The scene of the Inline has come, gone or been replaced, or has other nodes at its top.
+     * The scene of the Inline was loaded, unloaded or replaced, or has other root nodes.
      *
      * @param time stamp in seconds
      */
@@ -23,34 +23,35 @@ public interface InlinedScenes {
   }
 
   /**
-   * The scene that an Inline shows. Each Inline has one of its own, even of the same file.
+   * Returns the scene that an Inline shows. Each Inline has a scene of its own, even of the same
+   * file.
    *
    * @param inline a node of type Inline
-   * @return empty while the file has not arrived, when it cannot be read, and with {@code load
-   *     FALSE}
+   * @return the scene; empty while the file is loading, when it cannot be read, and with {@code
+   *     load FALSE}
    */
   Optional<X3DScene> inlinedScene(X3DNode inline);
 
   /**
-   * Whether the scene that an Inline shows holds nodes of some types, or can come to hold them. Who
-   * looks for nodes need not look into others: most inlined files are models, and many.
+   * Returns whether the scene of an Inline holds nodes of some types, or may come to hold them, so
+   * that searches can skip other scenes: most inlined files are plain models.
    *
    * @param types names of node types
-   * @return false if none is in it, and none can come to be in it but at its top, of which a
-   *     listener hears: it has no Script and exports nothing. True of a scene that has Inlines
+   * @return false if no such node is in it, and none can be added except as a root node, which a
+   *     listener hears of: it has no Script and exports nothing. True for a scene that has Inlines
    *     itself
    */
   boolean mayHold(X3DNode inline, Set<String> types);
 
   /**
-   * Tells a listener of the changes of an Inline.
+   * Registers a listener for the changes of an Inline.
    *
-   * @return removes the listener when it is closed; closing it twice, or when the node is gone,
-   *     does no harm
+   * @return the registration; closing it removes the listener, and does nothing when called twice
+   *     or after the node was disposed of
    */
   Registration watchInline(X3DNode inline, Listener listener);
 
-  /** A listener that is in place until this is closed. */
+  /** The registration of a listener, which lasts until it is closed. */
   interface Registration extends AutoCloseable {
     @Override
     void close();

@@ -12,20 +12,21 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which choice each Switch shows, given the areas that the viewer is in. The loops of Figs 48 and
- * 49, with an answer for areas that lie in or overlap each other:
+ * Decides which choice each Switch shows, given the areas that the viewer is in. It implements the
+ * loops of Figs 48 and 49 of the thesis, extended to nested and overlapping areas:
  *
  * <ul>
- *   <li>entering an area activates its schemas, in order; a Switch follows the last one that has a
- *       choice for it, and where several entered areas claim a Switch, the area entered last wins;
- *   <li>leaving an area ends its claims: a Switch that another entered area claims shows that
- *       area's choice, any other follows the exit schemas of the area left, and stays as it is if
- *       they have no choice for it.
+ *   <li>Entering an area activates its schemas, in order. A Switch shows the choice of the last of
+ *       them that it has a choice for; of several entered areas the one entered last takes
+ *       precedence.
+ *   <li>Leaving an area ends its precedence. A Switch that has a choice for a schema of another
+ *       entered area shows that choice; any other Switch shows its choice for the exit schemas of
+ *       the area left, and is unchanged if it has none.
  * </ul>
  *
- * <p>A step costs what it changes: for each schema the switches that have a choice for it and show
- * another one are kept, and only these are looked at. A switch that looks elsewhere because another
- * area overrules the schema is looked at too.
+ * <p>A step takes time proportional to its changes: for each schema the class keeps the switches
+ * that have a choice for it and show another one, and a step examines only these, including
+ * switches for which another area takes precedence.
  *
  * <p>Not thread-safe.
  *
@@ -34,9 +35,9 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Activation<A, S> {
   /**
-   * A Switch that is to show another choice.
+   * A change of the choice that a Switch shows.
    *
-   * @param schema the schema that makes it so
+   * @param schema the schema that causes the change
    */
   public record Change<S>(S switchKey, int from, int to, String schema) {}
 
@@ -48,16 +49,16 @@ public final class Activation<A, S> {
   private long order;
   private long looks;
 
-  /** Makes an area known, or gives a known one other schemas from the next step on. */
+  /** Adds an area, or replaces the schemas of a known one from the next step on. */
   public void putArea(A area, SensorSchemas schemas) {
     areas.put(area, schemas);
   }
 
   /**
-   * Forgets an area. If the viewer is in it its claims end, but nobody left it: no exit schema is
-   * activated.
+   * Removes an area. If the viewer is in it, its precedence ends, but no exit schema is activated,
+   * since the viewer has not left it.
    *
-   * @return what the other entered areas change thereby
+   * @return the changes due to the other entered areas
    */
   public List<Change<S>> removeArea(A area) {
     areas.remove(area);
@@ -65,9 +66,9 @@ public final class Activation<A, S> {
   }
 
   /**
-   * Makes a switch known, or gives a known one other schemas. It follows the entered areas at once.
+   * Adds a switch, or replaces the schemas of a known one. It follows the entered areas at once.
    *
-   * @param shown the choice that it shows now; a known switch shows what this object last said
+   * @param shown the choice that a new switch shows now; ignored for a known one
    */
   public Optional<Change<S>> putSwitch(S key, SwitchSchemas schemas, int shown) {
     SwitchState<S> known = switches.remove(key);
@@ -84,8 +85,8 @@ public final class Activation<A, S> {
   }
 
   /**
-   * Takes note that a switch shows another choice than this object last said: somebody else, such
-   * as a ROUTE, made it so. Nothing changes but what later steps compare with.
+   * Records that a switch shows another choice than this object last set, because of a ROUTE, for
+   * example. Later steps compare with this choice.
    */
   public void noteShown(S key, int choice) {
     SwitchState<S> state = switches.get(key);
@@ -94,7 +95,7 @@ public final class Activation<A, S> {
     }
   }
 
-  /** Forgets a switch. */
+  /** Removes a switch. */
   public void removeSwitch(S key) {
     SwitchState<S> state = switches.remove(key);
     if (state != null) {
@@ -103,9 +104,9 @@ public final class Activation<A, S> {
   }
 
   /**
-   * The viewer enters an area; one that is entered already counts as entered last.
+   * Records that the viewer enters an area; an area already entered becomes the one entered last.
    *
-   * @return the switches to change, in the order in which they were made known
+   * @return the switches to change, in the order in which they were added
    * @throws IllegalArgumentException if the area is unknown
    */
   public List<Change<S>> enter(A area) {
@@ -116,9 +117,9 @@ public final class Activation<A, S> {
   }
 
   /**
-   * The viewer leaves an area.
+   * Records that the viewer leaves an area.
    *
-   * @return the switches to change, in the order in which they were made known
+   * @return the switches to change, in the order in which they were added
    * @throws IllegalArgumentException if the area is unknown
    */
   public List<Change<S>> exit(A area) {
@@ -132,19 +133,19 @@ public final class Activation<A, S> {
     return follow(candidates, schemas.exit());
   }
 
-  /** Whether the viewer is in an area. */
+  /** Returns whether the viewer is in an area. */
   public boolean isEntered(A area) {
     return entered.contains(area);
   }
 
-  /** The areas that the viewer is in, in the order of entering. */
+  /** Returns the areas that the viewer is in, in the order of entering. */
   public List<A> enteredAreas() {
     return List.copyOf(entered);
   }
 
   /**
-   * The schemas in force: first those that leaving areas activated (the main schemas), then those
-   * of the entered areas in the order of entering, so that later ones overrule earlier ones.
+   * Returns the active schemas in ascending precedence: first the exit schemas of areas left (the
+   * main schemas), then those of the entered areas in the order of entering.
    */
   public List<String> activeSchemas() {
     Set<String> ofEntered = new LinkedHashSet<>();
@@ -159,7 +160,7 @@ public final class Activation<A, S> {
     return List.copyOf(all);
   }
 
-  /** What each switch shows, in the order in which they were made known. */
+  /** Returns the choice that each switch shows, in the order in which they were added. */
   public Map<S, Integer> shown() {
     Map<S, Integer> shown = new LinkedHashMap<>();
     switches.values().stream()
@@ -168,7 +169,7 @@ public final class Activation<A, S> {
     return shown;
   }
 
-  /** How many times a switch was looked at, for the test of the cost. */
+  /** Returns how many times a switch was examined, for the test of the complexity. */
   long looks() {
     return looks;
   }
@@ -181,7 +182,7 @@ public final class Activation<A, S> {
     return schemas;
   }
 
-  /** The switches that have a choice for one of the schemas and show another one. */
+  /** Returns the switches that have a choice for one of the schemas and show another one. */
   private Set<SwitchState<S>> elsewhere(List<String> schemas) {
     Set<SwitchState<S>> states = new LinkedHashSet<>();
     for (String schema : schemas) {
@@ -190,7 +191,7 @@ public final class Activation<A, S> {
     return states;
   }
 
-  /** The switches that an entered area claims and that show something else. */
+  /** Returns the switches with a choice for a schema of an entered area that show another one. */
   private Set<SwitchState<S>> overruled() {
     Set<SwitchState<S>> states = new LinkedHashSet<>();
     for (A area : entered) {
@@ -199,7 +200,7 @@ public final class Activation<A, S> {
     return states;
   }
 
-  /** Lets each candidate follow the entered areas, or the exit schemas if none claims it. */
+  /** Sets each candidate by the entered areas, or by the exit schemas if it has no such choice. */
   private List<Change<S>> follow(Set<SwitchState<S>> candidates, List<String> exit) {
     looks += candidates.size();
     List<List<String>> claims = claims(exit);
@@ -220,7 +221,7 @@ public final class Activation<A, S> {
     return changes;
   }
 
-  /** All schemas that have a say, the weakest first. */
+  /** Returns the schemas to consider, in ascending precedence. */
   private List<List<String>> claims(List<String> exit) {
     List<List<String>> claims = new ArrayList<>();
     claims.add(exit);
@@ -266,7 +267,7 @@ public final class Activation<A, S> {
       this.shown = shown;
     }
 
-    /** The last of the schemas that the switch has a choice for. */
+    /** Returns the last of the schemas that the switch has a choice for, or null. */
     @Nullable String lastNamed(List<List<String>> claims) {
       for (int i = claims.size() - 1; i >= 0; i--) {
         List<String> schemas = claims.get(i);

@@ -4,29 +4,29 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What the metadata says of one child of a Switch: a version of an object.
+ * The metadata of one choice of a Switch, which is a version of an object.
  *
- * @param index of the child, from 0
- * @param type empty when the metadata does not say, or not in known words
- * @param degree likewise
- * @param schemas the schemas whose activation shows this child; may be none
+ * @param index the index of the child in the Switch, from 0
+ * @param type the consistency type; empty if the metadata lacks it or has an unknown word
+ * @param degree the degree of consistency; empty if the metadata lacks it or it is invalid
+ * @param schemas the schemas whose activation shows this choice; may be none
  */
 public record Choice(
     int index, Optional<ConsistencyType> type, Optional<Degree> degree, List<String> schemas) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes a defensive copy of the list. */
   public Choice {
     schemas = List.copyOf(schemas);
   }
 
-  /** A child of which the metadata says nothing. */
+  /** Returns a choice without metadata. */
   static Choice undescribed(int index) {
     return new Choice(index, Optional.empty(), Optional.empty(), List.of());
   }
 
   /**
-   * How few polygons this version stands for, from 0 (the most detailed) to 1. Without a degree the
-   * type decides: consistent objects are drawn with few polygons, all others with all of theirs
-   * (thesis 4.2.1), and so is a version of which nothing is said, the original.
+   * Returns the consistency of this version, from 0 (most polygons) to 1 (fewest polygons). Without
+   * a degree the type decides: consistent objects are drawn with few polygons, all others with all
+   * of theirs (thesis 4.2.1). A version without metadata is the original, with all polygons.
    */
   public double consistency() {
     return degree

@@ -7,7 +7,7 @@ import java.util.function.Function;
 import org.selectiverenderer.schema.SchemaField.Owner;
 import org.selectiverenderer.schema.SchemaProblem.Kind;
 
-/** Reads what one MetadataSet says of one child of a Switch. */
+/** Reads the MetadataSet of one choice of a Switch. */
 final class ChoiceReader {
   private final Consumer<SchemaProblem> problems;
 
@@ -18,7 +18,7 @@ final class ChoiceReader {
   Choice read(int index, MetadataSource set) {
     Vocabulary words = Vocabulary.of(set);
     if (!words.hasAny(Owner.CHOICE)) {
-      return Choice.undescribed(index); // keeps the place of a child that no schema shows
+      return Choice.undescribed(index); // keeps the index of a choice that no schema shows
     }
     Optional<ConsistencyType> type =
         single(

@@ -3,21 +3,21 @@ package org.selectiverenderer.schema;
 import java.util.Locale;
 import java.util.Optional;
 
-/** How an object relates to the schema of the place where it stands (thesis 4.2.2). */
+/** The consistency of an object with the schema of its place (thesis 4.2.2). */
 public enum ConsistencyType {
-  /** Expected there. */
+  /** An object expected in the place. */
   CONSISTENT,
-  /** Not expected there. */
+  /** An object not expected in the place. */
   INCONSISTENT,
-  /** Part of any place, such as a wall, a ceiling or a door. */
+  /** A part of any place, such as a wall, a ceiling or a door. */
   FRAME;
 
-  /** The word in the metadata. */
+  /** Returns the word for the type in the metadata. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** The type of that word, in any case and with spaces around it. */
+  /** Returns the type of a word, ignoring letter case and surrounding spaces. */
   public static Optional<ConsistencyType> of(String word) {
     for (ConsistencyType type : values()) {
       if (type.spelling().equals(word.strip().toLowerCase(Locale.ROOT))) {

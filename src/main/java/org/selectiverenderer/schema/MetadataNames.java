@@ -1,8 +1,8 @@
 package org.selectiverenderer.schema;
 
 /**
- * The DEF names of metadata nodes as the thesis gives them (Figs 52, 77, 78), such as {@code
- * schemaBelonginessDefinitionTrashCan_Part1}.
+ * Builds the DEF names of metadata nodes by the convention of the thesis (Figs 52, 77, 78), such as
+ * {@code schemaBelonginessDefinitionTrashCan_Part1}.
  */
 public final class MetadataNames {
   private static final String SWITCH = "Switch_";
@@ -10,7 +10,7 @@ public final class MetadataNames {
 
   private MetadataNames() {}
 
-  /** The object's own name: {@code Switch_TrashCanDefinition} is about TrashCan. */
+  /** Returns the object's name in a Switch's DEF: TrashCan in {@code Switch_TrashCanDefinition}. */
   public static String object(String switchDef) {
     String name = switchDef;
     if (name.startsWith(SWITCH) && name.length() > SWITCH.length()) {
@@ -22,32 +22,32 @@ public final class MetadataNames {
   }
 
   /**
-   * Of the set of all metadata of a node.
+   * Returns the name of the set of all metadata of a node.
    *
-   * @param owner an object's name, or a sensor's
+   * @param owner the name of an object or a sensor
    */
   public static String set(String owner) {
     return "MetadataSet_" + owner + DEFINITION;
   }
 
   /**
-   * Of the set about one version of an object.
+   * Returns the name of the set of metadata of one version of an object.
    *
-   * @param index of the version, from 0
+   * @param index the index of the version, from 0
    */
   public static String part(String object, int index) {
     return "MetadataSet" + ofPart(object, index) + DEFINITION;
   }
 
-  /** What the strings about one version are named after. */
+  /** Returns the name of one version, part of the names of its MetadataStrings. */
   public static String ofPart(String object, int index) {
     return object + "_Part" + (index + 1);
   }
 
   /**
-   * Of a string.
+   * Returns the name of a MetadataString.
    *
-   * @param about {@link #ofPart}, or a sensor's name
+   * @param about {@link #ofPart}, or the name of a sensor
    */
   public static String string(SchemaField field, String about) {
     return field.spelling() + DEFINITION + about;

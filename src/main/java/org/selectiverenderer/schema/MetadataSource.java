@@ -3,19 +3,19 @@ package org.selectiverenderer.schema;
 import java.util.List;
 
 /**
- * A metadata node, wherever it comes from: a file, a running scene, a document that is being
- * edited. Two sources are equal when they stand for the same node.
+ * A metadata node of a file, of a running scene, or of a document being edited. Two sources are
+ * equal if they represent the same node.
  */
 public interface MetadataSource {
-  /** Whether it is a MetadataSet. */
+  /** Returns whether the node is a MetadataSet. */
   boolean isSet();
 
-  /** The name field. */
+  /** Returns the value of the field {@code name}. */
   String name();
 
-  /** The values, numbers as text; none for a set. */
+  /** Returns the values, numbers as text; none for a set. */
   List<String> values();
 
-  /** The metadata in a set, in order; none unless it is a set. */
+  /** Returns the metadata nodes in a set, in order; none if the node is not a set. */
   List<? extends MetadataSource> children();
 }

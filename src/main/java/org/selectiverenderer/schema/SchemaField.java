@@ -3,9 +3,9 @@ package org.selectiverenderer.schema;
 import java.util.Optional;
 
 /**
- * The names of the metadata, each with the spellings that are read; the first one is written. The
- * thesis has two sets of names: that of its listings (Figs 42, 43, 47, 52, 77, 78) and that of its
- * text and Fig 40.
+ * The schema metadata fields, each with the names that are accepted when reading; the first one is
+ * written. The thesis uses two sets of names, one in its listings (Figs 42, 43, 47, 52, 77, 78) and
+ * one in its text and Fig 40.
  */
 public enum SchemaField {
   /** The schemas that entering an area activates; on a ProximitySensor. */
@@ -19,11 +19,11 @@ public enum SchemaField {
   /** The schemas that a choice of a Switch belongs to; spelled as in every listing. */
   SCHEMA_BELONGINESS(Owner.CHOICE, "schemaBelonginess");
 
-  /** What a field describes. */
+  /** The node that a field describes. */
   public enum Owner {
-    /** A ProximitySensor: an area. */
+    /** A ProximitySensor, which is an area. */
     SENSOR,
-    /** A child of a Switch: a version of an object. */
+    /** A choice of a Switch, which is a version of an object. */
     CHOICE
   }
 
@@ -35,17 +35,17 @@ public enum SchemaField {
     this.spellings = spellings;
   }
 
-  /** What the field describes. */
+  /** Returns the kind of node that the field describes. */
   public Owner owner() {
     return owner;
   }
 
-  /** The name as it is written. */
+  /** Returns the name as it is written. */
   public String spelling() {
     return spellings[0];
   }
 
-  /** The field of that name in either spelling, spaces around it aside. */
+  /** Returns the field of a name in any accepted spelling, ignoring surrounding spaces. */
   public static Optional<SchemaField> of(String name) {
     String stripped = name.strip();
     for (SchemaField field : values()) {

@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Spelling;
 
-/** Compares names of schemas, in which slips show only by their having no effect. */
+/** Detects misspelt schema names, which otherwise have no effect and cause no error. */
 public final class SchemaNames {
   private static final int SLIPS = 2;
   private static final int SHORT = 4;
@@ -12,9 +12,9 @@ public final class SchemaNames {
   private SchemaNames() {}
 
   /**
-   * The name that the author probably meant: one that differs by letter case or by one or two
-   * letters. Names that differ by a number (Room1, Room2) or by a letter of a very short name are
-   * different on purpose.
+   * Returns the name that the author probably meant, one that differs in letter case or in at most
+   * two letters. Names that differ in a number (Room1, Room2) and very short names that differ in a
+   * letter are taken to be intended.
    */
   public static Optional<String> probablyMeant(String schema, Collection<String> others) {
     return Spelling.nearest(
@@ -26,7 +26,7 @@ public final class SchemaNames {
         schema.length() < SHORT ? 0 : SLIPS);
   }
 
-  /** Compares what is left without digits; by hand, as there may be thousands of names. */
+  /** Compares two names without their digits, without allocation for thousands of names. */
   private static boolean sameButForDigits(String one, String other) {
     int i = 0;
     int j = 0;

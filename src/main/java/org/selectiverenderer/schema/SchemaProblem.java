@@ -1,15 +1,15 @@
 package org.selectiverenderer.schema;
 
 /**
- * Something wrong with the metadata of a node.
+ * An error in the schema metadata of a node.
  *
- * @param message one sentence: what is wrong and what is done about it
- * @param metadata the metadata node that is at fault
+ * @param message one sentence that says what is wrong and what the program does about it
+ * @param metadata the metadata node with the error
  */
 public record SchemaProblem(Kind kind, String message, MetadataSource metadata) {
-  /** What can be wrong. */
+  /** The kinds of errors. */
   public enum Kind {
-    /** A place for a schema has none, so that the metadata has no effect. */
+    /** A schema field without a schema, so that the metadata has no effect. */
     NO_SCHEMA,
     /** A consistency type that is not one of the three. */
     UNKNOWN_TYPE,
@@ -17,11 +17,11 @@ public record SchemaProblem(Kind kind, String message, MetadataSource metadata) 
     UNKNOWN_DEGREE,
     /** Several values where one is expected. */
     SEVERAL_VALUES,
-    /** A MetadataSet that has no child of the Switch to describe. */
+    /** A MetadataSet without a corresponding choice of the Switch. */
     MORE_SETS_THAN_CHOICES,
-    /** A child of the Switch that has no MetadataSet. */
+    /** A choice of the Switch without a MetadataSet. */
     FEWER_SETS_THAN_CHOICES,
-    /** A name of the vocabulary where it means nothing. */
+    /** A schema field on a node that it does not apply to. */
     MISPLACED
   }
 }

@@ -8,23 +8,23 @@ import org.selectiverenderer.schema.SchemaField.Owner;
 import org.selectiverenderer.schema.SchemaProblem.Kind;
 
 /**
- * Reads the vocabulary of the thesis from the metadata of a node. Tolerant of layout: spaces around
- * names and values, several values in one MetadataString or several MetadataStrings of one name,
- * sets within sets, and a MetadataString without a set around it. Metadata that has nothing of the
- * vocabulary belongs to somebody else and gives neither a result nor a problem.
+ * Reads the schema fields of the thesis from the metadata of a node. The layout may vary: spaces
+ * around names and values, several values in one MetadataString or several MetadataStrings of one
+ * name, nested sets, and a MetadataString without a set around it. Metadata without any schema
+ * field serves another purpose and yields neither a result nor a problem.
  */
 public final class SchemaReader {
   private final Consumer<SchemaProblem> problems;
 
-  /** A reader that hands each problem on as it is found. */
+  /** Creates a reader that reports each problem as it is found. */
   public SchemaReader(Consumer<SchemaProblem> problems) {
     this.problems = problems;
   }
 
   /**
-   * The schemas of an area, from the metadata of its ProximitySensor (thesis Figs 42, 47, 77).
+   * Reads the schemas of an area from the metadata of its ProximitySensor (thesis Figs 42, 47, 77).
    *
-   * @return empty if the metadata has nothing of the vocabulary for areas
+   * @return empty if the metadata has no schema field of areas
    */
   public Optional<SensorSchemas> sensor(MetadataSource metadata) {
     Vocabulary words = Vocabulary.of(metadata);
@@ -38,12 +38,12 @@ public final class SchemaReader {
   }
 
   /**
-   * What the versions of an object belong to, from the metadata of its Switch (thesis Figs 43, 52,
+   * Reads the schemas of an object's versions from the metadata of its Switch (thesis Figs 43, 52,
    * 78). Metadata without a set for each choice describes the first choice.
    *
-   * @param children the number of children of the Switch; sets beyond it are ignored, since showing
-   *     a child that is not there would hide the object
-   * @return empty if the metadata has nothing of the vocabulary for choices
+   * @param children the number of children of the Switch; sets beyond it are ignored, since a
+   *     choice without a child would hide the object
+   * @return empty if the metadata has no schema field of choices
    */
   public Optional<SwitchSchemas> switchNode(MetadataSource metadata, int children) {
     Vocabulary words = Vocabulary.of(metadata);

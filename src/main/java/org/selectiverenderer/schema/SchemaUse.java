@@ -11,18 +11,18 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Which schemas the areas of a scene activate and which its objects belong to.
+ * Compares the schemas that the areas of a scene activate with those that its objects belong to.
  *
- * @param <N> stands for a node
+ * @param <N> the type that represents a node
  */
 public final class SchemaUse<N> {
   /**
-   * A schema that has an effect nowhere.
+   * A schema without any effect.
    *
-   * @param node the first that names it
-   * @param message what is wrong and what is done about it
-   * @param meant a schema of the other side with nearly the same name; without one, the schema may
-   *     well be as it is on purpose
+   * @param node the first node that names it
+   * @param message a sentence for the author
+   * @param meant a similar name among the schemas of the areas or objects to compare with; without
+   *     one, the schema may be intended
    */
   public record Unmatched<N>(String schema, N node, String message, Optional<String> meant) {}
 
@@ -31,16 +31,16 @@ public final class SchemaUse<N> {
   private final Map<String, N> known = new LinkedHashMap<>();
   private final Set<String> changing = new HashSet<>();
 
-  /** Takes note of an area's schemas. */
+  /** Records the schemas of an area. */
   public void area(N sensor, SensorSchemas schemas) {
     schemas.enter().forEach(schema -> entered.putIfAbsent(schema, sensor));
     schemas.exit().forEach(schema -> left.putIfAbsent(schema, sensor));
   }
 
   /**
-   * Takes note of the schemas that an object belongs to.
+   * Records the schemas that an object belongs to.
    *
-   * @param atStart the choice that the scene shows at the start
+   * @param atStart the choice shown at the start of the scene
    */
   public void object(N switchNode, List<List<String>> schemasOfChoices, int atStart) {
     for (int i = 0; i < schemasOfChoices.size(); i++) {
@@ -49,9 +49,9 @@ public final class SchemaUse<N> {
   }
 
   /**
-   * Takes note of the schemas that one choice of an object belongs to.
+   * Records the schemas that one choice of an object belongs to.
    *
-   * @param atStart whether the scene shows it at the start
+   * @param atStart whether it is shown at the start of the scene
    */
   public void choice(N switchNode, List<String> schemas, boolean atStart) {
     for (String schema : schemas) {
@@ -62,7 +62,7 @@ public final class SchemaUse<N> {
     }
   }
 
-  /** Whether all that the other one says of schemas and nodes is so here, too. */
+  /** Returns whether both have recorded the same schemas and nodes. */
   public boolean sameAs(SchemaUse<N> other) {
     return entered.equals(other.entered)
         && left.equals(other.left)
@@ -70,23 +70,23 @@ public final class SchemaUse<N> {
         && changing.equals(other.changing);
   }
 
-  /** The schemas that areas activate. */
+  /** Returns the schemas that areas activate. */
   public Set<String> activated() {
     Set<String> activated = new LinkedHashSet<>(entered.keySet());
     activated.addAll(left.keySet());
     return activated;
   }
 
-  /** The schemas that objects belong to. */
+  /** Returns the schemas that objects belong to. */
   public Set<String> known() {
     return new LinkedHashSet<>(known.keySet());
   }
 
   /**
-   * Schemas of objects that no area activates, then those that entering an area activates and that
-   * no object belongs to. A schema that says of all its objects what they show from the start needs
-   * no area (thesis 5.4.3: the kitchen has no sensor), and exit schemas are often activated for the
-   * sake of order alone: neither is among them, but for slips in a name.
+   * Returns the schemas of objects that no area activates, then the enter schemas of areas that no
+   * object belongs to. A schema whose choices are shown from the start needs no area (thesis 5.4.3:
+   * the kitchen has no sensor), and exit schemas are often activated for the sake of order alone;
+   * both are included only if the name seems to be misspelt.
    */
   public List<Unmatched<N>> unmatched() {
     Set<String> activated = activated();
@@ -113,7 +113,7 @@ public final class SchemaUse<N> {
           if (!known.containsKey(schema) && !entered.containsKey(schema)) {
             String what = "no Switch of the scene belongs to the schema " + schema;
             Unmatched<N> found = unmatched(schema, node, what, known.keySet());
-            boolean told = // from the object's side
+            boolean told = // already reported for the object
                 unmatched.stream().anyMatch(o -> o.meant().filter(schema::equals).isPresent());
             if (found.meant().isPresent() && !told) {
               unmatched.add(found);

@@ -6,11 +6,11 @@ import java.util.List;
  * The schemas of an area (thesis Figs 42, 47, 77), each list in the order of the metadata, without
  * repetition.
  *
- * @param enter activated on entering
- * @param exit activated on leaving
+ * @param enter the schemas activated when the viewer enters the area
+ * @param exit the schemas activated when the viewer leaves the area
  */
 public record SensorSchemas(List<String> enter, List<String> exit) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies of the lists. */
   public SensorSchemas {
     enter = List.copyOf(enter);
     exit = List.copyOf(exit);

@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What the metadata says of the versions of an object (thesis Figs 43, 52, 78): MetadataSet
- * <i>i</i> describes child <i>i</i>, since Fig 49 sets {@code whichChoice} to the index of the
+ * The schema metadata of the versions of an object (thesis Figs 43, 52, 78). MetadataSet <i>i</i>
+ * describes child <i>i</i> of the Switch, since Fig 49 sets {@code whichChoice} to the index of the
  * matching set.
  *
- * @param choices one for each MetadataSet, in order, so that the index is the place in the list; at
- *     least one, at most as many as there are children
+ * @param choices one for each MetadataSet, in order; at least one, at most as many as the Switch
+ *     has children
  */
 public record SwitchSchemas(List<Choice> choices) {
-  /** Refuses choices that do not stand at the places of their indices. */
+  /** Checks that each choice is at the position of its index. */
   public SwitchSchemas {
     choices = List.copyOf(choices);
     for (int i = 0; i < choices.size(); i++) {
@@ -24,8 +24,8 @@ public record SwitchSchemas(List<Choice> choices) {
   }
 
   /**
-   * Which child each schema shows. Where several sets name the same schema the last one counts: the
-   * loop of Fig 49 sets {@code whichChoice} for each in turn.
+   * Returns the child that each schema shows. If several sets name the same schema, the last one
+   * counts, since the loop of Fig 49 sets {@code whichChoice} for each in turn.
    */
   public Map<String, Integer> choiceBySchema() {
     Map<String, Integer> map = new LinkedHashMap<>();
@@ -37,7 +37,7 @@ public record SwitchSchemas(List<Choice> choices) {
     return map;
   }
 
-  /** The child with the most detail: the least consistent one, the first of equals. */
+  /** Returns the most detailed child: the least consistent one, the first of equals. */
   public int mostDetailed() {
     int best = 0;
     for (Choice choice : choices) {
@@ -48,7 +48,7 @@ public record SwitchSchemas(List<Choice> choices) {
     return best;
   }
 
-  /** The child with the least detail: the most consistent one, the last of equals. */
+  /** Returns the least detailed child: the most consistent one, the last of equals. */
   public int leastDetailed() {
     int best = 0;
     for (Choice choice : choices) {

@@ -9,21 +9,21 @@ import java.util.Map;
 import java.util.Set;
 import org.selectiverenderer.schema.SchemaField.Owner;
 
-/** The words of the vocabulary found in a metadata node and all that it holds. */
+/** The values of the schema fields in a metadata node and its descendants. */
 final class Vocabulary {
   private final Map<SchemaField, Set<String>> values = new EnumMap<>(SchemaField.class);
   private final Map<SchemaField, MetadataSource> sources = new EnumMap<>(SchemaField.class);
 
   private Vocabulary() {}
 
-  /** All words at any depth. A set that holds itself is read once. */
+  /** Collects the schema fields at any depth. A set that contains itself is read once. */
   static Vocabulary of(MetadataSource metadata) {
     Vocabulary words = new Vocabulary();
     words.collect(metadata, new HashSet<>());
     return words;
   }
 
-  /** The words that stand in a set itself, not in sets within it. */
+  /** Collects the schema fields directly in a set, not in nested sets. */
   static Vocabulary ofStringsIn(MetadataSource set) {
     Vocabulary words = new Vocabulary();
     set.children().stream().filter(child -> !child.isSet()).forEach(words::add);
@@ -63,12 +63,12 @@ final class Vocabulary {
     return sources.keySet().stream().anyMatch(field -> field.owner() == owner);
   }
 
-  /** The values of a field in order, without repetition, without empty ones. */
+  /** Returns the values of a field in order, without repetitions and empty values. */
   List<String> values(SchemaField field) {
     return new ArrayList<>(values.getOrDefault(field, Set.of()));
   }
 
-  /** The first metadata node that has the field; it must be there. */
+  /** Returns the first metadata node with the field, which must exist. */
   MetadataSource source(SchemaField field) {
     MetadataSource source = sources.get(field);
     if (source == null) {

@@ -1,11 +1,11 @@
 package org.selectiverenderer.tracker;
 
-/** The angles of an {@link Orientation}. */
+/** The Euler angles of an {@link Orientation}. */
 public enum Axis {
-  /** About Y. */
+  /** Rotation about Y. */
   YAW,
-  /** About X. */
+  /** Rotation about X. */
   PITCH,
-  /** About Z. */
+  /** Rotation about Z. */
   ROLL
 }

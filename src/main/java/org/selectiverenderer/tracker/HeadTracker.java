@@ -3,45 +3,47 @@ package org.selectiverenderer.tracker;
 import java.util.Optional;
 
 /**
- * A device that says where the head looks. Its records arrive on a thread of its own, at a rate of
- * its own; whoever draws reads the newest at the moment of drawing. All methods may be called from
- * any thread.
+ * A head tracker: a device that measures the orientation, and perhaps the position, of the head.
+ * Its records arrive on a separate thread at the device's rate; the renderer reads the latest pose
+ * when it draws. Thread-safe.
  */
 public interface HeadTracker extends AutoCloseable {
-  /** What was opened. */
+  /** Returns the SPEC of the tracker. */
   TrackerSpec spec();
 
   /**
-   * Copies the newest pose, relative to the heading set by {@link #resetHeading}. Takes no lock and
+   * Copies the latest pose, relative to the heading set by {@link #resetHeading}. Takes no lock and
    * allocates nothing.
    *
-   * @param into is left as it was when there is no pose yet
-   * @return whether there is one; once there was, there always is: a tracker that fell silent keeps
-   *     its last pose, and {@link #health} says since when
+   * @param into receives the pose; unchanged if there is no pose yet
+   * @return whether there is a pose; once there was one, there always is: a silent tracker keeps
+   *     its last pose, and {@link #health} tells since when
    */
   boolean read(PoseSample into);
 
   /**
-   * Makes the direction that the head looks in now the one with yaw 0, in software (boresight), as
-   * no device is asked to. Pitch and roll stay: gravity tells them. Without a pose yet, the first
-   * one will be it.
+   * Resets the heading (boresight): the present heading gets yaw 0. This is done in software,
+   * without a command to the device. Pitch and roll, which gravity determines, do not change.
+   * Before the first pose, the reset applies to the first pose.
    */
   void resetHeading();
 
-  /** How well the records arrive. Allocates; meant to be called once per frame or less. */
+  /** Returns statistics of the records. Allocates; meant to be called once per frame or less. */
   TrackerHealth health();
 
-  /** Whether it is a device that tells the place of the head, too ({@link PoseSample#placed}). */
+  /**
+   * Returns whether the device measures the position of the head, too ({@link PoseSample#placed}).
+   */
   default boolean placed() {
     return false;
   }
 
-  /** More about how it does, for people; empty where {@link #health} says it all. */
+  /** Returns further status information for people; empty if {@link #health} is complete. */
   default Optional<String> described() {
     return Optional.empty();
   }
 
-  /** Lets go of the device and ends the thread; waits until that is done. A second call is none. */
+  /** Closes the device and waits for the end of the thread; a second call does nothing. */
   @Override
   void close();
 }

@@ -4,15 +4,15 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicLongArray;
 
 /**
- * How long things took: a histogram of fixed size that any thread adds to without locks and
- * allocations, and that has no end. Steps of a microsecond up to {@value #STEPS} microseconds; from
- * there each doubling has as many steps, so that no figure is off by more than half a percent (the
+ * A histogram of latencies, of fixed size for any duration; any thread adds values without locks
+ * and allocations. Buckets are a microsecond wide up to {@value #STEPS} microseconds; from there
+ * each doubling has as many buckets, so that no percentile is off by more than half a percent (the
  * layout of Tene's HdrHistogram).
  */
 public final class LatencyMeter {
   private static final int BITS = 7;
 
-  /** Steps of the first part, and of each doubling after it. */
+  /** Number of buckets in the first part, and in each doubling after it. */
   private static final int STEPS = 1 << BITS;
 
   private static final int NANOS = 1000;
@@ -21,13 +21,13 @@ public final class LatencyMeter {
   private final AtomicLong count = new AtomicLong();
   private final AtomicLong longest = new AtomicLong();
 
-  /** The step of a duration in microseconds. */
+  /** Returns the bucket of a duration in microseconds. */
   private static int step(long micros) {
     int doublings = Math.max(0, Long.SIZE - 1 - Long.numberOfLeadingZeros(micros | 1) - BITS);
     return doublings * STEPS + (int) (micros >>> doublings);
   }
 
-  /** The middle of a step, in nanoseconds. */
+  /** Returns the midpoint of a bucket in nanoseconds. */
   private static double middle(int step) {
     int doublings = Math.max(0, step / STEPS - 1);
     return (step - doublings * STEPS + 0.5) * (1L << doublings) * NANOS;
@@ -45,19 +45,19 @@ public final class LatencyMeter {
     }
   }
 
-  /** How many were added. */
+  /** Returns the number of durations. */
   public long count() {
     return count.get();
   }
 
-  /** The longest, in milliseconds; 0 without any. */
+  /** Returns the longest duration in milliseconds; 0 without any. */
   public double maxMs() {
     return longest.get() * 1e-6;
   }
 
   /**
-   * The duration that a share of all did not exceed, in milliseconds, to the middle of a step and
-   * never above the longest; 0 without any.
+   * Returns a percentile of the durations in milliseconds: the midpoint of its bucket, but never
+   * more than the longest duration; 0 without any.
    *
    * @param share 0.5 for the median, 0.99 for the 99th percentile, 1 for the longest
    */

@@ -5,23 +5,23 @@ import org.apache.commons.math3.geometry.euclidean.threed.RotationConvention;
 import org.apache.commons.math3.geometry.euclidean.threed.RotationOrder;
 
 /**
- * How a head is turned, as angles in degrees.
+ * The orientation of a head as Euler angles in degrees.
  *
  * <p>The viewer of X3D looks along -Z with +Y up (X3D 4.0, 23.4.6), so that yaw turns about Y,
  * pitch about X and roll about Z. They are composed in the order YXZ: R = Ry(yaw) Rx(pitch)
  * Rz(roll), roll applied to the viewer first. The thesis's own formula (Fig 50) turns an object
- * that looks along +X; a test compares the two.
+ * that looks along +X; a test compares the two formulas.
  *
- * <p>{@link #rotation} is the definition, by Commons Math, whose rotations are immutable. What runs
- * once per record, {@link PoseSample}, computes the same without allocating; a test holds the two
- * together.
+ * <p>{@link #rotation} is the reference implementation, by Commons Math, whose rotations are
+ * immutable. {@link PoseSample}, which is used for each record, computes the same without
+ * allocating; a test compares the two implementations.
  *
  * @param yaw about Y, positive to the left
  * @param pitch about X, positive up
  * @param roll about Z, positive towards the left shoulder
  */
 public record Orientation(double yaw, double pitch, double roll) {
-  /** The rotation that takes the viewer's frame to the world's. */
+  /** Returns the rotation from the viewer's frame to the world's. */
   public Rotation rotation() {
     return new Rotation(
         RotationOrder.YXZ,
@@ -31,7 +31,10 @@ public record Orientation(double yaw, double pitch, double roll) {
         Math.toRadians(roll));
   }
 
-  /** The angles of a rotation; looking straight up or down, roll is 0 and yaw takes it all. */
+  /**
+   * Returns the angles of a rotation; at gimbal lock (straight up or down) roll is 0 and yaw is the
+   * whole turn.
+   */
   public static Orientation of(Rotation rotation) {
     PoseSample sample = new PoseSample();
     // Commons Math's own angles are undefined straight up and down, and its q0 is w, with the
@@ -40,7 +43,7 @@ public record Orientation(double yaw, double pitch, double roll) {
     return sample.orientation();
   }
 
-  /** The same angle between -180 and 180 degrees. */
+  /** Returns an angle normalized to -180 to 180 degrees. */
   static double wrap(double degrees) {
     return degrees >= -180 && degrees <= 180 ? degrees : Math.IEEEremainder(degrees, 360);
   }

@@ -3,13 +3,14 @@ package org.selectiverenderer.tracker;
 import org.joml.Quaterniond;
 
 /**
- * One orientation of the head, its place if the device tells it, and when it arrived. Mutable, so
- * that reading one allocates nothing; it belongs to the thread that made it.
+ * A pose sample: orientation of the head, position if the device measures it, and time of arrival.
+ * Mutable, so that reading one allocates nothing; it belongs to the thread that made it.
  *
  * <p>Angles are in degrees about the axes of X3D's viewer, who looks along -Z with +Y up: yaw about
  * Y (positive to the left), pitch about X (positive up), roll about Z (positive tilts the head to
  * its left shoulder), composed as yaw, then pitch, then roll (order YXZ). See {@link Orientation}.
- * The place is in metres along the same axes: right, up and back of where the device counts from.
+ * The position is in metres along the same axes: to the right, above and behind the origin of the
+ * device.
  */
 public final class PoseSample {
   private long number;
@@ -34,10 +35,10 @@ public final class PoseSample {
   }
 
   /**
-   * Sets all of it but the place.
+   * Sets everything except the position.
    *
-   * @param number of the record, counted from 1
-   * @param arrival as {@link System#nanoTime} told it
+   * @param number number of the record, from 1
+   * @param arrival time of arrival, by {@link System#nanoTime}
    */
   public void set(long number, long arrival, double yaw, double pitch, double roll) {
     this.number = number;
@@ -45,7 +46,7 @@ public final class PoseSample {
     turn(yaw, pitch, roll);
   }
 
-  /** Sets the place only, in metres. */
+  /** Sets the position only, in metres. */
   public void place(double right, double up, double back) {
     placed = true;
     x = right;
@@ -53,25 +54,28 @@ public final class PoseSample {
     z = back;
   }
 
-  /** Sets how often straight ahead was set anew. */
+  /** Sets the number of boresights so far. */
   public void straightened(int times) {
     straightened = times;
   }
 
-  /** How often straight ahead, and with it where places count from, was set anew. */
+  /**
+   * Returns the number of boresights so far: resets of the heading, and with it of the origin of
+   * positions.
+   */
   public int straightened() {
     return straightened;
   }
 
-  /** There is no place. */
+  /** Removes the position. */
   public void unplace() {
     placed = false;
   }
 
   /**
-   * Turns place and angles about the vertical axis, so that what was at a yaw is at 0.
+   * Rotates position and orientation about the vertical axis, so that a heading becomes yaw 0.
    *
-   * @param ahead that yaw in degrees
+   * @param ahead the heading in degrees
    */
   public void ahead(double ahead) {
     turn(yaw - ahead, pitch, roll);
@@ -82,14 +86,16 @@ public final class PoseSample {
     x = right;
   }
 
-  /** Sets the angles only, in degrees; each is brought to -180 to 180. */
+  /** Sets the angles only, in degrees; each is normalized to -180 to 180. */
   public void turn(double yaw, double pitch, double roll) {
     this.yaw = Orientation.wrap(yaw);
     this.pitch = Orientation.wrap(pitch);
     this.roll = Orientation.wrap(roll);
   }
 
-  /** Sets the angles only, from a unit quaternion that takes the viewer's frame to the world's. */
+  /**
+   * Sets the angles only, from a unit quaternion that rotates the viewer's frame to the world's.
+   */
   public void turn(double x, double y, double z, double w) {
     // The third column and the second row of Ry(yaw) Rx(pitch) Rz(roll) hold the angles.
     double sin = 2 * (x * w - y * z);
@@ -97,66 +103,66 @@ public final class PoseSample {
       yaw = Math.toDegrees(Math.atan2(2 * (x * z + y * w), 1 - 2 * (x * x + y * y)));
       pitch = Math.toDegrees(Math.asin(sin));
       roll = Math.toDegrees(Math.atan2(2 * (x * y + z * w), 1 - 2 * (x * x + z * z)));
-    } else { // Straight up or down yaw and roll are one: all of it is told as yaw.
+    } else { // Gimbal lock: roll is 0 and yaw is the whole turn.
       yaw = Math.toDegrees(Math.atan2(-2 * (x * z - y * w), 1 - 2 * (y * y + z * z)));
       pitch = Math.copySign(90, sin);
       roll = 0;
     }
   }
 
-  /** Which record it is, counted from 1 since the tracker was opened; 0 before the first. */
+  /** Returns the number of the record since the tracker was opened, from 1; 0 before the first. */
   public long number() {
     return number;
   }
 
-  /** When the record arrived, in nanoseconds of {@link System#nanoTime}, which never goes back. */
+  /** Returns the time of arrival, in nanoseconds of {@link System#nanoTime}. */
   public long arrival() {
     return arrival;
   }
 
-  /** About Y, -180 to 180 degrees. */
+  /** Returns the rotation about Y, -180 to 180 degrees. */
   public double yaw() {
     return yaw;
   }
 
-  /** About X, -180 to 180 degrees, beyond 90 only if a device says so. */
+  /** Returns the rotation about X, -180 to 180 degrees, beyond 90 only if the device reports it. */
   public double pitch() {
     return pitch;
   }
 
-  /** About Z, -180 to 180 degrees. */
+  /** Returns the rotation about Z, -180 to 180 degrees. */
   public double roll() {
     return roll;
   }
 
-  /** Whether the place is told. */
+  /** Returns whether the sample has a position. */
   public boolean placed() {
     return placed;
   }
 
-  /** To the right, in metres; without meaning unless {@link #placed}. */
+  /** Returns the position to the right in metres; undefined unless {@link #placed}. */
   public double x() {
     return x;
   }
 
-  /** Up, in metres. */
+  /** Returns the position upward in metres. */
   public double y() {
     return y;
   }
 
-  /** Back, in metres. */
+  /** Returns the position backward in metres. */
   public double z() {
     return z;
   }
 
-  /** The angles as a value. */
+  /** Returns the orientation as an immutable value. */
   public Orientation orientation() {
     return new Orientation(yaw, pitch, roll);
   }
 
   /**
-   * The orientation as a quaternion that takes the viewer's frame to the world's; allocates
-   * nothing.
+   * Writes the orientation to a quaternion that rotates the viewer's frame to the world's;
+   * allocates nothing.
    *
    * @return {@code into}
    */

@@ -2,7 +2,9 @@ package org.selectiverenderer.tracker;
 
 import java.io.IOException;
 
-/** A tracker that cannot be opened or was lost. The message is a whole sentence for the user. */
+/**
+ * Thrown if a tracker cannot be opened or was lost. The message is a whole sentence for the user.
+ */
 public final class TrackerException extends IOException {
   private static final long serialVersionUID = 1L;
 

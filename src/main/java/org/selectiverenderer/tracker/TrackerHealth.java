@@ -1,17 +1,17 @@
 package org.selectiverenderer.tracker;
 
 /**
- * How well a tracker's records arrive. Figures are of all records since it was opened unless said
- * otherwise.
+ * Statistics of a tracker's records, of all since it was opened unless stated otherwise.
  *
- * @param records that arrived and were good
+ * @param records number of good records
  * @param rateHz good records per second over the last 64 of them; 0 before the second
  * @param jitterMs standard deviation of the times between the last 64 records, in milliseconds
- * @param bad records that were thrown away: wrong checksum, malformed, not a number, out of range
- * @param dropped records that must have been sent but did not come, estimated from gaps in their
- *     times; gaps in which the connection was lost are not counted
- * @param silentSeconds since the last good record, or since opening
- * @param reconnects how often the connection was lost and made again
+ * @param bad number of records that were rejected: wrong checksum, malformed, not a number, out of
+ *     range
+ * @param dropped number of records that were sent but did not arrive, estimated from gaps in their
+ *     times; gaps in which the connection was lost do not count
+ * @param silentSeconds seconds since the last good record, or since opening
+ * @param reconnects number of times that the connection was lost and restored
  */
 public record TrackerHealth(
     State state,
@@ -22,28 +22,28 @@ public record TrackerHealth(
     long dropped,
     double silentSeconds,
     long reconnects) {
-  /** After this long without a good record a tracker counts as silent, in seconds. */
+  /** Seconds without a good record after which a tracker counts as silent. */
   public static final double SILENCE = 0.5;
 
-  /** What a tracker is doing. */
+  /** The state of a tracker. */
   public enum State {
-    /** There is none, by choice. */
+    /** No tracker is used. */
     NONE,
-    /** Opened; no good record has come yet. */
+    /** Opened; no good record has arrived yet. */
     CONNECTING,
-    /** Records come. */
+    /** Records arrive. */
     STREAMING,
-    /** Connected, but nothing good came for {@link #SILENCE}: the view has no fresh pose. */
+    /** Connected, but no good record for {@link #SILENCE} seconds: the pose is stale. */
     SILENT,
-    /** The connection is lost; it is being tried again. */
+    /** The connection is lost, and the tracker tries to reconnect. */
     LOST,
-    /** A recording that has been played to its end. */
+    /** A recording has been played to its end. */
     ENDED,
     /** {@link HeadTracker#close} was called. */
     CLOSED
   }
 
-  /** Whether a reader should be told that the pose is old. */
+  /** Returns whether the pose is stale. */
   public boolean stale() {
     return state == State.SILENT || state == State.LOST;
   }

@@ -2,18 +2,18 @@ package org.selectiverenderer.tracker;
 
 import org.selectiverenderer.base.problem.Problem;
 
-/** Hears what happens on a tracker's thread; must return soon. */
+/** Receives the events of a tracker on its thread; must return quickly. */
 public interface TrackerListener {
   /**
-   * A good record, after {@link TrackerOptions} and before the boresight.
+   * A good record arrived; {@link TrackerOptions} are applied, the boresight is not.
    *
-   * @param sample is used again for the next record
+   * @param sample the record; reused for the next one
    */
   default void sample(PoseSample sample) {}
 
   /**
-   * Something that the user should know; once each time that it begins, not for every record. ERROR
-   * for a tracker that cannot be used now, INFO when it can be again.
+   * A problem for the user to know; reported once when it begins, not for every record. ERROR if
+   * the tracker cannot be used now, INFO when it can be used again.
    */
   void problem(Problem problem);
 }

@@ -5,21 +5,20 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * How the records of any tracker are read. They are applied in this order: swap, invert, smooth,
- * predict.
+ * Options for the records of any tracker, applied in this order: swap, invert, smooth, predict.
  *
- * @param swapped the two angles that change places; empty for none
- * @param inverted the angles whose sign is turned, after swapping
- * @param smoothing of trembling, at the cost of some delay; empty (the default) for none
- * @param prediction how far ahead of its record the pose is told, in seconds: the known time from
- *     the head's movement to the light of the display; 0 (the default) for none, at most 0.1
+ * @param swapped the two angles that are exchanged; empty for none
+ * @param inverted the angles whose sign is inverted, after swapping
+ * @param smoothing filter against jitter, at the cost of some delay; empty (the default) for none
+ * @param prediction prediction time in seconds: the known motion-to-photon latency; 0 (the default)
+ *     for none, at most 0.1
  */
 public record TrackerOptions(
     Optional<Swap> swapped, Set<Axis> inverted, Optional<Smoothing> smoothing, double prediction) {
-  /** More cannot be predicted of a head: it has stopped and turned back by then. */
+  /** Maximum prediction time in seconds; a head may have stopped and turned back by then. */
   public static final double LONGEST_PREDICTION = 0.1;
 
-  /** Records as they come. */
+  /** Options that do not change records. */
   public static final TrackerOptions NONE =
       new TrackerOptions(Optional.empty(), Set.of(), Optional.empty(), 0);
 
@@ -34,12 +33,12 @@ public record TrackerOptions(
     }
   }
 
-  /** Whether they change anything of a record. */
+  /** Returns whether the options change records. */
   public boolean change() {
     return swapped.isPresent() || !inverted.isEmpty() || smoothing.isPresent() || prediction > 0;
   }
 
-  /** Two angles that change places. */
+  /** Two angles that are exchanged. */
   public record Swap(Axis one, Axis other) {
     /**
      * @throws IllegalArgumentException if they are the same
@@ -50,7 +49,7 @@ public record TrackerOptions(
       }
     }
 
-    /** The angles by their places: yaw, pitch, roll of what is told come from these. */
+    /** Returns the source angles of yaw, pitch and roll, in this order. */
     public List<Axis> order() {
       Axis[] order = Axis.values();
       order[one.ordinal()] = other;
@@ -60,14 +59,15 @@ public record TrackerOptions(
   }
 
   /**
-   * The one-euro filter (Casiez, Roussel and Vogel, CHI 2012): a low-pass whose cutoff grows with
-   * speed, so that a head at rest does not tremble and a turning one is not held back.
+   * The one-euro filter (Casiez, Roussel and Vogel, CHI 2012): a low-pass filter whose cutoff
+   * frequency grows with speed, so that a head at rest does not jitter and a turning one does not
+   * lag.
    *
-   * @param cutoff at rest, in Hz; lower is calmer
-   * @param speed by how much the cutoff grows, in Hz per radian per second; higher follows faster
+   * @param cutoff cutoff frequency at rest, in Hz; lower is smoother
+   * @param speed growth of the cutoff with speed, in Hz per radian per second; higher lags less
    */
   public record Smoothing(double cutoff, double speed) {
-    /** Found by trying with 120 Hz and 0.1 degrees of noise; see docs/trackers.md. */
+    /** Found empirically with 120 Hz and 0.1 degrees of noise; see docs/trackers.md. */
     public static final Smoothing DEFAULT = new Smoothing(1.5, 8);
 
     /**
@@ -83,7 +83,7 @@ public record TrackerOptions(
     /**
      * Reads {@code HZ} or {@code HZ,SPEED}, or {@code default}.
      *
-     * @throws IllegalArgumentException with a sentence if it is neither
+     * @throws IllegalArgumentException with a message for the user if it is none of these
      */
     public static Smoothing parse(String text) {
       if (text.equals("default")) {
@@ -97,7 +97,7 @@ public record TrackerOptions(
               cutoff, numbers.length == 2 ? Double.parseDouble(numbers[1]) : DEFAULT.speed());
         }
       } catch (NumberFormatException e) {
-        // Said below.
+        // Reported below.
       }
       throw new IllegalArgumentException(
           "write smoothing as HZ or HZ,SPEED, such as 1.5,8, not as " + text);

@@ -2,21 +2,24 @@ package org.selectiverenderer.tracker;
 
 import java.nio.file.Path;
 
-/** Which tracker, and where: the SPEC of the command line. {@code toString} writes it as typed. */
+/**
+ * The SPEC of a tracker on the command line: its kind and its port or address. {@code toString}
+ * returns it as typed.
+ */
 public sealed interface TrackerSpec {
-  /** Of the Fastrak as delivered. */
+  /** Default speed of the Fastrak. */
   int FASTRAK_BAUD = 9600;
 
-  /** Where opentrack sends to unless told otherwise. */
+  /** Default UDP port of opentrack. */
   int OPENTRACK_PORT = 4242;
 
-  /** Where a VRPN server listens unless told otherwise. */
+  /** Default port of a VRPN server. */
   int VRPN_PORT = 3883;
 
   /**
-   * Reads a SPEC.
+   * Parses a SPEC.
    *
-   * @throws IllegalArgumentException with a sentence that names what is wrong and shows an example
+   * @throws IllegalArgumentException with a message that says what is wrong and shows an example
    */
   static TrackerSpec parse(String text) {
     return new TrackerSpecParser(text).parse();
@@ -33,10 +36,11 @@ public sealed interface TrackerSpec {
   /**
    * {@code intertrax2:/dev/ttyUSB0}.
    *
-   * @param port a serial port's device, or COM3 on Windows; {@code auto} for the first that answers
+   * @param port device file of the serial port, or a name like COM3 on Windows; {@code auto} for
+   *     the first port with an InterTrax2
    */
   record InterTrax2(String port) implements TrackerSpec {
-    /** Whether its port is to be found. */
+    /** Returns whether the port is to be searched. */
     public boolean searched() {
       return port.equals("auto");
     }
@@ -50,7 +54,7 @@ public sealed interface TrackerSpec {
   /**
    * {@code fastrak:/dev/ttyUSB0@9600}: InterSense IS-300, 600 and 900, Polhemus Fastrak.
    *
-   * @param baud the speed that the device is set to, bits per second
+   * @param baud speed of the device in bits per second
    */
   record Fastrak(String port, int baud) implements TrackerSpec {
     @Override
@@ -62,7 +66,7 @@ public sealed interface TrackerSpec {
   /**
    * {@code opentrack:4242}: UDP datagrams of opentrack's "UDP over network" output.
    *
-   * @param port to listen on, on all interfaces
+   * @param port port to listen on, on all network interfaces
    */
   record OpenTrack(int port) implements TrackerSpec {
     @Override
@@ -74,7 +78,7 @@ public sealed interface TrackerSpec {
   /**
    * {@code vrpn:Tracker0@host:3883}.
    *
-   * @param tracker its name at the server
+   * @param tracker name of the tracker at the server
    */
   record Vrpn(String tracker, String host, int port) implements TrackerSpec {
     @Override
@@ -91,7 +95,7 @@ public sealed interface TrackerSpec {
     }
   }
 
-  /** The headset that shows the pictures, by {@code --display openxr}; nobody types it. */
+  /** The headset of {@code --display openxr}; not a SPEC that users type. */
   record Headset() implements TrackerSpec {
     @Override
     public String toString() {
@@ -99,7 +103,7 @@ public sealed interface TrackerSpec {
     }
   }
 
-  /** {@code replay:FILE.csv}: what {@code track --output} or a head log recorded. */
+  /** {@code replay:FILE.csv}: a recording by {@code track --output}, or a head log. */
   record Replay(Path file) implements TrackerSpec {
     @Override
     public String toString() {
@@ -107,7 +111,7 @@ public sealed interface TrackerSpec {
     }
   }
 
-  /** Host and port as one writes them; an IPv6 address in brackets. */
+  /** Formats host and port, with an IPv6 address in brackets. */
   private static String address(String host, int port) {
     return (host.contains(":") ? "[" + host + "]" : host) + ":" + port;
   }

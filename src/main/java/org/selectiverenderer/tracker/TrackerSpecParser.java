@@ -4,7 +4,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
 
-/** Reads the SPEC of a tracker; every refusal shows how it is written. */
+/** Parses the SPEC of a tracker; every error message shows an example. */
 final class TrackerSpecParser {
   private final String text;
   private final String kind;
@@ -32,8 +32,9 @@ final class TrackerSpecParser {
           throw new IllegalArgumentException(
               "'"
                   + text
-                  + "' is not a tracker: a headset is its own; run SCENE --display openxr --head-log"
-                  + " F.csv shows how it does and writes its poses to F_tracker.csv");
+                  + "' is not a tracker: a headset brings its own tracker; leave --tracker out with"
+                  + " run SCENE --display openxr (--head-log F.csv records its poses in"
+                  + " F_tracker.csv)");
       default -> throw refusal("there is no tracker of the kind '" + kind + "'", kinds());
     };
   }
@@ -91,7 +92,10 @@ final class TrackerSpecParser {
     }
   }
 
-  /** The colon before the port; those within an IPv6 address in brackets are none. */
+  /**
+   * Returns the index of the colon before the port, which is not within the brackets of an IPv6
+   * address.
+   */
   private static int portColon(String address) {
     int colon = address.lastIndexOf(':');
     return colon < address.lastIndexOf(']') ? -1 : colon;
@@ -124,7 +128,7 @@ final class TrackerSpecParser {
         return value;
       }
     } catch (NumberFormatException e) {
-      // Said below, as for a number out of range.
+      // Reported below, as for a number out of range.
     }
     throw refusal("'%s' is not %s (%d to %d)".formatted(digits, what, least, most), example);
   }

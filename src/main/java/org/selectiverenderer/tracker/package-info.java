@@ -1,12 +1,11 @@
 /**
- * Head trackers: where the head looks, whatever device says so. A tracker knows no scene and is
- * driven by none.
+ * Head trackers of all kinds. A tracker does not depend on the scene.
  *
- * <p>A tracker has a thread; a record comes when the device sends it, and whoever draws reads the
- * newest at that moment; neither waits for the other. Angles are plain numbers in objects that are
- * used again; {@link org.selectiverenderer.tracker.Orientation}, by the rotations of Commons Math,
- * is the definition that a test holds this fast path to. A recording that must give the same frames
- * again is stepped by the frames' clock, not by the wall's.
+ * <p>A tracker has a thread that receives records when the device sends them; the renderer reads
+ * the latest pose when it draws; neither waits for the other. Angles are plain numbers in reused
+ * objects; {@link org.selectiverenderer.tracker.Orientation}, by the rotations of Commons Math, is
+ * the reference implementation with which a test compares this fast path. A recording that must
+ * reproduce the same frames is stepped by the frames' clock, not by wall-clock time.
  *
  * <p>{@link org.selectiverenderer.tracker.open.Trackers} opens all of them. To add one:
  *
@@ -16,7 +15,8 @@
  *   <li>a {@link org.selectiverenderer.tracker.live.PoseSource} in {@code serial} or {@code net},
  *       beside the others, with its test
  *   <li>a line in {@code Trackers}
- *   <li>what may be wrong with a sender that is not understood: {@code live.TroubleEpisodes}
+ *   <li>a hint at what may be wrong with a device whose records are not valid: {@code
+ *       live.TroubleEpisodes}
  *   <li>the help of {@code --tracker} and of {@code track} in {@code cli.view}, and
  *       docs/trackers.md
  * </ol>
@@ -24,20 +24,19 @@
  * <p>The packages inside:
  *
  * <ul>
- *   <li>{@code live}: the way of a record from its arrival to the reader, the same for all
- *   <li>{@code serial}, {@code net}, {@code replay}: the devices' protocols; {@code text} is what
- *       those that send lines share
- *   <li>{@code open}: opens all of them
- *   <li>{@code emulate}: a device to try all this without one
- *   <li>{@code report}: what the command {@code track} shows and writes
+ *   <li>{@code live}: the pipeline of a record from its arrival to the reader, the same for all
+ *   <li>{@code serial}, {@code net}, {@code replay}: the devices' protocols; {@code text}: parsers
+ *       of text records
+ *   <li>{@code open}: the factory of trackers
+ *   <li>{@code emulate}: an emulated device, for tests
+ *   <li>{@code report}: the outputs of the command {@code track}
  * </ul>
  *
- * <p>In: what a user writes as the SPEC of a tracker ({@link
- * org.selectiverenderer.tracker.TrackerSpec}) and how its axes are to be read ({@link
- * org.selectiverenderer.tracker.TrackerOptions}). Out: a {@link
- * org.selectiverenderer.tracker.HeadTracker}, whose newest pose is read at the moment of drawing;
- * problems as sentences, each once. This package holds what all of its sub-packages speak of, and
- * uses none of them: {@code base.problem} and Commons Math only; no scene, no window, no GL.
+ * <p>In: the SPEC of a tracker ({@link org.selectiverenderer.tracker.TrackerSpec}) and options for
+ * its records ({@link org.selectiverenderer.tracker.TrackerOptions}). Out: a {@link
+ * org.selectiverenderer.tracker.HeadTracker}, whose latest pose is read when a frame is drawn;
+ * problems as messages, each once. This package contains the types that its sub-packages share, and
+ * depends on none of them: {@code base.problem} and Commons Math only; no scene, no window, no GL.
  */
 @NullMarked
 package org.selectiverenderer.tracker;

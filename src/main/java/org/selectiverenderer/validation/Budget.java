@@ -3,15 +3,15 @@ package org.selectiverenderer.validation;
 import java.util.List;
 
 /**
- * The polygons that a part of a scene may have.
+ * A polygon budget: the greatest number of polygons that a part of a scene may show.
  *
  * @param scope DEF name of a group; empty for the whole scene
- * @param schemas the state in which it holds, by its active schemas; empty for the worst state that
- *     a viewer can reach
- * @param polygons at most
+ * @param schemas the active schemas of the state that the budget is for; empty for the worst state
+ *     that a viewer can reach
+ * @param polygons greatest number of polygons
  */
 public record Budget(String scope, List<String> schemas, long polygons) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Budget {
     schemas = List.copyOf(schemas);
   }

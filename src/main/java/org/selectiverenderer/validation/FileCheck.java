@@ -1,7 +1,10 @@
 package org.selectiverenderer.validation;
 
-/** Looks at one file by itself. Without state: one object serves all threads. */
+/**
+ * A check of a single file by itself. Implementations are stateless: one instance serves all
+ * threads.
+ */
 public interface FileCheck {
-  /** Looks at a file, and adds what it finds. */
+  /** Checks a file and adds the findings. */
   void check(FileView file, Findings findings);
 }

@@ -9,14 +9,15 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 
 /**
- * What stays of a file after its own checks: the nodes without their coordinates.
+ * The outline of a file, which the validator keeps after the file's own checks: its nodes without
+ * their coordinates.
  *
- * @param file where it is and how reports name it
- * @param bytes its size on disk
- * @param scene whose nodes have lost their long values
- * @param nodes all of them, each once, parents before what they hold; prototypes expanded
- * @param places where attributes that scene checks speak of stand, by the place of the element
- * @param measures how much each geometry node draws
+ * @param file the file, with its name in reports
+ * @param bytes size of the file on disk in bytes
+ * @param scene the scene, whose nodes have lost their long values
+ * @param nodes all nodes, each once, parents before children, with prototypes expanded
+ * @param places locations of the attributes that scene checks report, by location of the element
+ * @param measures polygons and bounds of each geometry node
  */
 public record FileOutline(
     SourceFile file,
@@ -26,12 +27,15 @@ public record FileOutline(
     Map<Location, Map<String, Location>> places,
     Map<ParsedNode, GeometryMeasure> measures) {
 
-  /** Where a field of a node is given; the node's own place where it is not, or not kept. */
+  /**
+   * Returns the location of a field of a node; that of the node if the field is not given or its
+   * location is not kept.
+   */
   public Location place(NodeView node, String field) {
     return places.getOrDefault(node.location(), Map.of()).getOrDefault(field, node.location());
   }
 
-  /** How much a geometry node draws; empty for a node that cannot be drawn. */
+  /** Returns polygons and bounds of a geometry node; empty for a node that cannot be drawn. */
   public Optional<GeometryMeasure> measure(ParsedNode geometry) {
     return Optional.ofNullable(measures.get(geometry));
   }

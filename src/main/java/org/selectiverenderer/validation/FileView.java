@@ -8,17 +8,17 @@ import org.selectiverenderer.x3d.source.StatementNames;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
 /**
- * What a {@link FileCheck} sees.
+ * The context of a {@link FileCheck}: the parsed file.
  *
- * @param document all elements and attributes with their places; {@link XmlDocument#broken()} where
+ * @param document all elements and attributes with their locations; {@link XmlDocument#broken()} if
  *     it ends too early
- * @param scene the nodes made of it, prototypes expanded, names and routes resolved; a node's
- *     {@code location()} is that of its element
+ * @param scene the nodes of the document, with prototypes expanded and names and routes resolved; a
+ *     node's {@code location()} is that of its element
  * @param rules ids of all rules
  */
 public record FileView(
     NodeCatalogue catalogue, XmlDocument document, X3dFile scene, Set<String> rules) {
-  /** Whether an element is one of X3D. */
+  /** Returns whether an element is defined by X3D. */
   public boolean knows(DocumentElement element) {
     return StatementNames.is(element.name()) || catalogue.find(element.name()).isPresent();
   }

@@ -5,16 +5,16 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem.Severity;
 
 /**
- * Something found in a file.
+ * A finding: a violation of a rule at a location in a file (SARIF: result).
  *
- * @param severity the rule's, or what a configuration makes of it
+ * @param severity the rule's severity, unless the settings change it
  * @param location the file as reports name it; line 0 for the file as a whole
- * @param node type and DEF name of the node that it is about; empty if about none
+ * @param node type and DEF name of the node concerned; empty for none
  * @param message one sentence
  */
 public record Finding(
     Rule rule, Severity severity, Location location, String node, String message) {
-  /** The order of reports: file, line, column, rule, and what tells two such findings apart. */
+  /** The order of findings in reports: by file, line, column, rule, then node and message. */
   public static final Comparator<Finding> ORDER =
       Comparator.comparing((Finding finding) -> finding.location().file())
           .thenComparingInt(finding -> finding.location().line())
@@ -24,7 +24,7 @@ public record Finding(
           .thenComparing(Finding::node)
           .thenComparing(Finding::severity);
 
-  /** The same finding, taken more or less seriously. */
+  /** Returns the same finding with another severity. */
   public Finding with(Severity other) {
     return new Finding(rule, other, location, node, message);
   }

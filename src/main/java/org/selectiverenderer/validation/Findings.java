@@ -11,11 +11,12 @@ import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Collects findings that are wanted. Of each rule and file {@value #LIMIT} are kept and the rest
- * are counted, so that a file of a million slips does not take all memory. Serves one thread.
+ * Collects the findings that settings and comments do not suppress. At most {@value #LIMIT}
+ * findings per rule and file are kept and the rest only counted, so that a file with a million
+ * faults does not exhaust memory. Not thread-safe.
  */
 public final class Findings {
-  /** Findings of one rule that are kept per file. */
+  /** The largest number of findings of one rule that are kept per file. */
   public static final int LIMIT = 10_000;
 
   private static final int LONGEST_MESSAGE = 300;
@@ -27,52 +28,53 @@ public final class Findings {
   private final Map<Key, Integer> counts = new HashMap<>();
 
   /**
-   * @param wanted says of what is found in a place whether it is to be kept
+   * @param wanted tests whether a finding of a rule at a location is to be kept
    */
   public Findings(BiPredicate<Rule, Location> wanted) {
     this.wanted = wanted;
   }
 
-  /** About a node of a document: its whole element. */
+  /** Adds a finding about a node of a document, located at its element. */
   public void add(Rule rule, DocumentElement element, Object... words) {
     addWithin(rule, element, element.location(), words);
   }
 
-  /** About an attribute: its name. */
+  /** Adds a finding about an attribute, located at its name. */
   public void add(Rule rule, DocumentAttribute attribute, Object... words) {
     addWithin(rule, attribute.element(), attribute.location(), words);
   }
 
-  /** About a word within an attribute's value. */
+  /** Adds a finding about a part of an attribute's value. */
   public void addAt(Rule rule, DocumentAttribute attribute, int offset, Object... words) {
     addWithin(rule, attribute.element(), attribute.location(offset), words);
   }
 
-  /** About a node of a document, at a place within it. */
+  /** Adds a finding about a node of a document, at a location within it. */
   public void addWithin(Rule rule, DocumentElement element, Location place, Object... words) {
     if (keeps(rule, place)) {
       list(rule, place, label(element), words);
     }
   }
 
-  /** About a node of a scene. */
+  /** Adds a finding about a node of a scene. */
   public void add(Rule rule, NodeView node, Object... words) {
     add(rule, node.location(), label(node), words);
   }
 
-  /** About a field of a node of a scene, whose place {@link FileOutline#place} knows. */
+  /** Adds a finding about a field of a node of a scene, located by {@link FileOutline#place}. */
   public void addAt(Rule rule, FileOutline file, NodeView node, String field, Object... words) {
     add(rule, file.place(node, field), label(node), words);
   }
 
-  /** About any place, or about a file as a whole ({@link Location#of}). */
+  /** Adds a finding at any location, or about a file as a whole ({@link Location#of}). */
   public void add(Rule rule, Location location, String node, Object... words) {
     if (keeps(rule, location)) {
       list(rule, location, node, words);
     }
   }
 
-  // Asked first: to write a message costs, for suggestions and labels, and there may be a million.
+  // Tested before the message is formatted, since suggestions and labels are expensive and there
+  // may be a million findings.
   private boolean keeps(Rule rule, Location location) {
     return wanted.test(rule, location)
         && counts.merge(new Key(rule, location.file()), 1, Integer::sum) <= LIMIT;
@@ -83,12 +85,12 @@ public final class Findings {
     list.add(new Finding(rule, rule.severity(), location, node, message));
   }
 
-  /** All that are kept, in the order found. */
+  /** Returns all kept findings, in the order found. */
   public List<Finding> list() {
     return List.copyOf(list);
   }
 
-  /** How many were wanted, but not kept. */
+  /** Returns how many findings exceeded {@link #LIMIT} and were not kept. */
   public int dropped() {
     return counts.values().stream().mapToInt(count -> Math.max(0, count - LIMIT)).sum();
   }

@@ -1,10 +1,10 @@
 package org.selectiverenderer.validation;
 
 /**
- * What is known of a geometry node without drawing it.
+ * The polygon count and bounds of a geometry node.
  *
- * @param polygons triangles
- * @param bounds least x, y, z, then greatest, in the node's coordinates; empty when nothing is
- *     drawn
+ * @param polygons number of triangles
+ * @param bounds least x, y, z, then greatest x, y, z, in the node's coordinates; empty when nothing
+ *     is drawn
  */
 public record GeometryMeasure(int polygons, float[] bounds) {}

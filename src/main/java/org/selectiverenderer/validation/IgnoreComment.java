@@ -6,15 +6,15 @@ import java.util.Optional;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
 /**
- * A comment {@code validate-ignore SR102 SR3: why}, which an author puts before an element whose
- * findings are not wanted.
+ * A comment {@code validate-ignore SR102 SR3: why}, which an author writes before an element to
+ * suppress findings about it.
  *
- * @param ids of rules, or beginnings of ids
+ * @param ids ids of rules, or prefixes of ids
  */
 public record IgnoreComment(List<String> ids) {
   private static final String WORD = "validate-ignore";
 
-  /** What a comment says; empty for one that says something else. */
+  /** Parses a comment; empty if it is not a validate-ignore comment. */
   public static Optional<IgnoreComment> of(XmlDocument.Comment comment) {
     String text = comment.text().strip();
     if (!text.startsWith(WORD)) {

@@ -12,7 +12,7 @@ import org.selectiverenderer.polygon.count.Size;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 
-/** An outline as the polygon counts read it. */
+/** Adapts a file outline to the polygon counter. */
 public final class OutlinedFile implements CountedFile {
   private final FileOutline outline;
   private final SceneView scene;
@@ -24,7 +24,7 @@ public final class OutlinedFile implements CountedFile {
     this.known = known;
   }
 
-  /** What the polygon counts make of a scene. */
+  /** Returns the enrichment of a scene with its polygon counts. */
   public static SceneModel model(SceneView scene) {
     return SceneModel.of(new OutlinedFile(scene.main(), scene, new IdentityHashMap<>()));
   }
@@ -55,7 +55,7 @@ public final class OutlinedFile implements CountedFile {
         : Optional.empty();
   }
 
-  /** None: the checks of the file speak for it. */
+  /** Returns no problems, since the file's own checks report them. */
   @Override
   public List<Problem> problemList() {
     return List.of();

@@ -6,20 +6,20 @@ import java.util.List;
 import org.selectiverenderer.base.problem.Problem.Severity;
 
 /**
- * What a run found.
+ * The result of a validation run.
  *
- * @param files that were checked, Inlines included, by name
- * @param findings in the order of {@link Finding#ORDER}
- * @param dropped how many more there are, beyond {@link Findings#LIMIT} of a rule and a file
+ * @param files the checked files, Inlines included, sorted by name
+ * @param findings the findings in the order of {@link Finding#ORDER}
+ * @param dropped number of further findings beyond {@link Findings#LIMIT} per rule and file
  */
 public record Report(List<SourceFile> files, List<Finding> findings, int dropped) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Report {
     files = List.copyOf(files);
     findings = List.copyOf(findings);
   }
 
-  /** Sorts. */
+  /** Creates a report with sorted files and findings. */
   public static Report of(Collection<SourceFile> files, Collection<Finding> findings, int dropped) {
     return new Report(
         files.stream().sorted(Comparator.comparing(SourceFile::name)).toList(),
@@ -27,12 +27,12 @@ public record Report(List<SourceFile> files, List<Finding> findings, int dropped
         dropped);
   }
 
-  /** How many findings are that severe. */
+  /** Returns the number of findings with a severity. */
   public int count(Severity severity) {
     return (int) findings.stream().filter(finding -> finding.severity() == severity).count();
   }
 
-  /** Whether anything found is as severe as that, or more so. */
+  /** Returns whether any finding is at least that severe. */
   public boolean has(Severity least) {
     return findings.stream().anyMatch(finding -> finding.severity().compareTo(least) <= 0);
   }

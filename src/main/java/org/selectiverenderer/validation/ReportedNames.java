@@ -2,11 +2,14 @@ package org.selectiverenderer.validation;
 
 import java.nio.file.Path;
 
-/** Names of files in reports, the same on every machine. */
+/** Makes the names of files in reports, which are the same on every machine. */
 public final class ReportedNames {
   private ReportedNames() {}
 
-  /** A path from a folder, with forward slashes; the name alone where no relative path leads. */
+  /**
+   * Returns the path relative to a folder, with forward slashes; the file name alone if there is no
+   * relative path.
+   */
   public static String relative(Path path, Path base) {
     Path absolute = path.toAbsolutePath().normalize();
     Path from = base.toAbsolutePath().normalize();

@@ -6,18 +6,18 @@ import java.util.regex.Pattern;
 import org.selectiverenderer.base.problem.Problem.Severity;
 
 /**
- * Something that the validator can say, as documented by {@code --explain}.
+ * A rule of the validator, as documented by {@code --explain}.
  *
  * @param id {@code SR} and three digits, the first of which is the group; never used for anything
  *     else once published
- * @param severity unless a configuration changes it
- * @param template the message with names in braces where a finding puts its own words, for example
- *     <code>unknown element {element}</code>
- * @param summary what it is about, for lists of rules; empty where the template says it
+ * @param severity default severity, which settings may change
+ * @param template the message template with placeholders in braces, which each finding replaces,
+ *     for example <code>unknown element {element}</code>
+ * @param summary a short description for lists of rules; empty if the template serves
  * @param explanation why it matters and what to do, in one or two sentences
- * @param bad a short example that has it: a fragment of a Scene, or a whole file from {@code <?xml}
- *     or {@code <X3D}
- * @param good the same put right
+ * @param bad a short example that violates the rule: a fragment of a Scene, or a whole file from
+ *     {@code <?xml} or {@code <X3D}
+ * @param good the corrected example
  * @param reference a clause of the standard or a section of the thesis
  */
 public record Rule(
@@ -31,50 +31,55 @@ public record Rule(
     String reference) {
   private static final Pattern PLACEHOLDER = Pattern.compile("\\{[a-zA-Z]+}");
 
-  /** An error: the file breaks a rule that everybody relies on, or something will not show. */
+  /** Creates an error: the file violates the standard, or something will not be shown. */
   public static Rule error(String id, String template) {
     return new Rule(id, Severity.ERROR, template, "", "", "", "", "");
   }
 
-  /** A warning: it works here, but is not meant so or does not work everywhere. */
+  /**
+   * Creates a warning: the scene works here, but is probably wrong or does not work in every
+   * browser.
+   */
   public static Rule warning(String id, String template) {
     return new Rule(id, Severity.WARNING, template, "", "", "", "", "");
   }
 
-  /** A remark, which never makes a run fail. */
+  /** Creates a remark, which never makes a run fail. */
   public static Rule info(String id, String template) {
     return new Rule(id, Severity.INFO, template, "", "", "", "", "");
   }
 
-  /** With words for lists of rules, where the message as a whole differs from case to case. */
+  /**
+   * Returns the rule with a summary for lists of rules, for messages that differ from case to case.
+   */
   public Rule about(String what) {
     return new Rule(id, severity, template, what, explanation, bad, good, reference);
   }
 
-  /** With an explanation. */
+  /** Returns the rule with an explanation. */
   public Rule because(String why) {
     return new Rule(id, severity, template, summary, why.strip(), bad, good, reference);
   }
 
-  /** With an example that has it. */
+  /** Returns the rule with an example that violates it. */
   public Rule bad(String example) {
     return new Rule(id, severity, template, summary, explanation, example.strip(), good, reference);
   }
 
-  /** With the example put right. */
+  /** Returns the rule with the corrected example. */
   public Rule good(String example) {
     return new Rule(id, severity, template, summary, explanation, bad, example.strip(), reference);
   }
 
-  /** With a source. */
+  /** Returns the rule with a reference. */
   public Rule see(String source) {
     return new Rule(id, severity, template, summary, explanation, bad, good, source);
   }
 
   /**
-   * The message with words in the places of the names, in order.
+   * Returns the message with the placeholders replaced by words, in order.
    *
-   * @throws IllegalArgumentException if there are fewer or more words than places
+   * @throws IllegalArgumentException if the numbers of words and placeholders differ
    */
   public String message(Object... words) {
     Matcher place = PLACEHOLDER.matcher(template);
@@ -92,7 +97,7 @@ public record Rule(
     return place.appendTail(message).toString();
   }
 
-  /** The message as a list of rules shows it. */
+  /** Returns the message as shown in lists of rules. */
   public String title() {
     if (!summary.isEmpty()) {
       return summary;

@@ -3,10 +3,10 @@ package org.selectiverenderer.validation;
 import java.util.List;
 
 /**
- * Rules of one kind and the checks that find what they say.
+ * A group of related rules with the checks that find their violations.
  *
- * @param title for the list of rules
- * @param rules in the order of their ids
+ * @param title heading in lists of rules
+ * @param rules the rules in the order of their ids
  */
 public record RuleGroup(
     String title,
@@ -14,7 +14,7 @@ public record RuleGroup(
     List<FileCheck> fileChecks,
     List<SceneCheck> sceneChecks,
     List<RunCheck> runChecks) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public RuleGroup {
     rules = List.copyOf(rules);
     fileChecks = List.copyOf(fileChecks);
@@ -22,7 +22,7 @@ public record RuleGroup(
     runChecks = List.copyOf(runChecks);
   }
 
-  /** Without checks of whole runs. */
+  /** Creates a group without checks of whole runs. */
   public RuleGroup(
       String title, List<Rule> rules, List<FileCheck> fileChecks, List<SceneCheck> sceneChecks) {
     this(title, rules, fileChecks, sceneChecks, List.of());

@@ -2,15 +2,18 @@ package org.selectiverenderer.validation;
 
 import java.util.List;
 
-/** Looks at all scenes of a run, after they have been checked one by one. Without state. */
+/**
+ * A check of all scenes of a run together, after they have been checked one by one. Implementations
+ * are stateless.
+ */
 public interface RunCheck {
-  /** Looks at all scenes of a run, and adds what it finds. */
+  /** Checks all scenes of a run and adds the findings. */
   void check(List<SceneView> scenes, Settings settings, Findings findings);
 
   /**
    * The settings of a run.
    *
-   * @param file as reports name the file that they were read from
+   * @param file name in reports of the file that the settings were read from
    */
   record Settings(ValidationSettings values, String file) {}
 }

@@ -1,7 +1,10 @@
 package org.selectiverenderer.validation;
 
-/** Looks at a scene with all that it inlines. Without state: one object serves all threads. */
+/**
+ * A check of a scene with all that it inlines. Implementations are stateless: one instance serves
+ * all threads.
+ */
 public interface SceneCheck {
-  /** Looks at a scene, and adds what it finds. */
+  /** Checks a scene and adds the findings. */
   void check(SceneView scene, Findings findings);
 }

@@ -11,13 +11,13 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 
-/** The nodes of a file, wherever they stand. */
+/** Enumerates the nodes of a file. */
 public final class SceneNodes {
   private SceneNodes() {}
 
   /**
-   * All nodes, each once, parents first. Without recursion: a chain of USEs is as deep as the file
-   * is long.
+   * Returns all nodes, each once, parents first. The traversal is iterative, since USEs can nest as
+   * deeply as the file is long.
    */
   public static List<ParsedNode> all(X3dFile scene) {
     Set<ParsedNode> seen = Collections.newSetFromMap(new IdentityHashMap<>());

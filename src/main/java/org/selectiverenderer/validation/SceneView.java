@@ -11,14 +11,15 @@ import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * What a {@link SceneCheck} sees: a scene's own file and the files that its Inlines name, directly
- * or through others.
+ * The context of a {@link SceneCheck}: a scene's own file and the files that its Inlines name,
+ * directly or through others.
  *
  * @param main the scene's own file
- * @param root decides which files the scene may name
- * @param contents the file in each Inline, of whichever file; none for one that cannot be had
- * @param part whether another scene of the run inlines this one, and speaks for what only the whole
- *     can tell
+ * @param root decides which files the scene may refer to
+ * @param contents the file of each Inline, in whichever file the Inline is; no entry for an Inline
+ *     whose file cannot be read
+ * @param part whether another scene of the run inlines this one, so that checks of the complete
+ *     enrichment run on that scene
  */
 public record SceneView(
     FileOutline main,
@@ -26,12 +27,12 @@ public record SceneView(
     Map<ParsedNode, FileOutline> contents,
     boolean part,
     ValidationSettings settings) {
-  /** The file in an Inline; empty if it is not to be loaded or could not be read. */
+  /** Returns the file of an Inline; empty if it is not to be loaded or could not be read. */
   public Optional<FileOutline> content(ParsedNode inline) {
     return Optional.ofNullable(contents.get(inline));
   }
 
-  /** All files, the scene's own first, each once. */
+  /** Returns all files, the scene's own first, each once. */
   public List<FileOutline> files() {
     Set<FileOutline> seen = Collections.newSetFromMap(new IdentityHashMap<>());
     List<FileOutline> files = new ArrayList<>();

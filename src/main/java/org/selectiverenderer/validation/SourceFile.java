@@ -9,28 +9,28 @@ import org.selectiverenderer.x3d.files.Content;
 import org.selectiverenderer.x3d.files.ContentBase;
 
 /**
- * A file to be checked.
+ * A file to check.
  *
- * @param path of the file; of a scene from standard input a name in the folder that its urls start
- *     from
- * @param name as reports name it: relative, with forward slashes
- * @param inMemory what was read from standard input, the network or the data of a url; null for a
- *     file on disk
+ * @param path path of the file; for a scene from standard input, a made-up name in the folder
+ *     against which its urls are resolved
+ * @param name name in reports: a relative path with forward slashes
+ * @param inMemory content read from standard input, the network or a data url; null for a file on
+ *     disk
  */
 public record SourceFile(Path path, String name, @Nullable Content inMemory) {
-  /** A file on disk. */
+  /** Returns a file on disk. */
   public static SourceFile of(Path path, Path base) {
     return new SourceFile(path, ReportedNames.relative(path, base), null);
   }
 
-  /** A scene from standard input, as if it lay in a folder under that name. */
+  /** Returns a scene from standard input, as if it were a file of that path. */
   public static SourceFile of(Path path, String name, byte[] content) {
     Path parent = path.getParent();
     ContentBase base = ContentBase.folder(parent == null ? Path.of("") : parent);
     return new SourceFile(path, name, new Content.OfBytes(path.toString(), name, base, content));
   }
 
-  /** What a url of a scene means. */
+  /** Returns the file that a url of a scene refers to. */
   public static SourceFile of(Content content, Path base) {
     return content
         .file()
@@ -39,7 +39,7 @@ public record SourceFile(Path path, String name, @Nullable Content inMemory) {
   }
 
   /**
-   * Opens it.
+   * Opens the file.
    *
    * @throws IOException if it cannot be read
    */
@@ -48,7 +48,7 @@ public record SourceFile(Path path, String name, @Nullable Content inMemory) {
   }
 
   /**
-   * Its length in bytes.
+   * Returns the length in bytes.
    *
    * @throws IOException if it cannot be read
    */
@@ -56,18 +56,18 @@ public record SourceFile(Path path, String name, @Nullable Content inMemory) {
     return inMemory == null ? Files.size(path) : inMemory.size();
   }
 
-  /** Where its urls start. */
+  /** Returns the base against which relative urls are resolved. */
   public ContentBase base() {
     return inMemory == null ? ContentBase.folder(folder()) : inMemory.base();
   }
 
-  /** The folder that it lies in, or counts as being in. */
+  /** Returns the folder of the file. */
   public Path folder() {
     Path parent = path.getParent();
     return parent == null ? Path.of("") : parent;
   }
 
-  /** The same for one file on disk, whatever links lead to it. */
+  /** Returns a key that is equal for all paths and links to the same file on disk. */
   public String key() {
     if (inMemory != null) {
       return inMemory.key();
@@ -75,7 +75,7 @@ public record SourceFile(Path path, String name, @Nullable Content inMemory) {
     try {
       return path.toRealPath().toString();
     } catch (IOException e) {
-      return path.toAbsolutePath().normalize().toString(); // Not there: to open it will say so.
+      return path.toAbsolutePath().normalize().toString(); // missing: opening it reports that
     }
   }
 }

@@ -10,13 +10,13 @@ import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
- * What a user decides.
+ * The settings of a validation run.
  *
- * @param ignored ids of rules, or beginnings of ids ({@code SR2} for a group)
- * @param severities by id of rule, instead of the rule's own
- * @param megabytes that a scene and all its files may have
- * @param access what scenes may name besides their own files
- * @param file that they were read from; null for none
+ * @param ignored ids of ignored rules, or prefixes of ids ({@code SR2} for a group)
+ * @param severities severities that replace those of rules, by rule id
+ * @param megabytes largest total size of a scene with all its files, in megabytes
+ * @param access further folders and hosts that scenes may refer to
+ * @param file the file that the settings were read from; null for none
  */
 public record ValidationSettings(
     Set<String> ignored,
@@ -25,40 +25,40 @@ public record ValidationSettings(
     double megabytes,
     ContentAccess access,
     @Nullable Path file) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public ValidationSettings {
     ignored = Set.copyOf(ignored);
     severities = Map.copyOf(severities);
     budgets = List.copyOf(budgets);
   }
 
-  /** Some three times what the thesis's apartment has. */
+  /** The default size limit: about three times the size of the thesis's apartment. */
   public static final double MEGABYTES = 100;
 
-  /** All rules as they are, no budgets. */
+  /** Returns the default settings: no ignored rules and no budgets. */
   public static ValidationSettings standard() {
     return new ValidationSettings(
         Set.of(), Map.of(), List.of(), MEGABYTES, ContentAccess.none(), null);
   }
 
-  /** Whether findings of a rule are not wanted. */
+  /** Returns whether a rule is ignored. */
   public boolean ignores(String id) {
     return ignored.stream().anyMatch(id::startsWith);
   }
 
-  /** The same, with more rules ignored. */
+  /** Returns the settings with more rules ignored. */
   public ValidationSettings ignoring(Set<String> more) {
     Set<String> all = new HashSet<>(ignored);
     all.addAll(more);
     return new ValidationSettings(all, severities, budgets, megabytes, access, file);
   }
 
-  /** The same for scenes that may name other files besides their own. */
+  /** Returns the settings with other access rights of scenes. */
   public ValidationSettings allowing(ContentAccess wanted) {
     return new ValidationSettings(ignored, severities, budgets, megabytes, wanted, file);
   }
 
-  /** The severity that findings of a rule are to have. */
+  /** Returns the severity of a rule's findings. */
   public Severity severity(Rule rule) {
     return severities.getOrDefault(rule.id(), rule.severity());
   }

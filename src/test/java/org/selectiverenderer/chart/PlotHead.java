@@ -3,7 +3,7 @@ package org.selectiverenderer.chart;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What stands above a plot: title, subtitle, and the legend, on as many lines as it needs. */
+/** Draws the header of a plot: title, subtitle, and the legend on as many lines as it needs. */
 final class PlotHead {
   /** Of a plot, in pixels: what a page shows without shrinking it. */
   static final int WIDTH = 880;

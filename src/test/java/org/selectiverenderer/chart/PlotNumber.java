@@ -2,7 +2,7 @@ package org.selectiverenderer.chart;
 
 import org.selectiverenderer.base.decimal.DecimalText;
 
-/** Numbers as plots write them. */
+/** Formats the numbers of plots. */
 final class PlotNumber {
   private PlotNumber() {}
 

@@ -96,7 +96,7 @@ class AllowedFilesTest extends CommandRun {
     Files.writeString(settings, "{\"allow\": [\"nowhere\"], \"allowNet\": [\"a b\"]}");
     assertThat(execute("validate", file, "--config", settings.toString())).isEqualTo(2);
     assertThat(messages())
-        .contains("there is no folder 'nowhere' as seen from this file")
+        .contains("there is no folder 'nowhere' relative to this file")
         .contains("'a b' is no host");
   }
 }

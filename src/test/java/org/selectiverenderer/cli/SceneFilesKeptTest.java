@@ -43,7 +43,7 @@ class SceneFilesKeptTest extends CommandRun {
     assertThat(messages().lines())
         .last()
         .asString()
-        .contains(kept.getFileName() + ": the scene is made of this file, which would be lost");
+        .contains(kept.getFileName() + ": is a file of the scene and would be overwritten");
     assertThat(kept).hasBinaryContent(before);
   }
 

@@ -21,7 +21,10 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
-/** Runs a scene as it asks for, and keeps what has come of it. */
+/**
+ * Runs a conformance scene with the frames and actions that its head lists, and records events,
+ * values and problems.
+ */
 final class ConformanceRun implements AutoCloseable {
   private final Problems problems = new Problems();
   private final SceneLoader loader =
@@ -57,12 +60,12 @@ final class ConformanceRun implements AutoCloseable {
     return events;
   }
 
-  /** What was told of the scene, in order. */
+  /** Returns the problems reported for the scene, in order. */
   List<Problem> told() {
     return problems.list();
   }
 
-  /** The value of a field in the end. */
+  /** Returns the value of a field after the last frame. */
   FieldEvent value(String nodeAndField) {
     Node node = node(nodeAndField);
     FieldDefinition field = field(node, nodeAndField);
@@ -99,7 +102,7 @@ final class ConformanceRun implements AutoCloseable {
         .orElseThrow(() -> new IllegalArgumentException(node.type() + " has no field " + name));
   }
 
-  /** Does what is to be done before a frame; returns how the viewer moves in it. */
+  /** Executes the actions before a frame; returns the motion of the viewer in it. */
   private ViewerMotion act(String action, ViewerMotion motion) {
     String words = ConformanceScene.rest(action, 1);
     switch (ConformanceScene.word(action, 0)) {

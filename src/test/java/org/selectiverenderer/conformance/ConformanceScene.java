@@ -14,12 +14,12 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * What a scene says of itself.
+ * The actions and expectations in the head of a conformance scene.
  *
  * @param frames the actions of each frame, by its time in seconds
  * @param watched fields whose events are compared, as {@code NODE.field}
- * @param events those expected, as {@code TIME NODE.field VALUE}
- * @param values those expected in the end, as {@code NODE.field VALUE}
+ * @param events the expected events, as {@code TIME NODE.field VALUE}
+ * @param values the values expected after the last frame, as {@code NODE.field VALUE}
  */
 record ConformanceScene(
     Path file,
@@ -84,12 +84,12 @@ record ConformanceScene(
     }
   }
 
-  /** One of the words of a text, from 0. */
+  /** Returns a word of a text, counted from 0. */
   static String word(String text, int index) {
     return text.split("\\s+")[index];
   }
 
-  /** What follows the first words of a text; empty when there is nothing. */
+  /** Returns the rest of a text after its first words; empty if there is none. */
   static String rest(String text, int words) {
     String[] parts = text.split("\\s+", words + 1);
     return parts.length > words ? parts[words] : "";

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.selectiverenderer.testing.RequiresDisplay;
 
-/** A scene that says what is not so, fails. */
+/** A conformance scene whose expectations are not met fails. */
 class ConformanceSceneTest {
   @TempDir Path folder;
 

@@ -18,7 +18,7 @@ import org.selectiverenderer.runtime.render.context.Screenshot;
 import org.selectiverenderer.runtime.render.show.OffscreenView;
 import org.selectiverenderer.testing.RequiresDisplay;
 
-/** Every scene of the suite does what it says of itself. */
+/** Every scene of the conformance suite meets the expectations in its head. */
 class ConformanceTest {
   private static final Path FOLDER = Path.of("src/test/resources/conformance");
   private static final int SIZE = 256;
@@ -37,7 +37,7 @@ class ConformanceTest {
         .map(scene -> dynamicTest(name(scene), scene.file().toUri(), () -> draw(scene)));
   }
 
-  /** Files in folders named with an underscore are what scenes name, no scenes of their own. */
+  /** Folders named with an underscore hold files that scenes refer to, not scenes to be tested. */
   private static Stream<ConformanceScene> scenes() throws IOException {
     try (Stream<Path> files = Files.walk(FOLDER)) {
       List<Path> found =

@@ -3,17 +3,17 @@ package org.selectiverenderer.conformance;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** A value of a field at a time. */
+/** An event: the value that a field sent at a time. */
 record FieldEvent(double time, String nodeAndField, FieldType type, @Nullable Object value) {
   private static final double TIME_TOLERANCE = 1e-6;
 
-  /** Whether it is what {@code TIME NODE.field VALUE} says. */
+  /** Returns whether the event matches {@code TIME NODE.field VALUE}. */
   boolean is(String expected) {
     return Math.abs(time - Double.parseDouble(ConformanceScene.word(expected, 0))) < TIME_TOLERANCE
         && isValue(ConformanceScene.rest(expected, 1));
   }
 
-  /** Whether it is what {@code NODE.field VALUE} says, whenever it was. */
+  /** Returns whether the event matches {@code NODE.field VALUE}, at any time. */
   boolean isValue(String expected) {
     return ConformanceScene.word(expected, 0).equals(nodeAndField)
         && FieldValues.agree(type, value, ConformanceScene.rest(expected, 1));

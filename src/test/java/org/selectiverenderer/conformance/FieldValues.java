@@ -10,7 +10,10 @@ import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.write.ValueText;
 
-/** Values as the scenes write them. Nodes are written by their names, none as NULL. */
+/**
+ * Parses and prints field values as the conformance scenes write them: nodes by their names, no
+ * node as NULL.
+ */
 final class FieldValues {
   private static final double TOLERANCE = 1e-4;
   private static final String NO_NODE = "NULL";
@@ -36,7 +39,7 @@ final class FieldValues {
     return parsed.value();
   }
 
-  /** Whether a value is what a text means; numbers to a tolerance. */
+  /** Returns whether a value equals the one that a text stands for; numbers within a tolerance. */
   static boolean agree(FieldType type, @Nullable Object value, String text) {
     if (type.isNode()) {
       return text(value).equals(String.join(" ", words(text)));
@@ -68,7 +71,7 @@ final class FieldValues {
     return text.isBlank() ? List.of() : List.of(text.strip().split("\\s+"));
   }
 
-  /** A value as scenes write it. */
+  /** Returns a value as scenes write it. */
   static String text(@Nullable Object value) {
     if (value == null) {
       return NO_NODE;

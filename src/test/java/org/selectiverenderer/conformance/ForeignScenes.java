@@ -27,7 +27,7 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
- * Loads scenes by others, runs a hundred frames of each and draws the last: to be started by hand.
+ * Loads third-party scenes, runs a hundred frames of each and draws the last one; started by hand.
  *
  * <p>Arguments: a file that lists the scenes, a line each; a file for the outcome; and {@code draw}
  * where the last frame of each is to be drawn. A line of the outcome: how it went ({@code ok, told,
@@ -41,7 +41,7 @@ final class ForeignScenes {
 
   private ForeignScenes() {}
 
-  /** What has come of a scene. */
+  /** The outcome of a scene. */
   private record Outcome(Problems problems, String trouble) {}
 
   public static void main(String[] args) throws Exception {
@@ -129,7 +129,7 @@ final class ForeignScenes {
     return kind;
   }
 
-  /** The line, after the file where it is not the scene's own. */
+  /** Returns the line number, preceded by the file if it is not the scene's own. */
   private static String place(Problem problem, String scene) {
     String file = problem.location().file();
     return (scene.endsWith(file) ? "" : file + ":") + problem.location().line() + ": ";

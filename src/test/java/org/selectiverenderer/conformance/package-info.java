@@ -1,7 +1,7 @@
 /**
- * Small scenes, one for each node and behaviour, that say themselves what is to come of them: the
- * {@code meta} elements of their heads name the clause of the standard, the frames to step, and the
- * events, values, pixels and messages that are expected.
+ * The conformance suite: small scenes, one for each node and behaviour, that contain their own
+ * expectations. The {@code meta} elements of their heads name the clause of the standard, the
+ * frames to step, and the events, values, pixels and messages that are expected.
  *
  * <ul>
  *   <li>{@code clause}: the clause that is checked, and what of it; required

@@ -138,7 +138,7 @@ class RadiosityJobTest {
                 scene, inlines.resolve("walls.x3d"), folder.resolve("lit"), null, QUICK))) {
       assertThatThrownBy(() -> job.run(problems, WorkProgress.NONE, (balance, quality) -> {}))
           .isInstanceOf(IOException.class)
-          .hasMessageContaining("walls.x3d: would be written over");
+          .hasMessageContaining("walls.x3d: the scene is made of this file");
     }
     assertThat(written()).isEqualTo(before);
   }
@@ -169,7 +169,7 @@ class RadiosityJobTest {
               QUICK);
       assertThatThrownBy(() -> job.run(problems, WorkProgress.NONE, (balance, quality) -> {}))
           .isInstanceOf(IOException.class)
-          .hasMessageContaining(shown.getFileName() + ": would be written over");
+          .hasMessageContaining(shown.getFileName() + ": the scene is made of this file");
       assertThat(written()).isEqualTo(before);
     }
   }
@@ -365,7 +365,7 @@ class RadiosityJobTest {
         .hasMessageContaining("100 km");
     assertThatThrownBy(() -> light(LAMP + "<Group>" + BUDGET.formatted(5) + walls + "</Group>"))
         .isInstanceOf(UnlitSceneException.class)
-        .hasMessageContaining("allows 5 polygons here");
+        .hasMessageContaining("asks for 5 polygons here");
     RadiositySettings fine =
         new RadiositySettings(
             5,

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.viewer.Extent;
 
-/** What depends on the picture, without one: its size, other sizes, and what a display shows. */
+/** Tests nodes whose layout depends on the size of the picture or the display, without drawing. */
 class LayoutTest {
   private static final String LAYER =
       """

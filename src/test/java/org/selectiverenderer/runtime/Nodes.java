@@ -14,7 +14,7 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Makes running nodes for tests and writes down what they send. */
+/** Makes running nodes for tests and records the events that they send. */
 public final class Nodes {
   public static final NodeCatalogue CATALOGUE = NodeCatalogue.load();
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.selectiverenderer.runtime.nodes.sensor.Sleeper;
 import org.selectiverenderer.runtime.sound.Voice;
 
-/** What of a scene's sounds is heard in a frame. */
+/** Tests which of a scene's sounds are audible in a frame. */
 class VoicesTest {
   /** Two seconds of silence, eight samples each. */
   private static final String WAV =

@@ -54,7 +54,7 @@ class TrackerSpecTest {
       quoteCharacter = '"',
       value = {
         "interstellar:/dev/x | there is no tracker of the kind 'interstellar'; write it like inter",
-        "openxr | a headset is its own; run SCENE --display openxr --head-log F.csv shows how it does",
+        "openxr | a headset brings its own tracker; leave --tracker out with run SCENE --display",
         "intertrax2 | the serial port is missing; write it like intertrax2:/dev/ttyUSB0",
         "fastrak:/dev/x@fast | 'fast' is not a speed in bits per second (110 to 4000000)",
         "fastrak:@9600 | the serial port is missing",

@@ -17,7 +17,7 @@ import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.validation.run.Validator;
 import org.selectiverenderer.validation.settings.Baseline;
 
-/** More findings of one rule in one file than a reader wants to see, or than memory should hold. */
+/** Tests the limits on findings of one rule in one file, in reports and in memory. */
 class ManyFindingsTest {
   private static final ReportFormat.Style STYLE =
       new ReportFormat.Style(false, Severity.ERROR, "1");
@@ -90,7 +90,7 @@ class ManyFindingsTest {
       String expected =
           format == ReportFormat.JSON
               ? "\"dropped\" : 5"
-              : "5 findings beyond 10000 of a rule and a file are not reported";
+              : "5 findings are not reported: more than 10000 of one rule in one file";
       assertThat(format.write(report, STYLE)).as(format.name()).contains(expected);
     }
   }

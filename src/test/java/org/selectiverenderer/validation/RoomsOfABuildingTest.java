@@ -13,7 +13,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.validation.run.Validator;
 
-/** Rooms that are files of their own: what one names may have its counterpart in another. */
+/**
+ * Rooms in files of their own, inlined by one scene: schemas that one file names may occur only in
+ * another.
+ */
 class RoomsOfABuildingTest {
   private static final String FILE =
       "<?xml version='1.0' encoding='UTF-8'?>\n"

@@ -3,16 +3,19 @@ package org.selectiverenderer.app.clock;
 import java.util.Locale;
 
 /**
- * The times of the frames of a recorded path: equally spaced from its first time to its last, both
- * included where the rate lets it. Not a clock of the wall, so that the same path gives the same
- * frames on every machine, with and without a picture.
+ * A schedule of frames at a fixed rate over a recorded path, from the path's first time to its
+ * last. It does not depend on the real time, so that the same path gives the same frames on every
+ * machine, with and without rendering.
  *
  * @param start seconds
  * @param end seconds, not before start
  * @param rate frames per second of the path's time
  */
 public record EvenFrames(double start, double end, double rate) implements FrameSchedule {
-  /** Frames beyond which a path or a rate must be a slip: 46 hours at 60 per second. */
+  /**
+   * The largest number of frames; more must be a typing error in a path or a rate (46 hours at 60
+   * frames per second).
+   */
   public static final long MOST_FRAMES = 10_000_000;
 
   public EvenFrames {
@@ -30,7 +33,7 @@ public record EvenFrames(double start, double end, double rate) implements Frame
     }
   }
 
-  /** The number of frames; at least one. */
+  /** Returns the number of frames, at least one. */
   public long frames() {
     // The small share makes up for a duration that is a rounding error short of whole frames.
     return (long) Math.floor((end - start) * rate + 1e-6) + 1;

@@ -2,20 +2,23 @@ package org.selectiverenderer.app.clock;
 
 import java.util.List;
 
-/** Which frames a run steps and when it has no more. Belongs to the thread that steps. */
+/**
+ * Tells a run which frames are due and when the last one is done. It is confined to the thread that
+ * steps the world.
+ */
 public interface FrameClock {
   /**
-   * The frames that are due before the next picture, taken from those left.
+   * Removes and returns the frames that are due before the next picture.
    *
    * @param elapsed seconds since the run's first frame, pauses not counted
-   * @return their times in seconds, forward; may be none
+   * @return the times of these frames in seconds, ascending; may be empty
    */
   List<Double> due(double elapsed);
 
   /**
-   * Whether no frame is left.
+   * Returns whether no frame is left.
    *
-   * @param elapsed as told to {@link #due} before
+   * @param elapsed the same value as in the last call of {@link #due}
    */
   boolean over(double elapsed);
 }

@@ -3,18 +3,19 @@ package org.selectiverenderer.app.clock;
 import java.util.OptionalDouble;
 import org.selectiverenderer.app.settings.FollowedPath;
 
-/** Frames whose times are known beforehand; there is at least one. */
+/** A sequence of frames whose times are known before the run; it has at least one frame. */
 interface FrameSchedule {
-  /** Whether there is a frame of that number, counted from 0. */
+  /** Returns whether the schedule has a frame of this index, counted from 0. */
   boolean has(long frame);
 
-  /** Its time in seconds. */
+  /** Returns the time of a frame in seconds. */
   double time(long frame);
 
   /**
-   * The frames of a path.
+   * Creates the schedule of a followed path: at the given frame rate, or one frame for each row of
+   * the path.
    *
-   * @param duration seconds after which it ends; empty for the path's own end
+   * @param duration seconds after which the schedule ends; empty for the path's own end
    */
   static FrameSchedule of(FollowedPath followed, OptionalDouble duration) {
     double start = followed.path().start();

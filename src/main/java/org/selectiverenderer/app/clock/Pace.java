@@ -8,9 +8,12 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.viewer.PathMotion;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
-/** How a run goes on from frame to frame, and what moves its viewer. */
+/**
+ * The timing of a run: in real time before a user, or as fast as possible without one. It decides
+ * the frame clock, what moves its viewer, and whether sounds are played.
+ */
 public enum Pace {
-  /** As the clock on the wall goes: somebody looks, and walks where no path is followed. */
+  /** In real time: a user watches, and navigates where no path is followed. */
   WATCHED {
     @Override
     public FrameClock clock(RunSettings settings, OptionalDouble replayed) {
@@ -45,7 +48,7 @@ public enum Pace {
     }
   },
 
-  /** As fast as frames come, with the same frames every time; nobody walks. */
+  /** As fast as frames can be computed, with the same frames in every run; nobody navigates. */
   UNWATCHED {
     @Override
     public FrameClock clock(RunSettings settings, OptionalDouble replayed) {
@@ -82,28 +85,31 @@ public enum Pace {
   };
 
   /**
-   * The frames of a run.
+   * Creates the frame clock of a run.
    *
-   * @param replayed seconds of the tracker's log that is played again; empty for none
+   * @param replayed the length in seconds of the tracker log that is replayed; empty for none
    */
   public abstract FrameClock clock(RunSettings settings, OptionalDouble replayed);
 
-  /** Sets the clock of a scene, before its first frame. */
+  /** Sets the start time of a world before its first frame. */
   public abstract void begin(World world, RunSettings settings);
 
-  /** Whether time begins when the first picture is drawn, not when its frame is stepped. */
+  /**
+   * Returns whether time counts from the moment at which the first picture is drawn, not from the
+   * moment at which its frame is stepped.
+   */
   public abstract boolean countsFromFirstPicture();
 
-  /** Whether sounds are heard: they take the time that they take. */
+  /** Returns whether sounds are played; they need real time. */
   public abstract boolean audible();
 
-  /** What moves the viewer where no path is followed. */
+  /** Returns what moves the viewer where no path is followed. */
   abstract ViewerMotion unled(Walking walking);
 
   /**
-   * What moves the viewer, before a tracker turns it.
+   * Returns what moves the viewer, before a tracker turns it.
    *
-   * @param walking the user's
+   * @param walking the user's navigation
    */
   public ViewerMotion motion(RunSettings settings, Walking walking) {
     return settings

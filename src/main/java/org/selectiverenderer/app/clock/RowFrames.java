@@ -3,9 +3,9 @@ package org.selectiverenderer.app.clock;
 import org.selectiverenderer.runtime.viewer.CameraPath;
 
 /**
- * The rows of a path.
+ * A schedule with one frame for each row of a path.
  *
- * @param end seconds after which no row counts but the first
+ * @param end seconds after which rows are left out; the first row always counts
  */
 record RowFrames(CameraPath path, double end) implements FrameSchedule {
   @Override

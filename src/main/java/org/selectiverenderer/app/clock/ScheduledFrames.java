@@ -2,7 +2,9 @@ package org.selectiverenderer.app.clock;
 
 import java.util.List;
 
-/** The frames of a schedule, one for each picture, however long a picture takes. */
+/**
+ * A frame clock that takes one frame of a schedule for each picture, however long a picture takes.
+ */
 final class ScheduledFrames implements FrameClock {
   private final FrameSchedule schedule;
   private long next;

@@ -2,7 +2,7 @@ package org.selectiverenderer.app.clock;
 
 import java.util.function.LongSupplier;
 
-/** Seconds of the clock on the wall that a run takes, pauses not counted. */
+/** Measures the real time of a run without its pauses. */
 public final class Stopwatch {
   private final LongSupplier nanos;
   private long begun;
@@ -15,14 +15,14 @@ public final class Stopwatch {
   }
 
   /**
-   * @param nanos of another clock
+   * @param nanos a clock in nanoseconds instead of {@link System#nanoTime}
    */
   public Stopwatch(LongSupplier nanos) {
     this.nanos = nanos;
   }
 
   /**
-   * A frame begins; the first one begins the run.
+   * Reports that a frame begins; the first frame starts the stopwatch.
    *
    * @param paused whether the time since the frame before does not count
    */
@@ -38,23 +38,25 @@ public final class Stopwatch {
     }
   }
 
-  /** What has gone by does not count. */
+  /** Sets the elapsed time to zero. */
   public void restart() {
     now = nanos.getAsLong();
     begun = now;
   }
 
-  /** What its clock said at the last frame, in nanoseconds; that clock goes on in pauses. */
+  /** Returns the clock's time at the last frame in nanoseconds; the clock goes on in pauses. */
   public long nanos() {
     return now;
   }
 
-  /** How long it was paused in all, in nanoseconds. */
+  /** Returns the sum of all pauses in nanoseconds. */
   public long paused() {
     return stood;
   }
 
-  /** As of the last frame; 0 before the first. */
+  /**
+   * Returns the elapsed seconds at the last frame, pauses not counted; 0 before the first frame.
+   */
   public double seconds() {
     return (now - begun) * 1e-9;
   }

@@ -3,9 +3,10 @@ package org.selectiverenderer.app.clock;
 import java.util.List;
 
 /**
- * A frame for each picture, at the time that the clock on the wall shows; at least one.
+ * A frame clock with one frame for each picture, at the real time that has elapsed; it has at least
+ * one frame.
  *
- * @param duration seconds; infinite for no end
+ * @param duration seconds after which the run ends; infinite for no end
  */
 record WallFrames(double duration) implements FrameClock {
   @Override

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * The frames of a schedule as fast as the clock on the wall goes. All are stepped: of those that a
- * slow picture holds up only the last is seen.
+ * A frame clock that takes the frames of a schedule in real time. All frames are stepped; of the
+ * frames that become due during one slow picture only the last is drawn.
  */
 final class WatchedFrames implements FrameClock {
   private final FrameSchedule schedule;
@@ -14,7 +14,7 @@ final class WatchedFrames implements FrameClock {
   private long next;
 
   /**
-   * @param duration seconds after which it is over; empty for the end of the schedule
+   * @param duration seconds after which the clock is over; empty for the end of the schedule
    */
   WatchedFrames(FrameSchedule schedule, OptionalDouble duration) {
     this.schedule = schedule;

@@ -1,8 +1,8 @@
 /**
- * What drives a run: which frames are due when, and what moves the viewer from one to the next. A
- * run of a path has the same frames whether somebody watches it or not.
+ * The timing of a run: frame clocks, frame schedules and the choice between real time and as fast
+ * as possible. A run along a path has the same frames in both cases.
  *
- * <p>In: the settings of a run and the time that has gone by. Out: the times of frames. Uses {@code
+ * <p>In: the settings of a run and the elapsed time. Out: the times of frames. Uses {@code
  * app.settings}, {@code app.walk}, {@code runtime} and {@code runtime.viewer}.
  */
 @NullMarked

@@ -8,9 +8,9 @@ import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.show.FrameTimes;
 import org.selectiverenderer.tracker.LatencyMeter;
 
-/** Collects the figures of a run, frame by frame. */
+/** Collects the performance measurements of a run, frame by frame. */
 public final class FigureKeeper {
-  /** Frames whose times are kept for the percentiles: an hour at 60 per second. */
+  /** The number of frames whose times are kept for the percentiles: an hour at 60 per second. */
   private static final int KEPT = 216_000;
 
   private final long begun = System.nanoTime();
@@ -22,12 +22,12 @@ public final class FigureKeeper {
   private double processToFirstFrameMs;
   private long lastFrame;
 
-  /** The scene is ready to be stepped. */
+  /** Reports that the scene is ready to be stepped. */
   public void loaded() {
     loadMs = since(begun);
   }
 
-  /** A frame is drawn; the first one completely. */
+  /** Reports that a frame was drawn; the first frame is reported when the GPU has finished it. */
   public void frame(long scenePolygons, Drawn frame) {
     if (polygons.frames() == 0) {
       firstFrameMs = since(begun);
@@ -46,10 +46,10 @@ public final class FigureKeeper {
   }
 
   /**
-   * The figures so far.
+   * Returns the measurements so far.
    *
    * @param trackerSilence the longest time without a tracker's record, in seconds
-   * @param headset that it is shown in, if any
+   * @param headset the measurements of the headset in which the run is shown, if any
    */
   public RunFigures figures(
       GlInfo gl,

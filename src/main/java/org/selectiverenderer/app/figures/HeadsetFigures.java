@@ -5,13 +5,13 @@ import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.tracker.LatencyMeter;
 
 /**
- * The figures of a headset in a run.
+ * The performance measurements of a headset in a run.
  *
- * @param runtime that drove it: name and version
- * @param rate frames per second that it wanted
- * @param frames due so far
- * @param missed frames that were not ready in time
- * @param lead how far ahead of the picture the pose of each frame was asked for
+ * @param runtime name and version of the OpenXR runtime that drove the headset
+ * @param rate frames per second that the headset asked for
+ * @param frames number of frames due so far
+ * @param missed number of frames that were not ready in time
+ * @param lead how long before the display of each frame its pose was predicted
  */
 public record HeadsetFigures(
     String runtime, double rate, long frames, long missed, LatencyMeter lead) {

@@ -4,15 +4,15 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import org.selectiverenderer.base.decimal.Rounded;
 
 /**
- * Polygons per frame over a run.
+ * Minimum, mean and maximum of the polygons per frame over a run.
  *
- * @param frames counted
+ * @param frames number of frames counted
  */
 record PolygonCount(long frames, long min, double mean, long max) {
-  /** No frame yet. */
+  /** The statistics before the first frame. */
   public static final PolygonCount NONE = new PolygonCount(0, 0, 0, 0);
 
-  /** With one more frame. */
+  /** Returns the statistics with one more frame. */
   PolygonCount with(long polygons) {
     return new PolygonCount(
         frames + 1,

@@ -8,15 +8,15 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** How much memory this process takes. */
+/** Reads the memory use of this process. */
 final class ProcessMemory {
   private static final Path STATUS = Path.of("/proc/self/status");
 
   private ProcessMemory() {}
 
   /**
-   * The largest resident size so far, in MiB. Where the system does not tell (it does on Linux),
-   * what the virtual machine has taken from it.
+   * Returns the peak resident set size of this process in MiB. Where the operating system does not
+   * report it (Linux does), returns the memory committed by the Java virtual machine.
    */
   static double peakMegabytes() {
     return linux("VmHWM:").orElseGet(ProcessMemory::committed);

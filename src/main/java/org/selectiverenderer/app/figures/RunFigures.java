@@ -12,19 +12,21 @@ import org.selectiverenderer.runtime.render.show.FrameTimes;
 import org.selectiverenderer.tracker.LatencyMeter;
 
 /**
- * The figures of a run.
+ * The performance measurements of a run.
  *
- * @param loadMs from the beginning of reading until the scene is ready to be stepped
- * @param firstFrameMs from the beginning of reading until the first frame is completely drawn
- * @param processToFirstFrameMs from the start of the process until then
- * @param times of the frames after the first, from one to the next
- * @param polygons of the whole scene in its versions, seen or not, per frame
- * @param drawn triangles sent to the graphics card after culling, per frame and for all eyes
- * @param shading that was asked for
- * @param latency from the arrival of a tracker's record until the frame that shows it is submitted
- * @param trackerSilence the longest time without a tracker's record, in seconds; 0 without a
- *     tracker
- * @param headset that it was shown in, if any
+ * @param loadMs milliseconds from the start of reading until the scene is ready to be stepped
+ * @param firstFrameMs milliseconds from the start of reading until the first frame is completely
+ *     drawn
+ * @param processToFirstFrameMs milliseconds from the start of the process until the first frame is
+ *     completely drawn
+ * @param times statistics of the intervals between consecutive frames
+ * @param polygons polygons of the whole scene with its current versions, visible or not, per frame
+ * @param drawn triangles sent to the GPU after culling, per frame and for all eyes
+ * @param shading the shading that was asked for
+ * @param latency time from the arrival of a tracker sample until the frame that shows it is
+ *     submitted
+ * @param trackerSilence the longest time without a tracker sample, in seconds; 0 without a tracker
+ * @param headset the measurements of the headset in which the run was shown, if any
  */
 public record RunFigures(
     double loadMs,
@@ -40,7 +42,10 @@ public record RunFigures(
     double trackerSilence,
     Optional<HeadsetFigures> headset) {
 
-  /** The JSON object that the command line promises, the last line ended. */
+  /**
+   * Returns the measurements as the JSON object that the command line documents; the last line ends
+   * with a line feed.
+   */
   public String json() {
     ObjectNode node = JsonTree.object();
     node.put("frames", polygons.frames());

@@ -18,9 +18,10 @@ import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.tracker.open.Trackers;
 
 /**
- * The head tracker of several runs, opened by the first and kept: the heading that was reset in one
- * holds in the next, and no device starts anew between two areas. Whoever runs hears its problems.
- * Belongs to the thread that opens runs; problems come from the tracker's.
+ * A head tracker that the runs of a session share: the first run opens it and it stays open, so
+ * that a heading that was reset in one run holds in the next, and no device restarts between two
+ * areas. The current run receives its problems. The class is confined to the thread that opens
+ * runs; problems arrive on the tracker's thread.
  */
 public final class ChainTracker implements AutoCloseable {
   private final Opener opener;
@@ -29,34 +30,34 @@ public final class ChainTracker implements AutoCloseable {
   private volatile Consumer<Problem> listener = problem -> {};
   private volatile Consumer<PoseSample> taker = sample -> {};
 
-  /** Opens the tracker of a chain. */
+  /** Opens the shared tracker. */
   @FunctionalInterface
   public interface Opener {
     /**
-     * Opens it.
+     * Opens the tracker.
      *
-     * @param hears its records and problems
+     * @param hears receives the samples and problems of the tracker
      * @throws IOException when it cannot be used
      */
     HeadTracker open(TrackerSettings settings, TrackerListener hears) throws IOException;
   }
 
-  /** Of whatever tracker the settings name. */
+  /** Creates a shared tracker that opens the device named by the settings. */
   public ChainTracker() {
     this((settings, hears) -> Trackers.open(settings.spec(), settings.options(), hears));
   }
 
-  /** Of one that is opened in another way. */
+  /** Creates a shared tracker with another way to open its device. */
   public ChainTracker(Opener opener) {
     this.opener = opener;
   }
 
   /**
-   * The tracker for a run, which may close what it gets: the device stays open.
+   * Returns the tracker for a run. The run may close the returned object; the device stays open.
    *
    * @param settings the same for all runs
-   * @param hears what is wrong with the tracker until the next run asks
-   * @param takes each record until then, on the tracker's thread
+   * @param hears receives the problems of the tracker until the next run borrows it
+   * @param takes receives each sample until then, on the tracker's thread
    * @throws IOException when it cannot be used
    */
   public HeadTracker lend(
@@ -73,16 +74,16 @@ public final class ChainTracker implements AutoCloseable {
   }
 
   /**
-   * Opens the tracker, unless it is open, and waits for its first record.
+   * Opens the tracker, unless it is open, and waits for its first sample.
    *
    * @param settings the same for all runs
-   * @param patience milliseconds to wait
-   * @throws TrackerException when it cannot be used, or nothing comes in that time
+   * @param patience the longest time to wait, in milliseconds
+   * @throws TrackerException when it cannot be used, or no sample arrives in that time
    * @throws InterruptedException if the waiting thread is interrupted
    */
   public void awaitRecord(TrackerSettings settings, long patience)
       throws IOException, InterruptedException {
-    // What is wrong with it in the meantime is in the one line that follows.
+    // Its problems in the meantime are summed up by the exception below.
     try (HeadTracker lent = lend(settings, problem -> {}, sample -> {})) {
       if (settings.tracked() && !heard.await(patience, TimeUnit.MILLISECONDS)) {
         throw new TrackerException(
@@ -145,7 +146,7 @@ public final class ChainTracker implements AutoCloseable {
 
     @Override
     public void close() {
-      // The chain's to close.
+      // The owner of the shared tracker closes the device.
     }
   }
 }

@@ -27,9 +27,12 @@ import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.tracker.PoseSample;
 
-/** Samples the viewer of a walk once per frame: for its head log, for who listens, or for both. */
+/** Samples the viewer's pose and gaze once per frame, for a head log, a listener, or both. */
 final class HeadRecorder implements AutoCloseable {
-  /** Radians and scene units below which the head counts as idle. */
+  /**
+   * The rotation in radians below which the head counts as idle between two frames; {@code
+   * STILL_WAY} is the distance in scene units.
+   */
   private static final double STILL_ANGLE = Math.toRadians(0.05);
 
   private static final double STILL_WAY = 1e-3;
@@ -58,13 +61,13 @@ final class HeadRecorder implements AutoCloseable {
   }
 
   /**
-   * Begins a log.
+   * Starts recording.
    *
-   * @param files of the log, closed with it; null for none
-   * @param listener hears of the samples, too
-   * @param coneDegrees width of the cone in which objects are named
-   * @param eyes whether something tracks the eyes
-   * @throws IOException if it cannot be written
+   * @param files the files of the head log, closed with the recorder; null for no log
+   * @param listener receives the samples, too; null for none
+   * @param coneDegrees width of the gaze cone in which objects are listed
+   * @param eyes whether an eye tracker is present
+   * @throws IOException if the log cannot be written
    */
   static HeadRecorder open(
       @Nullable HeadLogFiles files,
@@ -106,10 +109,11 @@ final class HeadRecorder implements AutoCloseable {
   }
 
   /**
-   * Logs a frame: what is in the middle of the view now was there when it was stepped.
+   * Samples a frame. It must be called before the next step, so that the object in the middle of
+   * the view is still that of the frame.
    *
    * @param visible whether the participant saw it
-   * @param looked where the eyes looked, in the frame of the head; empty where that is not known
+   * @param looked direction of the eyes in head coordinates; empty where it is not known
    */
   void frame(FrameMoment frame, boolean visible, Optional<Vector3d> looked) {
     Viewer viewer = walk.world().viewer();

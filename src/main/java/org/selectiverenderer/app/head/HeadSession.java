@@ -29,9 +29,9 @@ import org.selectiverenderer.tracker.replay.ReplayLog;
 import org.selectiverenderer.tracker.replay.SteppedReplay;
 
 /**
- * The head during a run: its tracker, its log, and how long a record takes to become a picture.
- * Opened before the scene, so that a tracker that cannot be used ends the run at once. Belongs to
- * the thread that steps the world.
+ * The head tracking of a run: the tracker, the head log, and the latency from a tracker sample to
+ * its picture. It is opened before the scene, so that a tracker that cannot be used ends the run at
+ * once. It is confined to the thread that steps the world.
  */
 public final class HeadSession implements AutoCloseable {
   private final RunSettings settings;
@@ -65,9 +65,9 @@ public final class HeadSession implements AutoCloseable {
   }
 
   /**
-   * Takes the log's files, then opens the tracker.
+   * Creates the log's files, then opens the tracker.
    *
-   * @param problem hears what is wrong with the tracker or the log
+   * @param problem receives the problems of the tracker and the log
    * @throws TrackerException when it cannot be used
    * @throws IOException when the log cannot be written or is there already
    */
@@ -97,7 +97,8 @@ public final class HeadSession implements AutoCloseable {
     // A log is replayed by the frames' clock, so that each run of it shows the same.
     ReplayLog log =
         ReplayLog.read(spec.file(), new Problems(problem))
-            .orElseThrow(() -> new TrackerException("the log " + spec.file() + " has faults"));
+            .orElseThrow(
+                () -> new TrackerException("the log " + spec.file() + " cannot be replayed"));
     if (tracking.placed() && !log.placed()) {
       throw new TrackerException(
           spec.file()
@@ -109,9 +110,9 @@ public final class HeadSession implements AutoCloseable {
   }
 
   /**
-   * With a live tracker that is open already.
+   * Creates the head tracking of a run from a live tracker that is open already.
    *
-   * @param tap through which its records come
+   * @param tap receives the tracker's samples
    * @throws IOException when the log cannot be written or is there already
    */
   public static HeadSession with(
@@ -125,22 +126,22 @@ public final class HeadSession implements AutoCloseable {
     return log == null ? null : HeadLogFiles.claim(log.file(), log.replace());
   }
 
-  /** Tells somebody of every frame, too; before it begins. */
+  /** Sets a listener for the samples of every frame; to be called before {@link #begin}. */
   public void tell(SampleListener hears) {
     listener = hears;
   }
 
   /**
-   * Something tracks the eyes; before it begins.
+   * Sets the eye tracker; to be called before {@link #begin}.
    *
-   * @param direction where they look in the frame that is due, in the frame of the head: a unit
-   *     vector; empty while that is not known
+   * @param direction the direction of gaze in the frame that is due, a unit vector in head
+   *     coordinates; empty while it is not known
    */
   public void eyes(Supplier<Optional<Vector3d>> direction) {
     eyes = direction;
   }
 
-  /** How many seconds a replay lasts; empty for a live tracker. */
+  /** Returns the length of a replayed log in seconds; empty for a live tracker. */
   public OptionalDouble replayed() {
     return replay == null ? OptionalDouble.empty() : OptionalDouble.of(replay.duration());
   }
@@ -148,9 +149,9 @@ public final class HeadSession implements AutoCloseable {
   /**
    * Begins with a scene.
    *
-   * @param walking what moves the viewer besides the tracker
-   * @param body follows the head where its place is told; null for none
-   * @return what moves the viewer
+   * @param walking the viewer's motion without the tracker
+   * @param body follows the head where the tracker reports its position; null for none
+   * @return the viewer's motion including the tracker
    * @throws IOException if the log cannot be written
    */
   public ViewerMotion begin(Walkthrough walk, ViewerMotion walking, @Nullable FollowingBody body)
@@ -183,7 +184,7 @@ public final class HeadSession implements AutoCloseable {
     };
   }
 
-  /** What is made of the head's place. */
+  /** Returns how the position of the head is used. */
   private HeadSettings place() {
     return settings
         .display()
@@ -193,12 +194,12 @@ public final class HeadSession implements AutoCloseable {
         .orElse(settings.tracker().placed() ? HeadSettings.SEATED : HeadSettings.TURNED);
   }
 
-  /** More about how the tracker does, for people. */
+  /** Returns a line of text about the state of the tracker, if it has one. */
   public Optional<String> described() {
     return tracker.described();
   }
 
-  /** A frame was stepped; it is logged by {@link #log}. */
+  /** Reports that a frame was stepped; it is logged by {@link #log}. */
   public void stepped(FrameMoment frame) {
     unlogged = frame;
     Supplier<Optional<Vector3d>> told = eyes;
@@ -209,14 +210,15 @@ public final class HeadSession implements AutoCloseable {
     }
   }
 
-  /** The longest time that the run went on without a record of its tracker, in seconds. */
+  /** Returns the longest time that the run went on without a tracker sample, in seconds. */
   public double longestSilence() {
     return silence.longest();
   }
 
   /**
-   * Logs the frame last stepped, unless that is done: when it is submitted, which looking for what
-   * is in the middle of the view would delay, or before the next is stepped.
+   * Logs the frame last stepped, unless it has been logged. This is done after the frame is
+   * submitted, because the ray cast for the gaze would delay it, or before the next frame is
+   * stepped.
    *
    * @param visible whether the participant saw it
    */
@@ -228,7 +230,7 @@ public final class HeadSession implements AutoCloseable {
     unlogged = null;
   }
 
-  /** The frame was handed to the display. */
+  /** Reports that the frame was submitted to the display. */
   public void submitted() {
     TrackedMotion tracked = motion;
     if (tracked != null && tracked.fresh() && replay == null) {
@@ -236,12 +238,12 @@ public final class HeadSession implements AutoCloseable {
     }
   }
 
-  /** Whether the tracker turns the view. */
+  /** Returns whether the tracker turns the view. */
   public boolean steering() {
     return motion != null && motion.steering();
   }
 
-  /** Where the head looks now is straight ahead from now on. */
+  /** Makes the present direction of the head the new straight ahead. */
   public void resetHeading() {
     tracker.resetHeading();
   }
@@ -250,7 +252,7 @@ public final class HeadSession implements AutoCloseable {
     return tracker.health();
   }
 
-  /** The head's pose as the tracker told it last; number 0 before the first. */
+  /** Returns the last pose of the tracker; its number is 0 before the first. */
   public PoseSample pose() {
     TrackedMotion tracked = motion;
     return tracked == null ? new PoseSample() : tracked.sample();

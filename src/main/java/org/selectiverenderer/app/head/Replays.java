@@ -11,15 +11,16 @@ import java.util.stream.Stream;
 import org.selectiverenderer.base.csv.CsvColumns;
 import org.selectiverenderer.base.csv.CsvTable;
 
-/** What kind of log a replay is of. */
+/** Tells head logs and tracker logs apart when a log is replayed. */
 public final class Replays {
   private static final String[] COLUMNS = {"t", "x", "y", "z", "yaw", "pitch", "roll"};
 
   private Replays() {}
 
   /**
-   * Whether a log has positions: the head log of a session, which is played again frame by frame. A
-   * tracker's log has orientations, and places in the tracker's room under other names.
+   * Returns whether a log has the viewer's positions: then it is the head log of a session, which
+   * is replayed frame by frame. A tracker log has orientations only, and positions in tracker
+   * coordinates in other columns.
    *
    * @throws IOException if it cannot be read
    */
@@ -32,7 +33,7 @@ public final class Replays {
               .filter(table -> Stream.of(COLUMNS).allMatch(table::has))
               .isPresent();
     } catch (MalformedInputException e) {
-      return false; // Whoever reads all of it says what is wrong.
+      return false; // The reader of the whole log reports what is wrong.
     }
   }
 }

@@ -3,15 +3,18 @@ package org.selectiverenderer.app.head;
 import org.selectiverenderer.experiment.headlog.HeadLogDescription;
 import org.selectiverenderer.experiment.headlog.HeadSample;
 
-/** Hears of every frame what a head log has of it. Called by the stepping thread; must not wait. */
+/**
+ * Receives the head log's sample of every frame. It is called by the stepping thread and must not
+ * block.
+ */
 public interface SampleListener {
-  /** A scene begins; the samples that follow are of it. */
+  /** Reports that a scene begins, to which the following samples belong. */
   void scene(HeadLogDescription description);
 
   /**
-   * A frame was stepped.
+   * Reports the sample of a frame.
    *
-   * @param nanos {@link System#nanoTime} of the frame
+   * @param nanos {@link System#nanoTime} at the frame
    */
   void sampled(HeadSample sample, long nanos);
 }

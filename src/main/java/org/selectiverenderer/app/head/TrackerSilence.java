@@ -1,18 +1,18 @@
 package org.selectiverenderer.app.head;
 
 /**
- * How long a tracker fell silent at most while a run went on, in seconds of the run: pauses do not
- * count, nor does a frame that took long though records came.
+ * Measures the longest time that a run went on without a new tracker sample, in seconds of the run.
+ * Pauses do not count, nor does a slow frame during which samples arrived.
  */
 final class TrackerSilence {
   private double heard = Double.NaN;
   private double longest;
 
   /**
-   * A frame was stepped.
+   * Reports that a frame was stepped.
    *
-   * @param time of the run, in seconds
-   * @param fresh whether it used a record that no frame before it had used
+   * @param time time of the run in seconds
+   * @param fresh whether the frame used a sample that no earlier frame had used
    */
   void frame(double time, boolean fresh) {
     if (fresh || Double.isNaN(heard)) {

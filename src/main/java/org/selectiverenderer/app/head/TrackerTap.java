@@ -13,14 +13,16 @@ import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerListener;
 
 /**
- * Takes the records of a tracker to their log, from the moment that it is opened to the moment that
- * it is closed. Records come on the tracker's thread, which must not wait; the rest is called by
- * the thread that steps the world.
+ * Writes the samples of a tracker to their log while the log is open. Samples arrive on the
+ * tracker's thread, which must not block; the other methods are called by the thread that steps the
+ * world.
  */
 public final class TrackerTap implements Consumer<PoseSample>, AutoCloseable {
   private volatile @Nullable TrackerLog log;
 
-  /** What hears a tracker whose records go to a log, and whose problems elsewhere. */
+  /**
+   * Returns a tracker listener that passes samples to a recorder and problems to another consumer.
+   */
   public static TrackerListener hearing(TrackerTap tap, Consumer<Problem> problem) {
     return new TrackerListener() {
       @Override
@@ -35,12 +37,12 @@ public final class TrackerTap implements Consumer<PoseSample>, AutoCloseable {
     };
   }
 
-  /** A record has arrived. */
+  /** Writes a sample that has arrived, if the log is open. */
   @Override
   public void accept(PoseSample sample) {
     TrackerLog open = log;
     if (open != null) {
-      // The record arrived a little before; both clocks are read now and set back by that.
+      // Both clocks are read now and set back by the age of the sample.
       long since = System.nanoTime() - sample.arrival();
       open.add(
           new TrackerRecord(
@@ -57,11 +59,11 @@ public final class TrackerTap implements Consumer<PoseSample>, AutoCloseable {
   }
 
   /**
-   * Begins the log.
+   * Opens the log.
    *
-   * @param headLog beside which it lies
-   * @param tracker as the user named it
-   * @param placed whether it tells places of the head, too
+   * @param headLog the head log beside which the tracker log is written
+   * @param tracker the tracker's specification as the user wrote it
+   * @param placed whether the tracker reports positions of the head, too
    * @throws IOException if it cannot be written
    */
   void open(HeadLogSettings headLog, String tracker, boolean placed, Consumer<Problem> problem)

@@ -1,8 +1,8 @@
 /**
- * The head during a run: its tracker and its log.
+ * Head tracking during a run: the tracker, its log and the head log.
  *
  * <p>In: the settings of the head, a walk and its frames. Out: the motion of the viewer, the files
- * of the log and of the tracker's records, the time from a record to its picture. Uses {@code
+ * of the head log and of the tracker log, the latency from a sample to its picture. Uses {@code
  * app.clock}, {@code app.settings}, {@code app.walk}, {@code tracker}, {@code hmd}, {@code
  * experiment.headlog}, {@code control}, {@code runtime} and {@code base}.
  */

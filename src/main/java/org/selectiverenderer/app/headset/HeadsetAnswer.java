@@ -1,18 +1,18 @@
 package org.selectiverenderer.app.headset;
 
-/** What the user of a headset answers by his controllers; once for each press. */
+/** A command that the user of a headset gives with the controllers; one event for each press. */
 public enum HeadsetAnswer {
-  /** The button for yes went down. */
+  /** The "yes" button went down. */
   YES,
-  /** The button for no went down. */
+  /** The "no" button went down. */
   NO,
-  /** The stick was pushed away: more, or the one above. */
+  /** The stick was pushed away from the user: more, or the item above. */
   MORE,
-  /** The stick was pulled: less, or the one below. */
+  /** The stick was pulled towards the user: less, or the item below. */
   LESS,
   /**
-   * The button of the hand that points went down. It comes before what else the same button
-   * answers; where something was pointed at, that does not count.
+   * The button of the pointing hand went down. This event comes before any other event of the same
+   * button; where the hand pointed at something, the other event is ignored.
    */
   CHOOSE
 }

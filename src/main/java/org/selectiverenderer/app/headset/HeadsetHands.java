@@ -10,9 +10,12 @@ import org.selectiverenderer.openxr.SpacePose;
 import org.selectiverenderer.openxr.XrInput;
 import org.selectiverenderer.runtime.walk.Controls;
 
-/** What the controllers of a headset do, as walking, commands and answers. */
+/** Translates the input of a headset's hand controllers into navigation, commands and answers. */
 public final class HeadsetHands {
-  /** How far a stick is pushed to count as pressed, and how far it must come back. */
+  /**
+   * The deflection at which a stick counts as pressed; {@code RELEASED} is the one at which it
+   * counts as released (hysteresis).
+   */
   private static final double PRESSED = 0.7;
 
   private static final double RELEASED = 0.4;
@@ -27,13 +30,13 @@ public final class HeadsetHands {
   private double steps;
 
   /**
-   * @param step radians that the stick turns by at once; 0 to turn as long as it is pushed
+   * @param step angle of a snap turn in radians; 0 to turn smoothly as long as the stick is pushed
    */
   HeadsetHands(double step) {
     this.step = step;
   }
 
-  /** The input of the frame that is due. */
+  /** Takes the input of the frame that is due. */
   void frame(XrInput input) {
     choose(input);
     for (HeadsetButton button : input.held()) {
@@ -61,7 +64,7 @@ public final class HeadsetHands {
     now = input;
   }
 
-  /** The hand that chose last points; or the other one, where that is not there. */
+  /** Makes the hand that pressed its button last the pointing hand. */
   private void choose(XrInput input) {
     boolean left = went(input, HeadsetButton.CHOOSE_LEFT) && input.left().isPresent();
     boolean right = went(input, HeadsetButton.CHOOSE_RIGHT) && input.right().isPresent();
@@ -75,7 +78,7 @@ public final class HeadsetHands {
     return input.held().contains(button) && !now.held().contains(button);
   }
 
-  /** Where the hand that points is and points, along -Z, in the frame of the head. */
+  /** Returns the pose of the pointing hand in head coordinates; the hand points along -Z. */
   public Optional<SpacePose> aim() {
     return rightPoints ? now.right().or(now::left) : now.left().or(now::right);
   }
@@ -87,14 +90,14 @@ public final class HeadsetHands {
     return Math.abs(value) > RELEASED && value * before > 0 ? before : 0;
   }
 
-  /** Nobody holds anything. */
+  /** Releases all buttons and sticks. */
   void rest() {
     now = XrInput.NONE;
     turned = 0;
     told = 0;
   }
 
-  /** Walks and turns. */
+  /** Passes the movement of the sticks to the navigation controls. */
   public void drive(Controls controls) {
     double buttons =
         (now.held().contains(HeadsetButton.FORWARD) ? 1 : 0)
@@ -106,12 +109,12 @@ public final class HeadsetHands {
     }
   }
 
-  /** Whether a button went down since the last call. */
+  /** Returns whether a button went down since the last call. */
   public boolean take(HeadsetButton button) {
     return pressed.remove(button);
   }
 
-  /** The answers since the last call, in order. */
+  /** Removes and returns the answers since the last call, in order. */
   public List<HeadsetAnswer> takeAnswers() {
     List<HeadsetAnswer> taken = List.copyOf(answers);
     answers.clear();

@@ -34,8 +34,9 @@ import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.live.HandedTracker;
 
 /**
- * The headset of a run, or of all runs of a session. Found by the thread that begins the run; then
- * it belongs to the thread that shows its frames, but for {@link #tracker}.
+ * The connection to the headset of a run, or of all runs of a session. It is made by the thread
+ * that begins the run; after that, all methods but {@link #tracker} belong to the thread that shows
+ * the frames.
  */
 public final class HeadsetLink implements HeadsetScreen {
   private final XrSearch search;
@@ -67,15 +68,15 @@ public final class HeadsetLink implements HeadsetScreen {
   }
 
   /**
-   * A headset that was found.
+   * Creates a connection to a headset that was found.
    *
-   * @param search closed with it
+   * @param search the found headset; closed with the connection
    */
   public static HeadsetLink with(XrSearch search, HeadsetShown shown) {
     return new HeadsetLink(search, shown);
   }
 
-  /** What it shows, in a sentence. */
+  /** Returns headset, runtime and picture size in a sentence. */
   public String describe() {
     PictureSize size = search.size();
     return "headset %s by %s, pictures of %dx%d for each eye%s"
@@ -87,15 +88,15 @@ public final class HeadsetLink implements HeadsetScreen {
             search.tracksEyes() ? ", tracks the eyes" : "");
   }
 
-  /** Whether it has an eye tracker that the program may use. */
+  /** Returns whether the headset has an eye tracker that the program may use. */
   public boolean tracksEyes() {
     return search.tracksEyes();
   }
 
   /**
-   * The tracker of the head; once, before it is opened.
+   * Creates the tracker of the head; to be called once, before the headset is opened.
    *
-   * @param listener hears of every pose, on the thread that shows frames
+   * @param listener receives every pose, on the thread that shows frames
    */
   public HandedTracker tracker(TrackerListener listener) {
     HandedTracker made = new HandedTracker(listener, this::described);
@@ -104,39 +105,42 @@ public final class HeadsetLink implements HeadsetScreen {
   }
 
   /**
-   * Hands poses to a tracker that others have.
+   * Passes the poses to a tracker that exists already.
    *
-   * @param to the tracker; none until there is one
+   * @param to supplies the tracker; null until there is one
    */
   public void feed(Supplier<@Nullable HandedTracker> to) {
     tracker = to;
   }
 
-  /** How it does, in a line for people; any thread. */
+  /** Returns the headset's status as a line of text; may be called on any thread. */
   public String described() {
     return XrHeadset.describe(status.get());
   }
 
-  /** Its figures since it was opened: of all runs of a session together. */
+  /**
+   * Returns the performance measurements since the headset was opened, for all runs of a session
+   * together.
+   */
   public HeadsetFigures figures() {
     XrStatus now = status.get();
     return new HeadsetFigures(now.runtime(), now.rate(), now.frames(), now.missed(), lead);
   }
 
-  /** What the controllers do. */
+  /** Returns the hand controllers. */
   public HeadsetHands hands() {
     return hands;
   }
 
   /**
-   * Where the eyes look in the frame that is due, in the frame of the head: a unit vector; empty
-   * while the eye tracker does not see them.
+   * Returns the direction of gaze in the frame that is due, a unit vector in head coordinates;
+   * empty while the eye tracker does not see the eyes.
    */
   public Optional<Vector3d> gaze() {
     return gaze;
   }
 
-  /** What became of it since the last call, in order. */
+  /** Removes and returns the headset's events since the last call, in order. */
   public List<HeadsetNews> takeNews() {
     List<HeadsetNews> taken = List.copyOf(news);
     news.clear();

@@ -8,12 +8,12 @@ import org.selectiverenderer.hmd.HeadsetLayout;
 import org.selectiverenderer.runtime.World;
 
 /**
- * Where something to read stands in the world: upright before the head, at a distance that eyes
- * rest at. It stays there while the head turns, so that it can be looked at as a thing, and comes
- * along when the user has turned or gone away from it.
+ * The placement of a text panel in the world: upright before the head, at a comfortable distance.
+ * The panel stays in place while the head turns, so that it looks like an object, and follows when
+ * the user has turned or moved away from it.
  */
 public final class PanelPlace {
-  /** Metres; headsets are focused at about as far. */
+  /** The distance of a panel in metres, about the focal distance of headsets. */
   public static final double DISTANCE = 2;
 
   private static final double TURNED = Math.toRadians(50);
@@ -25,7 +25,7 @@ public final class PanelPlace {
   private double heading;
 
   /**
-   * @param layout knows how large the user is in the world
+   * @param layout gives the scale of the user in the world
    */
   public PanelPlace(World world, HeadsetLayout layout) {
     this.world = world;
@@ -33,11 +33,11 @@ public final class PanelPlace {
   }
 
   /**
-   * Takes a page's plane to the world.
+   * Returns the transformation from a page's plane to the world.
    *
-   * @param width of the page in its units
-   * @param height of the page in its units
-   * @param metres for one of its units
+   * @param width width of the page in its units
+   * @param height height of the page in its units
+   * @param metres the size of one unit of the page in metres
    */
   public Matrix4dc of(double width, double height, double metres) {
     double scale = layout.unitsPerMetre(world);

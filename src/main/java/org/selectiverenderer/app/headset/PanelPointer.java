@@ -14,18 +14,18 @@ import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.Panel;
 
 /**
- * A ray in the world from a hand of the user of a headset, by which he points at a page.
+ * A ray from the hand of a headset's user, by which the user points at a panel.
  *
- * @param from in the world
- * @param way in which it goes, a unit vector
- * @param metre in the scene's unit of length
- * @param eye of the user in the world
+ * @param from origin of the ray in world coordinates
+ * @param way direction of the ray, a unit vector in world coordinates
+ * @param metre a metre in the scene's unit of length
+ * @param eye position of the user's eye in world coordinates
  */
 public record PanelPointer(Vector3dc from, Vector3dc way, double metre, Vector3dc eye) {
-  /** Metres that a ray is drawn where it hits nothing. */
+  /** The length in metres at which a ray is drawn where it hits nothing. */
   private static final double REACH = 4;
 
-  /** Millimetres. */
+  /** Width of the drawn ray at the hand in millimetres; {@code THIN} is the width at its end. */
   private static final double THICK = 5;
 
   private static final double THIN = 3;
@@ -33,10 +33,10 @@ public record PanelPointer(Vector3dc from, Vector3dc way, double metre, Vector3d
   private static final int FAINT = 0x60FFFFFF;
 
   /**
-   * The ray of a hand.
+   * Creates the ray of a hand.
    *
-   * @param layout knows how large the user is in the world
-   * @param hand where it is and points, in the frame of the head
+   * @param layout gives the scale of the user in the world
+   * @param hand pose of the hand in head coordinates
    */
   public static PanelPointer of(World world, HeadsetLayout layout, SpacePose hand) {
     double metre = layout.unitsPerMetre(world);
@@ -56,10 +56,10 @@ public record PanelPointer(Vector3dc from, Vector3dc way, double metre, Vector3d
   }
 
   /**
-   * Where it meets the plane of a page, from its front.
+   * Intersects the ray with the plane of a page, from the page's front.
    *
-   * @param place takes the page's plane to the world
-   * @return in the page's units; empty for nowhere
+   * @param place the transformation from the page's plane to the world
+   * @return the intersection in the page's units; empty if there is none
    */
   public Optional<Vector2d> on(Matrix4dc place) {
     Matrix4d back = place.invert(new Matrix4d());
@@ -73,16 +73,16 @@ public record PanelPointer(Vector3dc from, Vector3dc way, double metre, Vector3d
   }
 
   /**
-   * The ray to be seen: a band that shows its broad side to the user.
+   * Returns the drawn ray: a band whose broad side faces the user.
    *
-   * @param end where it ends in the world; empty where it hits nothing
+   * @param end end of the ray in world coordinates; empty where it hits nothing
    */
   public Panel drawn(Optional<Vector3d> end) {
     double unit = metre / 1000;
     double length = end.map(from::distance).orElse(REACH * metre) / unit;
     Vector3d across = eye.sub(from, new Vector3d()).cross(way);
     if (across.length() < 1e-9 * metre) {
-      way.orthogonalizeUnit(new Vector3d(0, 1, 0), across); // It begins in the eye.
+      way.orthogonalizeUnit(new Vector3d(0, 1, 0), across); // The ray begins in the eye.
     }
     across.normalize();
     Vector3d front = way.cross(across, new Vector3d());

@@ -9,16 +9,19 @@ import org.selectiverenderer.experiment.headlog.SceneSurvey;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.collide.RayCaster;
 
-/** Takes the user of a headset to the middle of the room that he looks at. */
+/** Teleports the user of a headset to the centre of the room that the user looks at. */
 public final class RoomTeleport {
-  /** How far before what is looked at a place counts as in front of it, as a share of the way. */
+  /**
+   * The share of the line of sight by which the point before the seen surface is nearer than the
+   * surface.
+   */
   private static final double BEFORE = 0.01;
 
   private RoomTeleport() {}
 
   /**
-   * Moves the viewer so that the head is over the middle of the room in which his line of sight
-   * ends; where that is none, of the one that he is in.
+   * Moves the viewer so that the head is above the centre of the room in which the line of sight
+   * ends; if it ends in no room, of the room that the viewer is in.
    *
    * @return the room's name; empty where there is no such room, and nothing is moved
    */

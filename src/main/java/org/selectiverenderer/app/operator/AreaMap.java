@@ -8,10 +8,10 @@ import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * Rooms and areas from above, north (-Z) up, with the viewer and what it sees.
+ * A map of the rooms and areas from above, north (-Z) up, with the viewer and the field of view.
  *
- * @param left of the map in pixels
- * @param top of the map in pixels
+ * @param left left edge of the map in pixels
+ * @param top top edge of the map in pixels
  */
 record AreaMap(SceneMap map, double left, double top, double width, double height) {
   private static final int ROOM = 0xff5a626b;
@@ -21,10 +21,10 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
   private static final int SIGHT = 0x40ffffff;
   private static final double VIEWER = 7;
 
-  /** Units of the world that the wedge of sight is long. */
+  /** The length of the drawn field of view in units of the world. */
   private static final double REACH = 2.5;
 
-  /** From the plan's x and z to pixels. */
+  /** The transformation from x and z of the world to pixels. */
   private record Scale(double x, double z, double pixels, double left, double top) {
     double right(double worldX) {
       return left + (worldX - x) * pixels;
@@ -36,9 +36,9 @@ record AreaMap(SceneMap map, double left, double top, double width, double heigh
   }
 
   /**
-   * Draws it.
+   * Draws the map.
    *
-   * @param seen what both eyes see together
+   * @param seen the field of view of both eyes together
    */
   void draw(Viewer viewer, FieldOfView seen, List<String> entered, List<Mark> marks) {
     marks.add(Mark.rectangle(left, top, width, height, 0xff1c1f23));

@@ -5,8 +5,8 @@ import java.util.List;
 import org.selectiverenderer.runtime.camera.Mark;
 
 /**
- * The names on a map: each on a dark ground of its own, above all that is drawn before, inside the
- * map, and beside no other name's place but below it.
+ * The labels of a map: each is drawn on a dark background above the map and inside its edges, and
+ * is moved down (at the lower edge up) until it overlaps no other label.
  *
  * @param right edge of the map in pixels
  * @param bottom edge of the map in pixels
@@ -15,11 +15,11 @@ record MapLabels(double right, double bottom, List<Label> placed) {
   private static final double SIZE = 12;
   private static final double LINE = 15;
 
-  /** Of a letter, on average and rather too much, as a part of its size. */
+  /** The average width of a letter as a share of its size, rather too large. */
   private static final double WIDTH = 0.62;
 
   /**
-   * A name and the box that it takes.
+   * A label and its box.
    *
    * @param x left of the box
    * @param y top of the box
@@ -41,7 +41,7 @@ record MapLabels(double right, double bottom, List<Label> placed) {
     this(right, bottom, new ArrayList<>());
   }
 
-  /** Places a name as near to a point, its box's upper left corner, as there is room. */
+  /** Places a label as near as possible to a point, the upper left corner of its box. */
   void add(String text, double x, double y, int color) {
     double width = WIDTH * SIZE * text.length() + 4;
     Label label =

@@ -18,8 +18,9 @@ import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
 
 /**
- * What the operator of a session sees: the participant's picture above; below it the areas from
- * above with the viewer, and what is going on. Belongs to the render thread.
+ * The content of the operator's window during a session: the participant's picture; below it a map
+ * of the areas with the viewer, and the state of the session, the scene and the tracker. It is
+ * confined to the render thread.
  */
 public final class OperatorConsole {
   static final int INK = 0xffe8e8e8;
@@ -42,11 +43,11 @@ public final class OperatorConsole {
   }
 
   /**
-   * The page of a moment.
+   * Lays out the page of the current frame.
    *
    * @param interval seconds from frame to frame
-   * @param told what the session has to say
-   * @param blind whether nothing may tell the condition: the polygons do
+   * @param told lines about the state of the session
+   * @param blind whether the condition is hidden from the operator, and so the number of polygons
    */
   public OperatorPage page(
       Walkthrough walk,
@@ -80,7 +81,7 @@ public final class OperatorConsole {
     return new OperatorPage((width - shownWidth) / 2, MARGIN, shownWidth, shownHeight, marks);
   }
 
-  /** The page while there is no picture. */
+  /** Returns the page while there is no picture. */
   public static OperatorPage waiting(List<String> told) {
     List<Mark> marks = new ArrayList<>();
     double below = told(told, MARGIN, MARGIN, marks);
@@ -177,7 +178,7 @@ public final class OperatorConsole {
         marks);
   }
 
-  /** What nobody may overlook. */
+  /** Draws the alarm bar when the tracker is silent. */
   private void alarm(int width, List<Mark> marks) {
     if (!settings.tracker().tracked()) {
       return;
@@ -190,7 +191,7 @@ public final class OperatorConsole {
     marks.add(new Mark.Text(alarm(settings.tracker(), health), MARGIN, 27, 20, 0xffffffff));
   }
 
-  /** That the tracker is silent, and what turns the view instead. */
+  /** Returns the sentence that the tracker is silent and what turns the view instead. */
   public static String alarm(TrackerSettings tracker, TrackerHealth health) {
     return text(
         "The tracker is silent for %.1f s: %s",

@@ -9,7 +9,7 @@ import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
-/** The lines of the overlay, which the user shows and hides (F1). */
+/** The status lines over the picture, which the user shows and hides with F1. */
 public final class OverlayText {
   private static final double SMOOTHING = 0.1;
 
@@ -34,15 +34,15 @@ public final class OverlayText {
     drawn = frame;
   }
 
-  /** Seconds from frame to frame, smoothed; 0 before the second frame. */
+  /** Returns the smoothed frame interval in seconds; 0 before the second frame. */
   public double interval() {
     return interval;
   }
 
   /**
-   * What is to be read over a picture; none when the overlay is hidden.
+   * Returns the lines of the overlay; empty when the overlay is hidden.
    *
-   * @param navigation how the user moves; empty when he does not
+   * @param navigation the navigation type as text; empty when the user does not navigate
    */
   public List<String> lines(Walkthrough walk, String navigation) {
     List<String> lines = new ArrayList<>();
@@ -70,7 +70,7 @@ public final class OverlayText {
     return lines;
   }
 
-  /** Whole degrees; never the -0 of a view that is a hair off. */
+  /** Returns whole degrees, with 0 instead of -0. */
   private static double degrees(double radians) {
     return Math.rint(Math.toDegrees(radians)) + 0.0;
   }

@@ -1,6 +1,6 @@
 /**
- * What is written over a picture and beside it: the overlay of whoever walks, and the window of the
- * operator of a session.
+ * Status text over the picture and beside it: the user's overlay, and the content of the operator's
+ * window in a session.
  *
  * <p>In: a walk, its head and its figures. Out: lines and {@link
  * org.selectiverenderer.runtime.camera.Mark}s to be drawn. Uses {@code app.head}, {@code

@@ -7,15 +7,16 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 
 /**
- * Keeps from the viewer's controls what is a drag in the scene. Whether a press begins one is known
- * where the pointer rested on a drag sensor, else only after the next step: till then it waits.
+ * Decides whether a drag of the mouse goes to a drag sensor of the scene or to the viewer's
+ * navigation. The decision is immediate where the pointer was over a drag sensor before the press;
+ * otherwise the events wait until the scene has been stepped.
  */
 final class DragClaim {
   private static final int LEFT = 1;
 
   private final List<InputEvent> waiting = new ArrayList<>();
 
-  /** Whether an event is the scene's, or waits. */
+  /** Returns whether an event belongs to the scene or waits for the decision. */
   boolean takes(InputEvent event, World world) {
     boolean press =
         event instanceof InputEvent.ButtonInput button
@@ -33,7 +34,10 @@ final class DragClaim {
     return false;
   }
 
-  /** After a step: what has turned out to be no drag goes to the controls after all. */
+  /**
+   * Decides after a step: events that did not begin a drag in the scene go to the navigation
+   * controls.
+   */
   void decided(World world, Consumer<InputEvent> controls) {
     if (!waiting.isEmpty()) {
       List<InputEvent> events = List.copyOf(waiting);

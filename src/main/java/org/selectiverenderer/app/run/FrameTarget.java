@@ -5,10 +5,10 @@ import java.util.Optional;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 
-/** Where the frames of a run go. */
+/** The destination of a run's frames: a window, a headset, an off-screen buffer, or none. */
 interface FrameTarget {
   /**
-   * Takes frames from a run until it is over: lets it step, draws, says so.
+   * Steps a run and draws its frames until the run is over.
    *
    * @throws IOException when the scene cannot be read
    * @throws InterruptedException if the thread is interrupted while it waits for the frames
@@ -16,14 +16,14 @@ interface FrameTarget {
   LastPictures show(SceneRun run) throws IOException, InterruptedException;
 
   /**
-   * What is left of the frames.
+   * The last pictures of a run.
    *
-   * @param gl what drew them
+   * @param gl the OpenGL implementation that drew them
    * @param scene the last picture of the scene
    * @param operator the last picture of the operator's window
    */
   record LastPictures(GlInfo gl, Optional<Screenshot> scene, Optional<Screenshot> operator) {
-    /** Nothing was drawn. */
+    /** The value when nothing was drawn. */
     static final LastPictures NONE =
         new LastPictures(new GlInfo("", "", ""), Optional.empty(), Optional.empty());
   }

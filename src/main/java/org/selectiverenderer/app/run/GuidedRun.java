@@ -3,8 +3,8 @@ package org.selectiverenderer.app.run;
 import org.selectiverenderer.app.settings.RunSettings;
 
 /**
- * A run in a {@link WindowChain}.
+ * A run in a {@link WindowChain}: its settings, listener and guide.
  *
- * @param listener hears what it has to say
+ * @param listener receives the events of the run
  */
 public record GuidedRun(RunSettings settings, RunListener listener, RunGuide guide) {}

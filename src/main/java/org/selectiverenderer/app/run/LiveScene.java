@@ -6,9 +6,9 @@ import org.selectiverenderer.app.walk.Walkthrough;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
 /**
- * What a run has once its scene is read.
+ * The state of a run once its scene has been read.
  *
- * @param walking the user's
- * @param motion what moves the viewer in the end
+ * @param walking the user's navigation
+ * @param motion the viewer's motion including the tracker
  */
 record LiveScene(Walkthrough walk, Walking walking, ViewerMotion motion, FrameClock clock) {}

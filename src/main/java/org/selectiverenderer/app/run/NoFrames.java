@@ -2,7 +2,7 @@ package org.selectiverenderer.app.run;
 
 import java.io.IOException;
 
-/** Draws nothing, and needs no display. */
+/** A frame target that steps the run without drawing, and needs no display. */
 final class NoFrames implements FrameTarget {
   @Override
   public LastPictures show(SceneRun run) throws IOException {

@@ -9,7 +9,10 @@ import org.selectiverenderer.runtime.render.AntiAliasing;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.show.OffscreenView;
 
-/** Draws frames without a window, as fast as that goes. The calling thread steps and draws. */
+/**
+ * A frame target that draws into an off-screen buffer as fast as possible. The calling thread steps
+ * and draws.
+ */
 final class OffscreenFrames implements FrameTarget {
   private final RunSettings settings;
 
@@ -32,7 +35,7 @@ final class OffscreenFrames implements FrameTarget {
       run.started();
       for (int frame = 0; !run.finished(); frame++) {
         if (settings.tracker().tracked()) {
-          view.awaitReady(); // The pose is read in the step: the later, the newer.
+          view.awaitReady(); // The pose is read in the step; a late step reads a newer pose.
         }
         Optional<World> world = run.step();
         if (world.isEmpty()) {
@@ -50,7 +53,10 @@ final class OffscreenFrames implements FrameTarget {
     }
   }
 
-  /** A single picture is worth smooth edges; many are not where they take too long. */
+  /**
+   * Returns the samples of anti-aliasing: many for a single picture, fewer for a sequence of
+   * frames.
+   */
   private int samples() {
     boolean still =
         settings.motion().path().isEmpty()

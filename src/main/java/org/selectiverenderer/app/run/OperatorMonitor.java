@@ -9,19 +9,22 @@ import org.selectiverenderer.hmd.DisplayProfile;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.render.window.Monitor;
 
-/** Finds the monitor that the operator looks at. It is never one of the participant's eyes'. */
+/**
+ * Selects the monitor of the operator, never one that shows a picture to the participant's eyes.
+ */
 public final class OperatorMonitor {
   private OperatorMonitor() {}
 
   /**
-   * Finds it.
+   * Selects the monitor.
    *
    * @param wanted its number, counted as for a display profile, or its name; empty for any that is
    *     free
    * @param monitors all of the desktop, in their order
-   * @param message hears when none is free
-   * @return empty where it does not matter, or where there is none
-   * @throws IllegalArgumentException with a sentence when the wanted one is not there, or an eye's
+   * @param message receives a message when no monitor is free
+   * @return the monitor; empty where any monitor will do or none is free
+   * @throws IllegalArgumentException with a sentence when the wanted monitor does not exist or is
+   *     used for an eye
    */
   public static Optional<Monitor> of(
       Presentation presentation,
@@ -39,7 +42,7 @@ public final class OperatorMonitor {
                               .formatted(wanted.get(), listed(monitors))));
       if (eyes.contains(found)) {
         throw new IllegalArgumentException(
-            "monitor '%s' is the participant's %s eye's; name another for the operator (%s)"
+            "monitor '%s' shows the participant's %s eye; name another one for the operator (%s)"
                 .formatted(
                     wanted.get(), found.equals(eyes.get(0)) ? "left" : "right", listed(monitors)));
       }
@@ -51,13 +54,13 @@ public final class OperatorMonitor {
     Optional<Monitor> free = monitors.stream().filter(each -> !eyes.contains(each)).findFirst();
     if (free.isEmpty()) {
       message.accept(
-          "no monitor is left for the operator: the controls lie under the participant's pictures;"
-              + " in these F4, F8 and F9 reset the heading, pause and go on");
+          "no monitor is left for the operator: the operator's controls are hidden behind the"
+              + " participant's pictures; there F4 resets the heading, F8 pauses and F9 continues");
     }
     return free;
   }
 
-  /** Whether each eye has a monitor of its own, so that no pointer is seen. */
+  /** Returns whether each eye has a monitor of its own, so that no pointer is seen. */
   public static boolean eyesHaveMonitors(Presentation presentation, List<Monitor> monitors) {
     return !eyes(presentation, monitors).isEmpty();
   }

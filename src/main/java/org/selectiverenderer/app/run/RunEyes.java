@@ -13,8 +13,8 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.walk.Controls;
 
 /**
- * Whether somebody sees a run, and the headset in which that may be: what became of it, and what
- * its controllers ask for. A screen is always looked at.
+ * The headset of a run, if any: whether its user sees the picture, its events, and the commands of
+ * its controllers. Without a headset the picture counts as always seen.
  */
 final class RunEyes {
   private final Optional<HeadsetLink> headset;
@@ -31,7 +31,7 @@ final class RunEyes {
     begun = headset.isEmpty();
   }
 
-  /** Whether there is a headset. */
+  /** Returns whether there is a headset. */
   boolean worn() {
     return headset.isPresent();
   }
@@ -41,26 +41,29 @@ final class RunEyes {
     begun |= seen;
   }
 
-  /** Whether nobody wears the headset, or its runtime shows something else. */
+  /**
+   * Returns whether the picture is not seen: nobody wears the headset, or its runtime shows
+   * something else.
+   */
   boolean closed() {
     return closed;
   }
 
-  /** Whether somebody has seen something: in a headset the scene begins then. */
+  /** Returns whether the picture has been seen once; in a headset the scene begins then. */
   boolean begun() {
     return begun;
   }
 
-  /** Whether somebody asked for straight ahead to be set anew: who leads, or who wears it. */
+  /** Returns whether the guide or the user of the headset asked for a reset of the heading. */
   boolean straightened() {
     boolean asked = guide.takeHeadingReset();
     return headset.map(worn -> worn.hands().take(HeadsetButton.RECENTRE)).orElse(false) || asked;
   }
 
   /**
-   * Tells what became of the headset.
+   * Reports the events of the headset.
    *
-   * @param walk of the scene, once that is there
+   * @param walk the running scene, once it is loaded
    */
   void tell(Optional<Walkthrough> walk) {
     headset.ifPresent(
@@ -79,9 +82,9 @@ final class RunEyes {
   }
 
   /**
-   * Does what the controllers ask for.
+   * Executes the commands of the controllers.
    *
-   * @param paused whether time stands still, so that nobody is moved
+   * @param paused whether the run is paused, so that the viewer is not moved
    */
   void hands(Controls controls, World world, boolean paused) {
     headset.ifPresent(
@@ -95,7 +98,7 @@ final class RunEyes {
         });
   }
 
-  /** How it went, with a headset. */
+  /** Returns the measurements of the headset, if there is one. */
   Optional<HeadsetFigures> figures() {
     return headset.map(HeadsetLink::figures);
   }

@@ -11,11 +11,12 @@ import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
- * Leads a run: decides when it ends, how dark its picture is, which of the user's commands are
- * heard. All calls come from the thread that steps the world.
+ * Controls a run from outside, as a step of a session does: decides when the run ends, how dark its
+ * picture is, and which commands of the user are accepted. All calls but {@link #closing} come from
+ * the thread that steps the world.
  */
 public interface RunGuide {
-  /** Nobody but the user, who sees all and may do everything. */
+  /** The guide of a run without a session: the user's commands are all accepted. */
   RunGuide USER =
       new RunGuide() {
         @Override
@@ -24,71 +25,78 @@ public interface RunGuide {
         }
       };
 
-  /** Whether a command of the user counts. A participant's only resets the head's heading. */
+  /**
+   * Returns whether a command of the user is accepted. Of a participant only the reset of the
+   * heading is.
+   */
   default boolean hears(NavigationCommand command) {
     return command == NavigationCommand.RESET_HEADING;
   }
 
-  /** A command was heard and is being done. */
+  /** Reports that a command was accepted and is being executed. */
   default void heard(NavigationCommand command) {}
 
   /**
-   * A key of the operator that is none of the participant's: a function key.
+   * Reports a function key, which belongs to the operator, not to the participant.
    *
    * @param participants whether it was pressed in the participant's window
    */
   default void operatorKey(KeyboardKey key, boolean participants) {}
 
-  /** Whether somebody asked since the last call for the heading to be reset. */
+  /** Returns whether a reset of the heading was requested since the last call. */
   default boolean takeHeadingReset() {
     return false;
   }
 
-  /** Whether the pointer is kept in the participant's window, so that it presses nothing else. */
+  /**
+   * Returns whether the pointer is confined to the participant's window, so that it clicks nothing
+   * else.
+   */
   default boolean keepsPointer() {
     return false;
   }
 
-  /** Whether the operator is not to know the condition. */
+  /** Returns whether the condition is hidden from the operator. */
   default boolean blind() {
     return false;
   }
 
-  /** The scene is there, before its first frame. */
+  /** Reports that the scene is loaded, before its first frame. */
   default void opened(Walkthrough walk) {}
 
   /**
-   * What moves the viewer.
+   * Returns the motion of the viewer.
    *
-   * @param users what the user's mouse, keys and tracker do
+   * @param users the motion by the user's mouse, keys and tracker
    */
   default ViewerMotion motion(ViewerMotion users) {
     return users;
   }
 
-  /** Whether the body goes where the user goes himself, when his head's place is tracked. */
+  /** Returns whether the viewer's body follows a user whose head position is tracked. */
   default boolean walks() {
     return true;
   }
 
   /**
-   * Where the hand of the user of a headset points; each frame, before what he answers.
+   * Reports the pose of the pointing hand of a headset's user; called for each frame, before the
+   * answers.
    *
-   * @param hand where it is and points, along -Z, in the frame of the head and in metres; empty
-   *     where there is none
+   * @param hand pose of the hand in head coordinates and metres, pointing along -Z; empty where
+   *     there is none
    */
   default void pointed(Optional<SpacePose> hand) {}
 
-  /** The user of a headset answered something by his controllers. */
+  /** Reports an answer that the user of a headset gave with the controllers. */
   default void answered(HeadsetAnswer answer) {}
 
-  /** Whether time stands still. */
+  /** Returns whether the run is paused. */
   default boolean paused() {
     return false;
   }
 
   /**
-   * Whether the run is over.
+   * Returns whether the run is over.
    *
    * @param seconds since its first frame, pauses not counted
    */
@@ -96,26 +104,30 @@ public interface RunGuide {
     return false;
   }
 
-  /** How dark the picture is made: 0 not at all, 1 black. */
+  /** Returns how much the picture is darkened, from 0 (not at all) to 1 (black). */
   default double darkness(double seconds) {
     return 0;
   }
 
-  /** What the user of a headset is to read, later over earlier; only asked where he sees it. */
+  /**
+   * Returns the text panels of a headset's user, later ones over earlier ones; called only when the
+   * picture is seen.
+   */
   default List<Panel> panels() {
     return List.of();
   }
 
   /**
-   * Somebody closes a window of the run. Called by the window system's thread, unlike the others.
+   * Reports that a window of the run is being closed. Unlike the other methods it is called by the
+   * thread of the window system.
    *
-   * @return whether it closes; else it stays until the run is {@link #over}
+   * @return whether the window closes; otherwise it stays until the run is {@link #over}
    */
   default boolean closing() {
     return true;
   }
 
-  /** What the operator is told besides; the participant is not. */
+  /** Returns additional lines for the operator's window. */
   default List<String> operatorLines(double seconds) {
     return List.of();
   }

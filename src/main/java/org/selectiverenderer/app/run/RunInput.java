@@ -9,8 +9,8 @@ import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.walk.Controls;
 
 /**
- * Keys and mouse of a run's windows: who hears of them, the scene, who leads the run, or the
- * viewer's legs.
+ * Dispatches the keys and mouse events of a run's windows to the scene's sensors, to the run's
+ * guide, or to the viewer's navigation.
  */
 final class RunInput {
   private final RunGuide guide;
@@ -20,14 +20,14 @@ final class RunInput {
   private final Set<KeyboardKey> held = EnumSet.noneOf(KeyboardKey.class);
 
   /**
-   * @param controls that move the viewer
+   * @param controls the navigation controls of the viewer
    */
   RunInput(Controls controls, RunGuide guide) {
     this.guide = guide;
     windowInput = new WindowInput(controls);
   }
 
-  /** In the participant's window; of a scene that may still be on its way. */
+  /** Dispatches an event of the participant's window; the scene may not be loaded yet. */
   void participant(InputEvent event, Optional<World> world) {
     if (world.isEmpty() || !claimed(event, world.get())) {
       windowInput.accept(event);
@@ -35,19 +35,19 @@ final class RunInput {
     operatorKey(event, true);
   }
 
-  /** Whether the scene has something of its own to do with it, so that the viewer does not move. */
+  /** Returns whether the scene consumes an event, so that it does not move the viewer. */
   private boolean claimed(InputEvent event, World world) {
     return sceneKeys.accept(event, world) || drags.takes(event, world);
   }
 
-  /** In the operator's window. */
+  /** Dispatches an event of the operator's window. */
   void operator(InputEvent event) {
     if (operatorKey(event, false)) {
       windowInput.command(event);
     }
   }
 
-  /** Whether a key went down that was not down before: one that is held is told again and again. */
+  /** Returns whether a key went down that was not down before; a held key repeats its event. */
   private boolean operatorKey(InputEvent event, boolean participants) {
     if (event instanceof InputEvent.FocusLost) {
       held.clear();
@@ -62,7 +62,7 @@ final class RunInput {
     return key.pressed() && first;
   }
 
-  /** The scene has been stepped: a drag that it did not want is the viewer's. */
+  /** Passes drags that the scene did not consume in its step to the navigation. */
   void decided(World world) {
     drags.decided(world, windowInput::accept);
   }

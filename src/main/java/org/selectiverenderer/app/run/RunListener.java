@@ -7,34 +7,39 @@ import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.openxr.HeadsetNews;
 
-/** Hears what a run has to say. Called on the stepping thread, or while loading, in order. */
+/**
+ * Receives the events of a run. It is called on the stepping thread, or during loading, in order.
+ */
 public interface RunListener {
   /**
-   * The scene has been read with all that it names; no frame has been stepped.
+   * Reports that the scene and its files have been read; no frame has been stepped.
    *
-   * @throws IOException with one line, if it is not to be run
+   * @throws IOException with a one-line message, to prevent the run
    */
   default void opened() throws IOException {}
 
-  /** Something is wrong with the scene. */
+  /** Reports a problem of the scene. */
   void problem(Problem problem);
 
-  /** The display is not as asked for: what is shown instead, in a sentence. */
+  /**
+   * Reports that the requested display is not available, with a sentence that says what is shown
+   * instead.
+   */
   default void displayFallback(String told) {}
 
-  /** Something became of the headset; its text is a sentence. */
+  /** Reports an event of the headset; its text is a sentence. */
   default void headset(HeadsetNews news) {
     printed(news.text());
   }
 
-  /** A line of the time line. */
+  /** Reports an event of the time line. */
   void happened(TimelineEvent event);
 
-  /** Who hears of every frame what a head log has of it; empty for nobody. */
+  /** Returns the listener for the head log's samples of every frame, if any. */
   default Optional<SampleListener> samples() {
     return Optional.empty();
   }
 
-  /** An application or a scene printed something through the SAI. */
+  /** Reports text that an application or a scene printed through the SAI. */
   void printed(String text);
 }

@@ -5,11 +5,11 @@ import org.selectiverenderer.app.figures.RunFigures;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 
 /**
- * How a run ended.
+ * The result of a run.
  *
- * @param problems whether anything was wrong with the scene
- * @param screenshot the last frame, where it was asked for
- * @param operator the last picture of the operator's window, where there was one
+ * @param problems whether the scene had problems
+ * @param screenshot the last frame, if it was asked for
+ * @param operator the last picture of the operator's window, if there was one
  */
 public record RunResult(
     RunFigures figures,

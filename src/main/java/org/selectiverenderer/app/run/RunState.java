@@ -3,15 +3,15 @@ package org.selectiverenderer.app.run;
 import java.util.Map;
 import java.util.Set;
 
-/** What has become of a run; it never goes back. */
+/** The state of a run; states only advance. */
 enum RunState {
-  /** The scene is being read; there is nothing to show. */
+  /** The scene is being loaded; there is nothing to show. */
   LOADING,
-  /** The scene is there and steps; no picture of it has been shown. */
+  /** The scene is loaded and is stepped; no picture of it has been shown. */
   READY,
   /** Pictures are shown. */
   SHOWN,
-  /** The last frame is stepped, or there will be none. */
+  /** The last frame has been stepped, or there will be none. */
   OVER;
 
   private static final Map<RunState, Set<RunState>> NEXT =
@@ -19,10 +19,10 @@ enum RunState {
           LOADING, Set.of(READY, OVER),
           READY, Set.of(SHOWN, OVER),
           SHOWN, Set.of(OVER),
-          OVER, Set.of(OVER)); // More than one thing may end a run at once.
+          OVER, Set.of(OVER)); // A run may be ended by several causes at once.
 
   /**
-   * The next state.
+   * Checks a transition and returns the next state.
    *
    * @throws IllegalStateException if it cannot follow this one
    */

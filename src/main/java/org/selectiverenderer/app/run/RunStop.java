@@ -11,24 +11,25 @@ public final class RunStop {
   private final CountDownLatch ended = new CountDownLatch(1);
   private volatile boolean asked;
 
-  /** Ends the run soon, or as soon as it begins. */
+  /** Asks the run to end after its present frame, or as soon as it begins. */
   public void stop() {
     asked = true;
   }
 
   /**
-   * The window or the context is open: should the process be ended, JOGL lets the run end first.
+   * Registers with JOGL's shutdown, once the window or the context is open, so that the run ends
+   * first when the process is ended.
    */
   void drawing() {
     GlShutdown.before(this::stopAndWait);
   }
 
-  /** Whether it is to end. */
+  /** Returns whether the run was asked to end. */
   boolean asked() {
     return asked;
   }
 
-  /** Nothing is drawn any more. */
+  /** Reports that nothing is drawn any more. */
   void ended() {
     ended.countDown();
   }

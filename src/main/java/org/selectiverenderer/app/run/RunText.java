@@ -10,7 +10,7 @@ import org.selectiverenderer.app.settings.RunSettings;
 import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.show.OperatorPage;
 
-/** What a run says of itself: over its picture, and in the operator's window. */
+/** The status text of a run: over its picture, and in the operator's window. */
 final class RunText {
   private final RunSettings settings;
   private final HeadSession head;
@@ -27,7 +27,7 @@ final class RunText {
     console = new OperatorConsole(settings, head);
   }
 
-  /** Shows the overlay, or no longer. */
+  /** Shows or hides the overlay. */
   void toggle() {
     overlay.toggle();
   }
@@ -36,10 +36,10 @@ final class RunText {
     overlay.frame(drawn);
   }
 
-  /** Lines over the picture. */
+  /** Returns the lines over the picture. */
   List<String> overlay(LiveScene scene) {
     List<String> lines = new ArrayList<>();
-    // In a display the participant would see it: there the operator's window says so.
+    // In a stereo display the participant would see it: there the operator's window says so.
     if (headset) {
       head.described().ifPresent(lines::add);
     } else if (!settings.display().presentation().stereo() && head.health().stale()) {
@@ -52,10 +52,10 @@ final class RunText {
   }
 
   /**
-   * The operator's window.
+   * Lays out the operator's window.
    *
-   * @param scene once it is there
-   * @param told by who leads the run
+   * @param scene the scene, once it is loaded
+   * @param told lines of the run's guide
    */
   OperatorPage operatorPage(
       Optional<LiveScene> scene,

@@ -9,7 +9,9 @@ import org.selectiverenderer.runtime.nodes.key.KeyStroke;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.KeyboardKey;
 
-/** Hands what is typed in a window to the key device sensors of its scene. */
+/**
+ * Passes the keys typed in a window to the scene's key device sensors (KeySensor, StringSensor).
+ */
 final class SceneKeys {
   private final Map<String, KeyStroke.Key> special = new HashMap<>();
   private final Map<KeyboardKey, KeyStroke.Key> held = new LinkedHashMap<>();
@@ -24,9 +26,9 @@ final class SceneKeys {
   }
 
   /**
-   * Hands an event on.
+   * Passes an event to the sensors.
    *
-   * @return whether it is a key that goes down and is the scene's alone
+   * @return whether it is a key press that the scene consumes
    */
   boolean accept(InputEvent event, World world) {
     if (event instanceof InputEvent.FocusLost) {
@@ -50,7 +52,7 @@ final class SceneKeys {
     return input.pressed() && key.filter(world.keys()::takes).isPresent();
   }
 
-  /** The key as sensors know it; of the others, such as Escape, they hear nothing. */
+  /** Returns the key as sensors know it; empty for other keys, such as Escape. */
   private Optional<KeyStroke.Key> key(InputEvent.KeyInput input) {
     KeyStroke.Key known = special.get(input.key().name());
     if (known != null) {

@@ -38,7 +38,7 @@ final class SceneOpening implements AutoCloseable {
     }
   }
 
-  /** Whether {@link #await()} returns at once. */
+  /** Returns whether {@link #await()} returns at once. */
   boolean done() {
     return task.isDone();
   }
@@ -68,13 +68,13 @@ final class SceneOpening implements AutoCloseable {
     }
   }
 
-  /** Waits for the scene and closes it; of a scene that cannot be read nothing is left. */
+  /** Waits for the scene and closes it, unless it could not be read. */
   @Override
   public void close() {
     try {
       task.get().close();
     } catch (ExecutionException e) {
-      // Whoever waited for the scene has heard of it; if nobody did, the run was given up before.
+      // The caller of await() got the exception; without one the run was given up before.
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -28,12 +28,12 @@ import org.selectiverenderer.runtime.walk.Controls;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
- * A run of a scene: what happens between one frame and the next, wherever frames go. Whoever takes
- * the frames calls {@link #input}, {@link #step}, {@link #drawn} and {@link #submitted} for each,
- * on one thread, until the run is {@link #finished}.
+ * A run of a scene: everything that happens between one frame and the next, whatever the frame
+ * target. The frame target calls {@link #input}, {@link #step}, {@link #drawn} and {@link
+ * #submitted} for each, on one thread, until the run is {@link #finished}.
  */
 final class SceneRun implements WorldHost, AutoCloseable {
-  /** As dark as this a picture is there, darker it is gone. */
+  /** The darkness up to which the participant counts as seeing the picture. */
   private static final double HALF = 0.5;
 
   private final RunSettings settings;
@@ -55,10 +55,10 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private boolean unreadable;
 
   /**
-   * Begins to read the scene.
+   * Creates the run and starts to load its scene in the background.
    *
    * @param head closed with the run
-   * @param stop by which somebody else ends it
+   * @param stop by which other code ends the run
    */
   SceneRun(
       RunSettings settings,
@@ -70,7 +70,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     this(settings, listener, head, guide, pace, stop, Optional.empty());
   }
 
-  /** The same in a headset, where there is one. */
+  /** Creates a run in a headset, if there is one. */
   SceneRun(
       RunSettings settings,
       RunListener listener,
@@ -82,7 +82,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     this(settings, listener, head, guide, pace, stop, headset, new Stopwatch());
   }
 
-  /** The same by another clock. */
+  /** Creates a run with a given stopwatch. */
   SceneRun(
       RunSettings settings,
       RunListener listener,
@@ -107,7 +107,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
   }
 
   /**
-   * Waits until there is something to step.
+   * Waits until the scene is loaded.
    *
    * @throws IOException when the scene cannot be read
    */
@@ -140,7 +140,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     eyes.presented(seen);
   }
 
-  /** Whether time stands still: somebody says so, or nobody wears the headset. */
+  /** Returns whether the run is paused: by its guide, or because nobody wears the headset. */
   private boolean paused() {
     return guide.paused() || eyes.closed();
   }
@@ -153,7 +153,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
                 eyes.straightened() ? Stream.of(NavigationCommand.RESET_HEADING) : Stream.empty())
             .toList();
     eyes.tell(Optional.ofNullable(scene).map(LiveScene::walk));
-    // In a headset the scene begins when somebody sees it.
+    // In a headset the scene begins when its user first sees the picture.
     if (state == RunState.LOADING && opening.done() && eyes.begun()) {
       open();
     }
@@ -174,12 +174,12 @@ final class SceneRun implements WorldHost, AutoCloseable {
     return Optional.of(live.walk().world());
   }
 
-  /** Takes the scene over. */
+  /** Takes over the loaded scene. */
   private void open() {
     try {
       Walkthrough walk = opening.await();
       if (pace == Pace.WATCHED && walk.unreadable()) {
-        unreadable = true; // An empty window would stay open, and whoever started it would wait.
+        unreadable = true; // Otherwise an empty window would stay open.
         state = state.then(RunState.OVER);
         return;
       }
@@ -201,7 +201,10 @@ final class SceneRun implements WorldHost, AutoCloseable {
     }
   }
 
-  /** What moves the viewer. A head whose place is tracked is above a body that is led. */
+  /**
+   * Returns what moves the viewer. Where the head's position is tracked, the guide moves the body
+   * and the tracker moves the head relative to it.
+   */
   private ViewerMotion motion(Walkthrough walk, Walking walking) throws IOException {
     ViewerMotion moving = pace.motion(settings, walking);
     if (!eyes.worn() && !settings.tracker().placed()) {
@@ -223,9 +226,9 @@ final class SceneRun implements WorldHost, AutoCloseable {
   private void advance(LiveScene live, double elapsed) {
     boolean over = guide.over(elapsed);
     if (!paused() || live.walk().frames() == 0) {
-      head.log(false); // A frame that was stepped but, in a hidden window, not drawn.
+      head.log(false); // A frame that was stepped but not drawn because the window was hidden.
       for (double frame : live.clock().due(elapsed)) {
-        head.log(seen()); // One of several that a slow picture stands for.
+        head.log(seen()); // One of several frames that became due during a slow picture.
         live.walk().step(frame, live.motion());
         head.stepped(FrameMoment.now(frame, time));
       }
@@ -251,7 +254,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     if (state == RunState.READY) {
       state = state.then(RunState.SHOWN);
       if (pace.countsFromFirstPicture()) {
-        time.restart(); // What the first picture took to come to the graphics card.
+        time.restart(); // The time to upload the scene to the GPU does not count.
       }
     }
     text.frame(drawn);
@@ -264,7 +267,7 @@ final class SceneRun implements WorldHost, AutoCloseable {
     head.log(seen());
   }
 
-  /** Whether the participant sees what is drawn. */
+  /** Returns whether the participant sees what is drawn. */
   private boolean seen() {
     return !eyes.closed() && guide.darkness(time.seconds()) <= HALF;
   }
@@ -295,15 +298,18 @@ final class SceneRun implements WorldHost, AutoCloseable {
     return scene.walk();
   }
 
-  /** Whether it ended because nothing of the scene could be read, which has been said. */
+  /**
+   * Returns whether the run ended because nothing of the scene could be read; that has been
+   * reported.
+   */
   boolean unreadable() {
     return unreadable;
   }
 
   /**
-   * How it went so far.
+   * Returns the measurements of the run so far.
    *
-   * @throws IOException what ended it, if something did
+   * @throws IOException the failure that ended the run, if one did
    */
   RunFigures figures(GlInfo gl) throws IOException {
     if (failure != null) {
@@ -314,9 +320,9 @@ final class SceneRun implements WorldHost, AutoCloseable {
   }
 
   /**
-   * Tells the end of the walk.
+   * Ends the walkthrough and returns the result of the run.
    *
-   * @throws IOException what ended it, if something did
+   * @throws IOException the failure that ended the run, if one did
    */
   RunResult end(FrameTarget.LastPictures pictures) throws IOException {
     RunFigures figures = figures(pictures.gl());

@@ -15,11 +15,11 @@ public final class SceneRunner {
   private SceneRunner() {}
 
   /**
-   * In a window, until the user, the settings or somebody else ends it. The window's thread steps
-   * the world: by the clock on the wall while the user walks, by the frames of the path when one is
-   * followed, so that its time line is that of a simulation.
+   * Runs a scene in a window until the user, the settings or other code ends it. The window's
+   * thread steps the world: in real time while the user navigates, by the frames of the path when
+   * one is followed, so that its time line equals that of a simulation.
    *
-   * @param stop by which somebody else ends it
+   * @param stop by which other code ends the run
    * @throws IOException with a one-line message when the scene cannot be read
    * @throws InterruptedException if the waiting thread is interrupted
    */
@@ -34,11 +34,11 @@ public final class SceneRunner {
   }
 
   /**
-   * In a headset, with a mirror of it in a window; the headset's thread steps the world. Time
-   * begins when somebody sees the first frame, and stands still while nobody does.
+   * Runs a scene in a headset, with a mirror window; the headset's thread steps the world. Time
+   * begins when the user sees the first frame, and is paused while nobody wears the headset.
    *
    * @param headset closed with the run
-   * @param stop by which somebody else ends it
+   * @param stop by which other code ends the run
    * @throws IOException with a one-line message when the scene cannot be read
    * @throws InterruptedException if the waiting thread is interrupted
    */
@@ -69,10 +69,10 @@ public final class SceneRunner {
   }
 
   /**
-   * Without a window, as fast as it can be drawn. With a path its frames are those of a simulation;
-   * without one the viewer stays at the start, for the duration or for a single frame.
+   * Runs a scene without a window as fast as it can be drawn. With a path the frames are those of a
+   * simulation; without one the viewer stays at the start, for the duration or for a single frame.
    *
-   * @param stop by which somebody ends it before
+   * @param stop by which other code ends the run early
    * @throws IOException with a one-line message when the scene cannot be read
    * @throws InterruptedException never
    */
@@ -83,7 +83,7 @@ public final class SceneRunner {
   }
 
   /**
-   * Without a picture: steps every frame of the path.
+   * Steps every frame of the path without drawing.
    *
    * @throws IOException with a one-line message when the scene cannot be read
    */
@@ -95,7 +95,7 @@ public final class SceneRunner {
   private static RunResult run(
       RunSettings settings, RunListener listener, RunStop stop, Pace pace, FrameTarget target)
       throws IOException, InterruptedException {
-    // From here on the tracker is open and the log's files are taken.
+    // From here on the tracker is open and the log's files are created.
     HeadSession head = HeadSession.open(settings, listener::problem);
     listener.samples().ifPresent(head::tell);
     try (SceneRun run = new SceneRun(settings, listener, head, RunGuide.USER, pace, stop)) {
@@ -105,7 +105,7 @@ public final class SceneRunner {
     }
   }
 
-  /** Says what the pictures of two eyes are. */
+  /** Prints how the pictures of two eyes are shown. */
   private static void describe(DisplaySettings display, RunListener listener) {
     if (display.presentation().stereo()) {
       listener.printed(display.presentation().describe(display.width(), display.height()));

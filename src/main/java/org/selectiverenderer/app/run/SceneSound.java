@@ -6,20 +6,20 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.sound.DeviceLine;
 import org.selectiverenderer.runtime.sound.Speaker;
 
-/** Has the sounds of a watched run heard. Where there is no device, it says so once. */
+/** Plays the sounds of a real-time run. A missing sound device is reported once. */
 final class SceneSound implements AutoCloseable {
   private final Speaker speaker = new Speaker(DeviceLine::open);
   private final boolean audible;
 
   /**
-   * @param audible whether anything is heard at all
+   * @param audible whether sounds are played at all
    */
   SceneSound(boolean audible) {
     this.audible = audible;
   }
 
   /**
-   * Plays what a step has left.
+   * Plays the sounds that are active after a step.
    *
    * @param silent whether the run is paused
    */
@@ -36,7 +36,7 @@ final class SceneSound implements AutoCloseable {
                     .problems()
                     .info(
                         Location.of(world.scene().url()),
-                        "the scene has sounds that are not heard: %s; --mute leaves them out"
+                        "the sounds of the scene cannot be played: %s; use --mute to run without"
                             .formatted(reason)));
   }
 

@@ -23,23 +23,23 @@ import org.selectiverenderer.runtime.render.show.WorldScreen;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 
 /**
- * Several runs one after the other in the same windows, which stay open and are black in between: a
- * participant in a display never sees a desktop. The head tracker stays open, too. Each run is a
- * {@link SceneRun}, so what is shown and logged is what {@code run} shows and logs; each has the
- * scene to itself from its beginning.
+ * Shows several runs one after the other in the same windows. The windows stay open and are black
+ * in between, so that a participant never sees the desktop; the head tracker stays open, too. Each
+ * run is a {@link SceneRun}, so what is shown and logged is what the command {@code run} shows and
+ * logs; each run loads its scene anew.
  */
 public final class WindowChain implements WorldHost {
-  /** Where the runs come from. All calls come from the render thread. */
+  /** The source of the runs. All calls come from the render thread. */
   public interface Runs {
     /**
-     * The next run; empty when there are no more.
+     * Returns the next run; empty when there are no more.
      *
      * @throws IOException ends the chain
      */
     Optional<GuidedRun> next() throws IOException;
 
     /**
-     * A run has ended and its files are closed.
+     * Reports that a run has ended and its files are closed.
      *
      * @throws IOException ends the chain
      */
@@ -58,7 +58,7 @@ public final class WindowChain implements WorldHost {
   private boolean seen;
 
   /**
-   * @param stop ends the chain as if its windows were closed
+   * @param stop ends all runs as if the windows were closed
    */
   WindowChain(Runs runs, ChainTracker tracker, Optional<HeadsetLink> headset, RunStop stop) {
     this.runs = runs;
@@ -68,11 +68,11 @@ public final class WindowChain implements WorldHost {
   }
 
   /**
-   * Shows all runs, in windows as the first one's settings want them.
+   * Shows all runs, in windows chosen by the settings of the first one.
    *
-   * @param tracker of all runs; stays open
-   * @param headset where the settings want one; the caller closes it
-   * @param message hears what about the display is not as asked for
+   * @param tracker the tracker of all runs; stays open
+   * @param headset the headset if the settings ask for one; the caller closes it
+   * @param message receives messages about a display that is not available as requested
    * @throws IOException when a run fails, with a one-line message
    * @throws InterruptedException if the waiting thread is interrupted
    */
@@ -102,8 +102,7 @@ public final class WindowChain implements WorldHost {
   private void begin(GuidedRun run) throws IOException {
     guided = run;
     RunListener listener = run.listener();
-    // What is not as asked for is said to people once, by the windows; log and journal know it of
-    // each run.
+    // The windows print a display fallback once; log and journal record it for each run.
     RunSettings fitted = WindowStage.fitted(run.settings(), listener::displayFallback);
     TrackerTap tap = new TrackerTap();
     HeadSession head =
@@ -126,7 +125,7 @@ public final class WindowChain implements WorldHost {
     }
   }
 
-  /** Should the process be ended, its windows close first and its files are whole. */
+  /** Makes the windows close before the process ends, so that all files are complete. */
   @Override
   public void started() {
     stop.drawing();
@@ -171,7 +170,10 @@ public final class WindowChain implements WorldHost {
     runs.ended(guided, figures);
   }
 
-  /** An exposure's frames are to be even; its first one is black and waited for. */
+  /**
+   * Returns true: the frames of an exposure shall be evenly spaced, so the first one, which is
+   * black, may take longer.
+   */
   @Override
   public boolean readyAtOnce() {
     return true;
@@ -199,7 +201,10 @@ public final class WindowChain implements WorldHost {
     }
   }
 
-  /** Between two runs as in the one before: the participant's hand does not rest. */
+  /**
+   * Returns whether the pointer is confined; between two runs as in the previous one, because the
+   * participant may go on moving the mouse.
+   */
   @Override
   public boolean pointerKept() {
     GuidedRun run = guided;

@@ -6,14 +6,14 @@ import org.selectiverenderer.runtime.render.show.WorldHost;
 import org.selectiverenderer.runtime.render.show.WorldScreen;
 
 /**
- * Shows frames in windows or in a headset, which open while the scene is being read; their thread
- * steps the run.
+ * A frame target that shows frames in windows or in a headset. These open while the scene is being
+ * loaded, and their thread steps the run.
  */
 final class WindowFrames implements FrameTarget {
   private final Function<WorldHost, WorldScreen> screens;
 
   /**
-   * @param screens shows what a host steps
+   * @param screens creates the screen that shows the world of a host
    */
   WindowFrames(Function<WorldHost, WorldScreen> screens) {
     this.screens = screens;

@@ -8,7 +8,7 @@ import org.selectiverenderer.runtime.walk.Controls;
 import org.selectiverenderer.runtime.walk.MouseButton;
 import org.selectiverenderer.runtime.walk.WalkKey;
 
-/** Hands a window's input to the controls. */
+/** Passes a window's input events to the navigation controls. */
 final class WindowInput {
   private final Controls controls;
   private final Map<String, WalkKey> keys = new HashMap<>();
@@ -20,7 +20,7 @@ final class WindowInput {
     }
   }
 
-  /** A key that went down in another window than the user's: only a command counts. */
+  /** Handles a key press in another window than the user's: only command keys are passed on. */
   void command(InputEvent event) {
     if (event instanceof InputEvent.KeyInput input && input.pressed()) {
       Optional.ofNullable(keys.get(input.key().name())).ifPresent(controls::command);

@@ -21,9 +21,9 @@ import org.selectiverenderer.runtime.render.window.QuadBuffers;
 import org.selectiverenderer.runtime.render.window.WindowOptions;
 
 /**
- * Chooses the windows of a run by what the desktop has. Where a monitor or the driver's quad
- * buffers are missing, both eyes are shown side by side in one window, and that is said ({@link
- * #fitted}).
+ * Creates the windows of a run by the monitors of the desktop. Where a monitor or the driver's quad
+ * buffers are missing, both eyes are shown side by side in one window, and a message says so
+ * ({@link #fitted}).
  */
 final class WindowStage {
   private static final int OPERATOR_WIDTH = 1120;
@@ -42,9 +42,9 @@ final class WindowStage {
   }
 
   /**
-   * The windows.
+   * Creates the windows of a run.
    *
-   * @param message hears what is not as asked for
+   * @param message receives messages about a display that is not available as requested
    */
   static RunWindows of(RunSettings settings, Consumer<String> message) {
     WindowStage stage =
@@ -57,10 +57,10 @@ final class WindowStage {
   }
 
   /**
-   * What shows a run: its windows, or a headset with a mirror of it.
+   * Creates the screen of a run: its windows, or a headset with a mirror window.
    *
-   * @param headset where the settings want one
-   * @param message hears what is not as asked for
+   * @param headset the headset if the settings ask for one
+   * @param message receives messages about a display that is not available as requested
    */
   static WorldScreen screen(
       RunSettings settings,
@@ -88,9 +88,9 @@ final class WindowStage {
   }
 
   /**
-   * The settings with the display that there is, in the size that it really has.
+   * Returns the settings with a display that is available, in its real size.
    *
-   * @param message hears what is not as asked for
+   * @param message receives messages about a display that is not available as requested
    */
   static RunSettings fitted(RunSettings settings, Consumer<String> message) {
     return settings.with(fitted(settings.display(), message));
@@ -186,7 +186,7 @@ final class WindowStage {
         operatorBeside(monitors, left, right));
   }
 
-  /** The operator looks at a monitor that is no eye's. */
+  /** Returns the operator's window on a monitor that shows no picture to an eye. */
   private Optional<WindowOptions> operatorBeside(
       List<Monitor> monitors, Monitor left, Monitor right) {
     if (!settings.operator()) {
@@ -199,7 +199,7 @@ final class WindowStage {
                 () ->
                     monitors.stream().filter(m -> !m.equals(left) && !m.equals(right)).findFirst());
     if (free.isEmpty()) {
-      message.accept("there is no third monitor for the operator's window, so it is not opened");
+      message.accept("the operator's window needs a third monitor, so it is not opened");
     }
     return free.map(this::operatorOn);
   }

@@ -1,16 +1,16 @@
 /**
- * The one run loop. A {@link org.selectiverenderer.app.run.SceneRun} is one frame after the other:
+ * The run loop. A {@link org.selectiverenderer.app.run.SceneRun} is one frame after the other:
  * input, then {@code World.step} with the controller in it, then a picture, then what is recorded
  * of it. Windows, pictures without a window, {@code simulate} and the steps of a session all go
- * through it; what differs is handed to it:
+ * through it; what differs are its parts:
  *
  * <ul>
- *   <li>where its frames go: a {@link org.selectiverenderer.app.run.FrameTarget}, which calls it
- *       once for each frame;
- *   <li>what drives its clock and its viewer: a {@link org.selectiverenderer.app.clock.Pace};
- *   <li>who leads it: a {@link org.selectiverenderer.app.run.RunGuide}, the user or the step of a
+ *   <li>the destination of its frames: a {@link org.selectiverenderer.app.run.FrameTarget}, which
+ *       calls it once for each frame;
+ *   <li>its timing: a {@link org.selectiverenderer.app.clock.Pace};
+ *   <li>its guide: a {@link org.selectiverenderer.app.run.RunGuide}, the user or the step of a
  *       session;
- *   <li>who listens: a {@link org.selectiverenderer.app.run.RunListener}.
+ *   <li>its listener: a {@link org.selectiverenderer.app.run.RunListener}.
  * </ul>
  *
  * <p>A run goes through the states of {@link org.selectiverenderer.app.run.RunState}, in that

@@ -31,23 +31,28 @@ import org.web3d.x3d.sai.X3DException;
 import org.web3d.x3d.sai.X3DScene;
 
 /**
- * A scene under the controller in whatever browser the SAI finds: the embedded one, or Xj3D with
- * its jars first on the class path. Names nothing but the SAI and the controller.
+ * Runs a scene with the selective controller in any X3D browser that implements the SAI: the
+ * embedded browser, or Xj3D if its jars are first on the class path. The class depends on the SAI
+ * and the controller only.
  */
 public final class SaiRunner implements AutoCloseable {
   /**
-   * What browsers are told unless the user says otherwise: Xj3D does not start where it finds no
-   * OpenAL or no device for sounds; other browsers do not look at it.
+   * The default browser parameters: without this one Xj3D does not start where it finds no OpenAL
+   * or no sound device; other browsers ignore it.
    */
   private static final Map<String, Object> PARAMETERS = Map.of("Xj3D_DisableAudio", true);
 
-  /** How long a browser may take to tell of the end of a path, in seconds. */
+  /**
+   * The time in seconds that a browser may take to send its last events after the end of a path.
+   */
   private static final double PATIENCE = 1;
 
-  /** How long a browser may take until it shows a scene that it has read, in seconds. */
+  /** The time in seconds that a browser may take until it shows a scene that it has read. */
   private static final int BEGINNING = 60;
 
-  /** Of the standard: the system property that names the browser's factory. */
+  /**
+   * The system property that names the browser's factory class (X3D language bindings for Java).
+   */
   private static final String FACTORY = "x3d.sai.factory.class";
 
   private volatile double begun = System.currentTimeMillis() / 1000.0;
@@ -67,12 +72,12 @@ public final class SaiRunner implements AutoCloseable {
   }
 
   /**
-   * Shows a scene.
+   * Loads a scene into a browser and shows it.
    *
-   * @param url full address of the scene
-   * @param parameters for the browser, in addition to those that it needs
-   * @param out takes the time line line by line, on the thread of the browser
-   * @param timeline takes the events of the scene, on the same thread
+   * @param url absolute URL of the scene
+   * @param parameters browser parameters in addition to the default ones
+   * @param out receives the lines of the time line, on the thread of the browser
+   * @param timeline receives the events of the scene, on the same thread
    * @throws org.web3d.x3d.sai.X3DException if there is no browser, it does not start, or the scene
    *     cannot be read
    */
@@ -93,7 +98,7 @@ public final class SaiRunner implements AutoCloseable {
           problem ->
               out.accept(problem.severity().name().toLowerCase(Locale.ROOT) + ": " + problem));
       X3DScene scene = read(browser, url);
-      runner.shown = true; // Before it a browser shows an empty scene, which is no one's.
+      runner.shown = true; // Events before this line belong to the browser's empty initial scene.
       browser.replaceWorld(scene);
       return runner;
     } catch (RuntimeException | Error e) {
@@ -120,7 +125,7 @@ public final class SaiRunner implements AutoCloseable {
     }
   }
 
-  /** Xj3D keeps to itself why it has no factory: here it is made once more to find out. */
+  /** Creates the factory once more to find out why it failed, which Xj3D does not report. */
   private static Optional<Throwable> whyNoFactory() {
     try {
       Class.forName(System.getProperty(FACTORY)).getDeclaredConstructor().newInstance();
@@ -131,13 +136,13 @@ public final class SaiRunner implements AutoCloseable {
   }
 
   private static NotSupportedException withoutDisplay(HeadlessException cause) {
-    return notStarted("it shows a window, and Java finds no display", cause);
+    return notStarted("it opens a window, but Java finds no display", cause);
   }
 
   private static NotSupportedException notStarted(String reason, Throwable cause) {
     NotSupportedException failure =
         new NotSupportedException("the browser does not start: " + reason);
-    failure.initCause(cause); // Xj3D's exceptions have no constructor for it.
+    failure.initCause(cause); // Xj3D's exceptions have no constructor with a cause.
     return failure;
   }
 
@@ -156,7 +161,7 @@ public final class SaiRunner implements AutoCloseable {
       throw e;
     } catch (RuntimeException e) { // Xj3D's own kinds, of a profile that it lacks for instance
       InvalidX3DException failure =
-          new InvalidX3DException("the browser does not read the scene: " + e);
+          new InvalidX3DException("the browser cannot read the scene: " + e);
       failure.initCause(e);
       throw failure;
     }
@@ -167,12 +172,12 @@ public final class SaiRunner implements AutoCloseable {
   }
 
   /**
-   * Moves the viewer along a path through the SAI, at the pace of the clock on the wall. It begins
-   * when the scene is under control, which in some browsers is long after it was read; from there
-   * on the time line counts from the beginning of the path.
+   * Moves the viewer along a path through the SAI in real time. The motion starts when the
+   * controller has attached to the scene, which in some browsers is long after the scene was read;
+   * from then on the time line counts from the start of the path.
    *
-   * @param end ends it early when it reaches zero
-   * @throws NotSupportedException if the browser does not begin with the scene
+   * @param end ends the motion early when it reaches zero
+   * @throws NotSupportedException if the browser does not show the scene in time
    */
   public void follow(CameraPath path, CountDownLatch end) throws InterruptedException {
     long latest = System.nanoTime() + TimeUnit.SECONDS.toNanos(BEGINNING);
@@ -191,7 +196,9 @@ public final class SaiRunner implements AutoCloseable {
     walk.walk(end, PATIENCE);
   }
 
-  /** X3D counts seconds from 1970, the time line from the start. */
+  /**
+   * Writes an event to the time line. X3D counts seconds from 1970, the time line from the start.
+   */
   private void tell(ControlEvent event) {
     TimelineEvent.Told told = new TimelineEvent.Told(Math.max(0, event.time() - begun), event);
     if (shown && event instanceof ControlEvent.Start) {
@@ -204,11 +211,11 @@ public final class SaiRunner implements AutoCloseable {
   }
 
   /**
-   * Puts the browser into a window, if it is one for windows.
+   * Shows the browser in a window, if it has a visual component.
    *
    * @param onClose called when the user closes it
    * @return whether there is a window
-   * @throws NotSupportedException if there is no display for it
+   * @throws NotSupportedException if there is no display
    */
   public boolean showWindow(Runnable onClose) {
     Optional<Component> picture = picture();
@@ -216,7 +223,10 @@ public final class SaiRunner implements AutoCloseable {
     return picture.isPresent();
   }
 
-  /** Of Xj3D the component is a panel itself, and its implementation the canvas in it. */
+  /**
+   * Returns the browser's visual component. Xj3D's X3DComponent is a panel itself, whose
+   * implementation is the canvas in it.
+   */
   private Optional<Component> picture() {
     if (component instanceof Component panel) {
       return Optional.of(panel);
@@ -256,7 +266,7 @@ public final class SaiRunner implements AutoCloseable {
     }
   }
 
-  /** Ends the browser, which lets the controller go, and closes the window. */
+  /** Shuts the browser down, which detaches the controller, and closes the window. */
   @Override
   public void close() {
     component.shutdown();

@@ -12,23 +12,27 @@ import org.web3d.x3d.sai.navigation.NavigationInfo;
 import org.web3d.x3d.sai.navigation.Viewpoint;
 
 /**
- * Moves the viewer of a browser along a recorded path by the clock on the wall, through the SAI
- * alone: by a Viewpoint of its own that is bound and moved. A NavigationInfo without navigation is
- * bound too, so that no user and no gravity takes the viewer elsewhere. Both look as those at the
- * top of the scene that they stand in for: the first ones, which a browser binds.
+ * Moves the viewer of a browser along a recorded path in real time through the SAI: it adds a
+ * Viewpoint to the scene, binds it and moves it. It also binds a NavigationInfo of type NONE, so
+ * that neither the user nor gravity moves the viewer. The two nodes copy field of view, headlight,
+ * visibility limit and avatar size from the first Viewpoint and NavigationInfo at the root of the
+ * scene, which the browser would have bound.
  */
 final class SaiWalk {
-  /** Milliseconds between moves. */
+  /** The interval between moves in milliseconds. */
   static final long STEP_MS = 15;
 
-  /** Frames after which a browser that has not said that the Viewpoint is bound is believed. */
+  /**
+   * The number of attempts after which the Viewpoint is taken as bound although the browser has not
+   * reported it.
+   */
   private static final int BINDING = 200;
 
   private final CameraPath path;
   private final Viewpoint viewpoint;
   private final NavigationInfo navigation;
 
-  /** Brings the nodes into the scene. */
+  /** Adds the two nodes to the scene. */
   SaiWalk(ExternalBrowser browser, CameraPath path) {
     this.path = path;
     X3DScene scene = (X3DScene) browser.getExecutionContext();
@@ -56,8 +60,8 @@ final class SaiWalk {
   }
 
   /**
-   * Puts the viewer at the beginning of the path. A browser may know new nodes from its next frame
-   * on only: it is asked until it says that they are bound.
+   * Puts the viewer at the start of the path. A browser may know new nodes only from its next frame
+   * on, so the nodes are bound repeatedly until the browser reports that they are bound.
    */
   void begin(CountDownLatch end) throws InterruptedException {
     for (int i = 0;
@@ -69,8 +73,8 @@ final class SaiWalk {
   }
 
   /**
-   * Walks to the end of the path, and stands there for a moment in which a browser may tell what it
-   * told late.
+   * Moves the viewer to the end of the path and waits there for a moment, because a browser may
+   * send its last events late.
    *
    * @param end ends the walk early when it reaches zero
    */

@@ -1,7 +1,8 @@
 /**
- * A scene under the controller in whatever browser the Scene Access Interface finds.
+ * Runs a scene with the selective controller in any browser that implements the Scene Access
+ * Interface.
  *
- * <p>In: the address of a scene. Out: its time line, a window. May use {@code control}, {@code
+ * <p>In: the URL of a scene. Out: its time line, a window. May use {@code control}, {@code
  * app.timeline}, {@code runtime.viewer} for recorded paths and {@code org.web3d.x3d.sai} only, so
  * that it runs on Xj3D.
  */

@@ -14,7 +14,9 @@ import org.selectiverenderer.experiment.questionnaire.Option;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.runtime.camera.Mark;
 
-/** The part of a sheet with options to choose from: one below the other, or a scale in a line. */
+/**
+ * Draws the options of a choice question on a panel: one below the other, or as a scale in a line.
+ */
 final class ChoicePart {
   private final SheetPen pen;
   private final Wording wording;
@@ -72,7 +74,7 @@ final class ChoicePart {
     ends(choice.least(), choice.most());
   }
 
-  /** What options mean, below each. */
+  /** Draws the notes below the options of a scale. */
   private void notes(List<Option> options, double each, double gap) {
     double top = pen.y();
     for (int i = 0; i < options.size(); i++) {
@@ -90,7 +92,7 @@ final class ChoicePart {
     }
   }
 
-  /** What stands at the ends of a scale, below them. */
+  /** Draws the labels at the ends of a scale, below them. */
   private void ends(String least, String most) {
     if (least.isEmpty() && most.isEmpty()) {
       return;

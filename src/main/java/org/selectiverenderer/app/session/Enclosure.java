@@ -17,20 +17,24 @@ import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.runtime.walk.Navigation;
 
 /**
- * Boxes that a viewer does not leave, whatever moves it: at a side it slides along. Height is not
- * its business. A ProximitySensor's box may be turned; a room's stands along the axes, and the
- * viewer keeps the distance of its body from it. Belongs to the thread that steps the world.
+ * Boxes that confine the viewer horizontally, whatever moves it: at a side the viewer slides along;
+ * its height is free. The box of a ProximitySensor may be rotated; that of a room is axis-aligned,
+ * and the viewer keeps the radius of its avatar from it. The class is confined to the thread that
+ * steps the world.
  */
 final class Enclosure {
-  /** So far inside of a sensor, as a share of its size, the sensor is sure to see the viewer. */
+  /**
+   * The margin inside a sensor's box, as a share of its size, at which the sensor surely detects
+   * the viewer.
+   */
   private static final double INSIDE = 1e-4;
 
   /**
-   * A box in coordinates of its own.
+   * A box in local coordinates.
    *
-   * @param toBox from the world
-   * @param low x and z of its sides
-   * @param high x and z of its sides
+   * @param toBox transformation from world to box coordinates
+   * @param low smallest x and z
+   * @param high largest x and z
    */
   private record Box(Matrix4dc toBox, double[] low, double[] high) {
     boolean contains(Vector3d point) {
@@ -38,7 +42,7 @@ final class Enclosure {
       return at.x >= low[0] && at.x <= high[0] && at.z >= low[1] && at.z <= high[1];
     }
 
-    /** The nearest point within. */
+    /** Returns the nearest point inside the box. */
     Vector3d within(Vector3d point) {
       Vector3d at = toBox.transformPosition(point, new Vector3d());
       at.x = Math.max(low[0], Math.min(high[0], at.x));
@@ -54,12 +58,12 @@ final class Enclosure {
     this.world = world;
   }
 
-  /** Around everything. */
+  /** Creates an enclosure without boxes, which confines nothing. */
   static Enclosure open(Walkthrough walk) {
     return new Enclosure(walk.world());
   }
 
-  /** The room that the viewer is in, besides; false when it is in none. */
+  /** Adds the room that contains the viewer; returns false when there is none. */
   boolean addRoom() {
     Vector3d at = new Vector3d(world.viewer().position());
     return SceneSurvey.of(world.instances()).rooms().stream()
@@ -70,10 +74,10 @@ final class Enclosure {
   }
 
   /**
-   * The box of a ProximitySensor, or of a room, besides.
+   * Adds the box of a ProximitySensor or of a room.
    *
-   * @param name its DEF
-   * @return false when there is none of that name, or the viewer is not in it
+   * @param name DEF name of the sensor or name of the room
+   * @return false when nothing has that name, or the viewer is outside
    */
   boolean add(String name) {
     InstanceTree tree = world.instances();
@@ -120,7 +124,7 @@ final class Enclosure {
     return true;
   }
 
-  /** Moves the viewer as something else does, as far as the boxes let it. */
+  /** Returns a motion that follows another one and keeps the viewer inside the boxes. */
   ViewerMotion around(ViewerMotion motion) {
     return boxes.isEmpty()
         ? motion
@@ -139,7 +143,7 @@ final class Enclosure {
     }
   }
 
-  /** Turns the viewer as something else does, and leaves it where it is. */
+  /** Returns a motion that turns the viewer as another one does and keeps its position. */
   static ViewerMotion standing(Viewer at, ViewerMotion motion) {
     Vector3d home = new Vector3d(at.position());
     return (viewer, time, dt) -> {

@@ -8,8 +8,8 @@ import org.selectiverenderer.experiment.questionnaire.ButtonCourse;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * Keys to write on inside a headset: letters of the study's language and English ones, or those of
- * a number. An accent is pressed before its letter, as on Greek keyboards.
+ * The virtual keyboard inside a headset: letters of the study's language and of English, or digits
+ * for a number. An accent is a dead key before its letter, as on Greek keyboards.
  */
 final class PanelKeyboard {
   private static final List<String> ENGLISH =
@@ -26,8 +26,8 @@ final class PanelKeyboard {
   /**
    * A key.
    *
-   * @param width in widths of a letter's key
-   * @param held whether it works on the next letters
+   * @param width width as a multiple of a letter's key
+   * @param held whether the key is active for the next letter
    */
   record Key(String label, double width, boolean held, Runnable press) {}
 
@@ -36,7 +36,7 @@ final class PanelKeyboard {
     greek = wording.language().equals("el");
   }
 
-  /** The keys in rows, for what is asked. */
+  /** Returns the rows of keys for the current question. */
   List<List<Key>> rows(ButtonCourse asked) {
     boolean number = asked.line().filter(line -> line.range().isPresent()).isPresent();
     List<List<Key>> rows = new ArrayList<>();

@@ -15,13 +15,13 @@ import org.selectiverenderer.runtime.camera.Pixels;
 
 /** Reads the pictures of a questionnaire's pages for a panel. */
 final class PanelPictures {
-  /** Pixels of a side; a panel in a headset shows no more. */
+  /** The largest width and height in pixels; a panel in a headset cannot show more. */
   private static final int MOST = 1024;
 
   private PanelPictures() {}
 
   /**
-   * The pictures of all pages, by their files.
+   * Reads the pictures of all pages, keyed by their files.
    *
    * @throws IOException with a one-line message if one is not a picture
    */
@@ -39,7 +39,7 @@ final class PanelPictures {
   private static Pixels read(Path file) throws IOException {
     BufferedImage read = ImageIO.read(file.toFile());
     if (read == null) {
-      throw new IOException(file + " is not a picture that can be shown (PNG or JPEG)");
+      throw new IOException(file + " cannot be read as a picture; use PNG or JPEG");
     }
     double scale = Math.min(1, MOST / (double) Math.max(read.getWidth(), read.getHeight()));
     int width = Math.max(1, (int) Math.round(scale * read.getWidth()));

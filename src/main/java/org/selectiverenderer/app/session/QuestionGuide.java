@@ -29,9 +29,9 @@ import org.selectiverenderer.runtime.render.window.KeyboardKey;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
 /**
- * Asks the questions of a step inside the headset, until all are answered. Meanwhile the
- * controllers answer and move nobody. Behind the questions the scene is dimmed, or dark where it is
- * the one that is asked about.
+ * Asks the questions of a step inside the headset until all are answered. The hand controllers give
+ * the answers and do not move the viewer. Behind the questions the scene is dimmed, or black where
+ * the questions are about it.
  */
 final class QuestionGuide implements RunGuide {
   private static final double DIMMED = 0.8;
@@ -56,13 +56,13 @@ final class QuestionGuide implements RunGuide {
   private boolean taken;
   private int frames;
 
-  /** What was shown last, and where it stood. */
+  /** The sheet that was drawn last, and its placement in the world. */
   private record Shown(QuestionSheet.Sheet sheet, Matrix4dc place) {}
 
   /**
-   * @param layout knows how large the participant is in the scene
+   * @param layout gives the scale of the participant in the scene
    * @param dark whether nothing of the scene may be seen
-   * @throws IOException with a one-line message if a page's picture is none
+   * @throws IOException with a one-line message if a page's picture cannot be read
    */
   QuestionGuide(
       Session session,
@@ -83,12 +83,12 @@ final class QuestionGuide implements RunGuide {
     simulated = new Random(session.material().study().seed() + step.id().hashCode());
   }
 
-  /** How the answers went: to be looked at when the step is over. */
+  /** Returns the recorder of the answers, whose failure is to be checked when the step is over. */
   ToldAnswers told() {
     return told;
   }
 
-  /** Whether all is answered. */
+  /** Returns whether all questions are answered. */
   boolean through() {
     return buttons != null && buttons.over();
   }
@@ -99,7 +99,7 @@ final class QuestionGuide implements RunGuide {
     place = new PanelPlace(walk.world(), layout);
   }
 
-  /** The questions begin when they are seen. */
+  /** Returns the course of the questions, which begins when they are first shown. */
   private ButtonCourse begun() {
     ButtonCourse known = buttons;
     if (known == null) {
@@ -124,7 +124,10 @@ final class QuestionGuide implements RunGuide {
     taken = false;
   }
 
-  /** Chooses what was lit; whatever else the button means does not count on the page. */
+  /**
+   * Chooses the highlighted target; other meanings of the button are ignored while the hand points
+   * at the page.
+   */
   private void choose() {
     Optional<Vector2d> at = point();
     Shown seen = shown;
@@ -132,7 +135,7 @@ final class QuestionGuide implements RunGuide {
     Optional<SheetTarget> target = at.flatMap(to -> target(to));
     SheetTarget was = lit;
     if (was != null && target.filter(now -> now == was).isPresent()) {
-      lit = null; // Once: what comes next was not pointed at yet.
+      lit = null; // Once only: the next target has not been pointed at yet.
       was.choose().run();
     }
   }
@@ -147,7 +150,7 @@ final class QuestionGuide implements RunGuide {
     return known == null ? Optional.empty() : aim.map(hand -> PanelPointer.of(known, layout, hand));
   }
 
-  /** Where the hand points on the page that was shown last. */
+  /** Returns the point of the page drawn last at which the hand points. */
   private Optional<Vector2d> point() {
     Shown seen = shown;
     return seen == null ? Optional.empty() : pointer().flatMap(ray -> ray.on(seen.place));
@@ -214,7 +217,7 @@ final class QuestionGuide implements RunGuide {
 
   @Override
   public ViewerMotion motion(ViewerMotion users) {
-    return (viewer, time, dt) -> {}; // What is pressed answers.
+    return (viewer, time, dt) -> {}; // The controllers give answers and do not move the viewer.
   }
 
   @Override

@@ -24,21 +24,21 @@ import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.camera.Pixels;
 
 /**
- * A question as a page of marks, to be read in a headset: {@value #WIDTH} units wide, as high as it
- * needs. A unit is so large that the smallest letters are {@value #DEGREES} degrees high, letters
- * of the question nearly twice that.
+ * Lays out a question as a panel to be read in a headset, {@value #WIDTH} units wide and as high as
+ * its content. A unit is so large that a line of the smallest text is {@value #DEGREES} degrees
+ * high; text of the question is nearly twice as large.
  */
 final class QuestionSheet {
-  /** Of every sheet. */
+  /** The width of every sheet in units. */
   static final double WIDTH = 1000;
 
-  /** How large the smallest letters are seen, from one line to what would fit the next. */
+  /** The visual angle of a line of the smallest text. */
   static final double DEGREES = 1.25;
 
-  /** Of a picture, at most. */
+  /** The largest height of a picture in units. */
   private static final double TALLEST = 450;
 
-  /** The same above keys. */
+  /** The largest height of a picture above the keyboard in units. */
   private static final double ABOVE_KEYS = 250;
 
   private static final int PAPER = 0xF0202632;
@@ -50,24 +50,24 @@ final class QuestionSheet {
   private final ChoicePart choice;
 
   /**
-   * @param marks with the paper first
-   * @param height in units
-   * @param targets what can be chosen
+   * @param marks the drawn marks, the background first
+   * @param height height in units
+   * @param targets the buttons and options that can be chosen
    */
   record Sheet(List<Mark> marks, double height, List<SheetTarget> targets) {
-    /** What a point of it can choose. */
+    /** Returns the target at a point. */
     Optional<SheetTarget> at(double x, double y) {
       return targets.stream().filter(target -> target.has(x, y)).findFirst();
     }
 
-    /** Whether a point is on it. */
+    /** Returns whether a point is on the sheet. */
     boolean has(double x, double y) {
       return x >= 0 && x <= WIDTH && y >= 0 && y <= height;
     }
   }
 
   /**
-   * @param pictures of all pages that have one
+   * @param pictures the pictures of all pages by their files
    */
   QuestionSheet(Wording wording, Map<Path, Pixels> pictures) {
     this.wording = wording;
@@ -76,7 +76,7 @@ final class QuestionSheet {
     choice = new ChoicePart(pen, wording);
   }
 
-  /** A spot on the page where a ray meets it. */
+  /** Returns a spot that marks the point at which the pointing ray meets the page. */
   static Mark spot(double x, double y) {
     double[] corners = new double[24];
     for (int i = 0; i < 12; i++) {
@@ -86,15 +86,15 @@ final class QuestionSheet {
     return new Mark.Area(corners, SPOT);
   }
 
-  /** Metres for a unit of the page. */
+  /** Returns the size of a unit of the page in metres. */
   static double metres() {
     return PanelPlace.DISTANCE * Math.tan(Math.toRadians(DEGREES)) / SMALL;
   }
 
   /**
-   * What is asked now.
+   * Lays out the current question.
    *
-   * @param pointing whether a hand points, so that there are things to choose by that
+   * @param pointing whether a hand points, so that buttons are drawn
    */
   Sheet of(ButtonCourse asked, boolean pointing) {
     pen.begin();
@@ -131,7 +131,7 @@ final class QuestionSheet {
     return new Sheet(all, height, List.copyOf(pen.targets()));
   }
 
-  /** What turns pages and goes from question to question. */
+  /** Draws the buttons that turn pages and go from question to question. */
   private void turns(ButtonCourse asked) {
     double width = ROOM / 3;
     double height = 2 * PLAIN;
@@ -179,7 +179,7 @@ final class QuestionSheet {
             : wording.of("headset.several"));
   }
 
-  /** A picture in the middle, as wide and high as there is room. */
+  /** Draws a centred picture as large as the space allows. */
   private void picture(Pixels picture, boolean aboveKeys) {
     double tallest = aboveKeys ? ABOVE_KEYS : TALLEST;
     double scale = Math.min(ROOM / picture.width(), tallest / picture.height());

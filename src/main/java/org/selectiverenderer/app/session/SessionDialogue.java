@@ -6,7 +6,10 @@ import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 
-/** What is asked of participant and experimenter: in windows, or for tests of nobody. */
+/**
+ * The user interface of a session towards participant and experimenter: in windows, or simulated
+ * for tests.
+ */
 public interface SessionDialogue extends AutoCloseable {
   /** Gives the experimenter the controls. */
   void open(OperatorControls controls);
@@ -20,14 +23,14 @@ public interface SessionDialogue extends AutoCloseable {
   Optional<String> form(Session session, OperatorControls controls) throws IOException;
 
   /**
-   * Asks the questions of a step until all are answered, each answer told to the session.
+   * Asks the questions of a step until all are answered; each answer is passed to the session.
    *
-   * @return whether they are; else the experimenter has ended the session
+   * @return whether all are answered; otherwise the experimenter has ended the session
    */
   boolean questions(Session session, SessionStep.Questions step, OperatorControls controls)
       throws IOException;
 
-  /** All is done. */
+  /** Thanks the participant at the end of the session. */
   void thanks(Session session);
 
   @Override

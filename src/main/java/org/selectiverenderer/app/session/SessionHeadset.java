@@ -24,7 +24,7 @@ public final class SessionHeadset {
     HeadsetLink find(HeadsetShown shown) throws IOException;
   }
 
-  /** Shown so in all scenes. */
+  /** Creates the headset of a session with the settings for all its scenes. */
   public SessionHeadset(HeadsetShown shown) {
     this(shown, HeadsetLink::find);
   }
@@ -35,9 +35,9 @@ public final class SessionHeadset {
   }
 
   /**
-   * Sees to it that there is a headset, before anything begins.
+   * Checks that a headset is available, before the session begins.
    *
-   * @return what was found, in a sentence
+   * @return a description of the headset
    * @throws IOException with a sentence that says what is missing and what to do
    */
   public String require() throws IOException {
@@ -46,7 +46,7 @@ public final class SessionHeadset {
     }
   }
 
-  /** Its tracker: the same for all scenes, opened once. */
+  /** Creates the tracker of the headset: the same for all scenes, opened once. */
   public HeadTracker tracker(TrackerListener hears) {
     HandedTracker made =
         new HandedTracker(

@@ -12,9 +12,9 @@ import org.selectiverenderer.experiment.session.OperatorControls;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 
-/** Runs what is left of a session, step by step. */
+/** Runs the remaining steps of a session. */
 public final class SessionRunner {
-  /** How a session ended. */
+  /** The outcome of a session. */
   public enum Outcome {
     FINISHED,
     ABORTED,
@@ -29,7 +29,7 @@ public final class SessionRunner {
   private final Consumer<String> message;
   private final Optional<SessionHeadset> headset;
 
-  /** The same without a headset. */
+  /** Creates a runner without a headset. */
   public SessionRunner(
       Session session,
       SessionDialogue dialogue,
@@ -42,8 +42,8 @@ public final class SessionRunner {
   /**
    * @param settings how scenes are shown
    * @param tracker opened when a scene is first shown, unless it is open; stays open
-   * @param headset that they are shown in; empty for other displays
-   * @param message hears what is not as asked for, a line at a time
+   * @param headset the headset in which they are shown; empty for other displays
+   * @param message receives messages about a display that is not available as requested
    */
   public SessionRunner(
       Session session,
@@ -62,7 +62,7 @@ public final class SessionRunner {
   }
 
   /**
-   * Runs it.
+   * Runs the remaining steps.
    *
    * @throws IOException if something cannot be shown or written; what is finished is kept
    * @throws InterruptedException if the thread is interrupted
@@ -92,7 +92,7 @@ public final class SessionRunner {
         }
       } else {
         show();
-        // A window that was closed ends the session, as if the experimenter had.
+        // Closing a window ends the session, as the experimenter's abort does.
         if (session.remaining().contains(step) || shown.wanted()) {
           controls.abort();
         }

@@ -8,13 +8,13 @@ import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
- * How a session's scenes are shown.
+ * The display settings of a session's scenes.
  *
- * @param presentation to one eye or two, and on what
+ * @param presentation display mode and stereo geometry
  * @param tracking how the tracker's angles are taken
  * @param operator whether there is a window with what the participant sees
- * @param stage what the operator has and sees
- * @param listener hears what is wrong with a scene
+ * @param stage the monitors and the view of the operator
+ * @param listener receives the problems of a scene
  */
 public record SessionShow(
     Presentation presentation,
@@ -22,12 +22,15 @@ public record SessionShow(
     boolean operator,
     SessionStage stage,
     RunListener listener) {
-  /** The same with another listener. */
+  /** Returns the same settings with another listener. */
   public SessionShow heardBy(RunListener other) {
     return new SessionShow(presentation, tracking, operator, stage, other);
   }
 
-  /** How a tracker is taken: while it is silent the picture stays as it is. A headset is one. */
+  /**
+   * Returns the settings of the tracker: while it is silent the picture freezes. A headset is its
+   * own tracker.
+   */
   public TrackerSettings tracker(TrackerSpec spec) {
     return new TrackerSettings(
         presentation.headset().isPresent() ? new TrackerSpec.Headset() : spec,

@@ -9,39 +9,39 @@ import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.runtime.render.window.Monitor;
 
 /**
- * What the operator of a session has and sees.
+ * The monitors of a session's operator and participant, and what the operator may see.
  *
- * @param monitor of the operator; empty for wherever the desktop puts windows
- * @param reading the monitor of what the participant reads and answers; empty for wherever the
- *     desktop puts windows. Where each eye has a monitor, these are inside the display that the
- *     participant has taken off, and it is the operator's
- * @param pointerKept whether the pointer is kept in the participant's window while something is
+ * @param monitor the monitor of the operator; empty for wherever the desktop puts windows
+ * @param reading the monitor on which the participant reads and answers questions; empty for
+ *     wherever the desktop puts windows. Where each eye has a monitor of its own, both are inside
+ *     the display that the participant has taken off, so it is the operator's
+ * @param pointerKept whether the pointer is confined to the participant's window while a scene is
  *     shown
- * @param blind whether the operator's windows keep the condition to themselves
+ * @param blind whether the condition is hidden in the operator's windows
  */
 public record SessionStage(
     Optional<Monitor> monitor, Optional<Monitor> reading, boolean pointerKept, boolean blind) {
-  /** On a desk: one monitor, which everybody sees. */
+  /** The settings for a desktop with one monitor, which everybody sees. */
   public static final SessionStage DESK =
       new SessionStage(Optional.empty(), Optional.empty(), false, true);
 
   /**
-   * Whether the operator's view has a place: on the only monitor it would lie over the picture of
-   * the participant.
+   * Returns whether the operator's view fits: on a single monitor it would cover the participant's
+   * picture.
    */
   public static boolean viewFits(List<Monitor> monitors) {
     return monitors.size() > 1;
   }
 
   /**
-   * As a study wants it on a desktop.
+   * Creates the settings that a study asks for, on the monitors of a desktop.
    *
    * @param wantedMonitor number or name of the operator's monitor instead of the study's
-   * @param open whether the operator may know the condition, whatever the study says
+   * @param open whether the operator may see the condition although the study is blind
    * @param monitors all of the desktop
-   * @param message hears what is not as asked for
-   * @throws IllegalArgumentException with a sentence when the operator's monitor is not there, or
-   *     an eye's
+   * @param message receives messages about monitors that are not available as requested
+   * @throws IllegalArgumentException with a sentence when the operator's monitor does not exist or
+   *     is used for an eye
    */
   public static SessionStage of(
       Study study,

@@ -7,14 +7,17 @@ import org.selectiverenderer.geometry.font.FontStyle;
 import org.selectiverenderer.geometry.tessellate.TextMesher;
 import org.selectiverenderer.runtime.camera.Mark;
 
-/** Writes and draws on a sheet from its upper end down, and notes what of it can be chosen. */
+/**
+ * Lays out text and boxes on a panel from top to bottom, and collects the targets that can be
+ * chosen.
+ */
 final class SheetPen {
   static final double SMALL = 27;
   static final double PLAIN = 36;
   static final double LARGE = 46;
   static final double MARGIN = 50;
 
-  /** From one line to the next, in sizes of its letters. */
+  /** The line spacing as a multiple of the font size. */
   static final double LINE = 1.35;
 
   static final int INK = 0xFFF0F3F8;
@@ -24,7 +27,7 @@ final class SheetPen {
   private static final int BOX = 0xFF3A4456;
   private static final int MARKED = 0xFF2E6FD8;
 
-  /** Of the sheet, between its margins. */
+  /** The width of the sheet between its margins. */
   static final double ROOM = QuestionSheet.WIDTH - 2 * MARGIN;
 
   private final TextMesher mesher = new TextMesher();
@@ -32,24 +35,24 @@ final class SheetPen {
   private final List<SheetTarget> targets = new ArrayList<>();
   private double y;
 
-  /** Begins a new sheet. */
+  /** Starts a new sheet. */
   void begin() {
     marks.clear();
     targets.clear();
     y = MARGIN;
   }
 
-  /** How far down it is. */
+  /** Returns the current vertical position. */
   double y() {
     return y;
   }
 
-  /** Goes down. */
+  /** Moves the position down. */
   void skip(double units) {
     y += units;
   }
 
-  /** Goes down to there, if it is not there yet. */
+  /** Moves the position down to a point, unless it is below already. */
   void reach(double down) {
     y = Math.max(y, down);
   }
@@ -66,20 +69,20 @@ final class SheetPen {
     return targets;
   }
 
-  /** A box that can be chosen, below what there is. */
+  /** Draws a box that can be chosen at the current position. */
   void box(double x, double width, double height, boolean on, Runnable choose) {
     targets.add(new SheetTarget(x, y, width, height, choose));
     marks.add(Mark.rectangle(x, y, width, height, on ? MARKED : BOX));
   }
 
-  /** A line in the middle of a box, made smaller where it would not fit. */
+  /** Draws a centred line in a box, in a smaller font where it would not fit. */
   void label(String label, double x, double width, double most) {
     double size = Math.min(most, most * (width - SMALL / 2) / Math.max(1, width(label, most)));
     marks.add(
         new Mark.Text(label, x + (width - width(label, size)) / 2, y + 1.35 * PLAIN, size, INK));
   }
 
-  /** Lines below what there is; nothing where it is blank. */
+  /** Draws wrapped text at the current position; nothing if it is blank. */
   void text(String text, double size, int color) {
     if (text.isBlank()) {
       return;
@@ -91,9 +94,9 @@ final class SheetPen {
   }
 
   /**
-   * Lines one below the other inside a box.
+   * Draws lines inside a box.
    *
-   * @return how high the box is to be
+   * @return the height of the box
    */
   double boxed(List<String> lines) {
     double base = y + PLAIN * 1.15;
@@ -104,7 +107,7 @@ final class SheetPen {
     return heightOf(lines);
   }
 
-  /** How high a box around lines is. */
+  /** Returns the height of a box around lines. */
   static double heightOf(List<String> lines) {
     return lines.size() * PLAIN * LINE + PLAIN / 2;
   }
@@ -113,7 +116,7 @@ final class SheetPen {
     return mesher.metrics(text, FontFamily.SANS, FontStyle.PLAIN, (float) size).width();
   }
 
-  /** Lines of whole words. */
+  /** Wraps text at word boundaries. */
   List<String> wrapped(String text, double size, double room) {
     List<String> lines = new ArrayList<>();
     StringBuilder line = new StringBuilder();

@@ -4,11 +4,11 @@ import java.util.List;
 import org.selectiverenderer.runtime.camera.Mark;
 
 /**
- * Something that can be chosen by pointing at it.
+ * A rectangle of a panel that can be chosen by pointing at it.
  *
- * @param x of its left side
- * @param y of its upper side
- * @param choose what is done when it is chosen
+ * @param x left side
+ * @param y upper side
+ * @param choose executed when the target is chosen
  */
 record SheetTarget(double x, double y, double width, double height, Runnable choose) {
   private static final int LIGHT = 0x30FFFFFF;
@@ -17,7 +17,7 @@ record SheetTarget(double x, double y, double width, double height, Runnable cho
     return pointX >= x && pointX <= x + width && pointY >= y && pointY <= y + height;
   }
 
-  /** What is drawn over it while it is pointed at. */
+  /** Returns the highlight that is drawn over the target while it is pointed at. */
   List<Mark> lit() {
     return List.of(
         Mark.rectangle(x, y, width, height, LIGHT),

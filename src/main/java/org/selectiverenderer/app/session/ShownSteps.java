@@ -35,9 +35,9 @@ import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.hmd.Presentation;
 import org.selectiverenderer.openxr.HeadsetNews;
 
-/** The steps of a session that show a scene, as runs of one chain of windows. */
+/** Provides the steps of a session that show a scene as the runs of one {@link WindowChain}. */
 final class ShownSteps implements WindowChain.Runs {
-  /** Seconds that an unattended practice takes. */
+  /** The length of an unattended practice in seconds. */
   private static final double UNATTENDED_PRACTICE = 2;
 
   private final Session session;
@@ -57,13 +57,16 @@ final class ShownSteps implements WindowChain.Runs {
     return session.remaining().stream().findFirst().filter(this::shows);
   }
 
-  /** Whether it is shown in the windows of the chain: a scene, or questions inside the headset. */
+  /**
+   * Returns whether a step is shown in the windows of the chain: a scene, or questions inside the
+   * headset.
+   */
   boolean shows(SessionStep step) {
     return step.shows()
         || show.presentation().headset().isPresent() && session.material().insideHeadset(step);
   }
 
-  /** Whether there is a scene to be shown next. */
+  /** Returns whether the next step is shown in the windows of the chain. */
   boolean wanted() {
     return upcoming().isPresent();
   }
@@ -152,7 +155,7 @@ final class ShownSteps implements WindowChain.Runs {
         .with(show.tracker(session.tracker()), log);
   }
 
-  /** The seed of the random condition: each participant has a lot of his own, always the same. */
+  /** Returns the seed of the random condition, which is fixed for each participant. */
   private long lot() {
     return session.material().study().seed() * 31 + session.folder().participant().hashCode();
   }
@@ -164,7 +167,7 @@ final class ShownSteps implements WindowChain.Runs {
       public void problem(Problem problem) {
         session.journal().tell("problem", Map.of("step", step.id(), "text", problem.toString()));
         if (log.filter(file -> problem.location().file().equals(file.toString())).isPresent()) {
-          brokenLogs.add(step.id()); // The log's thread says so before the log is closed.
+          brokenLogs.add(step.id()); // The log's thread reports this before the log is closed.
         }
         show.listener().problem(problem);
       }

@@ -12,7 +12,7 @@ import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 import org.selectiverenderer.experiment.session.SimulatedParticipant;
 
-/** Nobody sits there: a simulated participant answers at once. */
+/** The user interface of an unattended session: a simulated participant answers at once. */
 public final class SimulatedDialogue implements SessionDialogue {
   @Override
   public void open(OperatorControls controls) {

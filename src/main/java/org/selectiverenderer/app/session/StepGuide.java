@@ -23,11 +23,12 @@ import org.selectiverenderer.runtime.viewer.ViewerMotion;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
- * Leads practice or an exposure: from its viewpoint, for its time or until the experimenter goes
- * on. The picture comes before the exposure's clock starts and goes after it has ended.
+ * Controls the run of a practice or an exposure: it starts at the step's viewpoint and lasts for
+ * its time or until the experimenter continues. The picture fades in before the exposure's time
+ * starts and fades out after it has ended.
  */
 final class StepGuide implements RunGuide {
-  /** Radians per second at which a simulated participant turns: once round in 20 s. */
+  /** The angular speed of a simulated participant in radians per second: one turn in 20 s. */
   private static final double TURN = 2 * Math.PI / 20;
 
   private final Session session;
@@ -45,9 +46,9 @@ final class StepGuide implements RunGuide {
   private boolean exposed;
 
   /**
-   * @param exposure seconds; empty until the experimenter goes on
-   * @param stage what the operator has and sees
-   * @param problem hears where the participant cannot be kept where the study wants it
+   * @param exposure length of the exposure in seconds; empty for until the experimenter continues
+   * @param stage the monitors and the view of the operator
+   * @param problem receives a warning when the participant cannot be confined as the study asks
    */
   StepGuide(
       Session session,
@@ -70,7 +71,7 @@ final class StepGuide implements RunGuide {
   @Override
   public void opened(Walkthrough opened) {
     walk = opened;
-    controls.takeGoOn(); // Asked for before there was anything to go on from.
+    controls.takeGoOn(); // Discards a request from before the step began.
     opened.world().views().viewpoints().stream()
         .filter(node -> viewpoint.equals(node.name()))
         .findFirst()
@@ -90,7 +91,7 @@ final class StepGuide implements RunGuide {
         : moving;
   }
 
-  /** Keeps the participant where the study wants it during an exposure. */
+  /** Confines the participant during an exposure as the study asks. */
   private ViewerMotion kept(Walkthrough scene, Study.Area area, ViewerMotion moving) {
     Study study = session.material().study();
     Stay stay = study.stay(area);
@@ -107,7 +108,7 @@ final class StepGuide implements RunGuide {
               + "; the participant can walk out of the area");
     }
     if (study.course().closed() && !enclosure.addRoom()) {
-      tell(area, "the viewpoint is in no room that could be closed");
+      tell(area, "the viewpoint is in no room, so the room cannot be closed");
     }
     return enclosure.around(moving);
   }
@@ -146,7 +147,7 @@ final class StepGuide implements RunGuide {
 
   @Override
   public void operatorKey(KeyboardKey key, boolean participants) {
-    // Who has a pointer of his own need not press keys that the participant might touch.
+    // Where the operator has the pointer, keys pressed by the participant are ignored.
     if (participants && !stage.pointerKept()) {
       return;
     }
@@ -154,7 +155,7 @@ final class StepGuide implements RunGuide {
       case F8 -> controls.pause(!controls.paused());
       case F9 -> controls.goOn();
       default -> {
-        // The others say nothing to the operator.
+        // Other keys have no meaning for the operator.
       }
     }
   }
@@ -176,8 +177,8 @@ final class StepGuide implements RunGuide {
 
   @Override
   public boolean over(double seconds) {
-    // The first frame takes long, as all goes to the graphics card then: were it part of the fade,
-    // the picture would come at once.
+    // The first frame is slow because the scene is uploaded to the GPU; as a part of the fade it
+    // would make the picture appear at once.
     if (++frames <= 2) {
       begun = seconds;
       ending = begun + fade + exposure.orElse(Double.POSITIVE_INFINITY);
@@ -208,7 +209,7 @@ final class StepGuide implements RunGuide {
     return !controls.askAbort();
   }
 
-  /** Seconds of the exposure that are over at a time of the run. */
+  /** Returns the elapsed seconds of the exposure at a time of the run. */
   double exposed(double seconds) {
     return Math.max(0, Math.min(seconds, ending) - begun - fade);
   }

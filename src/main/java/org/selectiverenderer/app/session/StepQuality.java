@@ -17,21 +17,24 @@ import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.experiment.study.StudyQuality;
 import org.selectiverenderer.openxr.HeadsetNews;
 
-/** Flags a session whose exposure was not shown as the study asks for, by the run's figures. */
+/**
+ * Flags a session whose exposure did not meet the quality limits of the study, by the measurements
+ * of the run and the events of the headset.
+ */
 final class StepQuality {
   private final Session session;
   private final Consumer<Problem> told;
   private final Set<String> said = new HashSet<>();
 
   /**
-   * @param told hears of the flags, for the experimenter; of what is so in all steps once
+   * @param told receives a message for the experimenter about each flag; the same message only once
    */
   StepQuality(Session session, Consumer<Problem> told) {
     this.session = session;
     this.told = told;
   }
 
-  /** A run of a step was shown to its end; called before the step is finished. */
+  /** Checks the measurements of a run; to be called before its step is finished. */
   void check(SessionStep step, RunFigures figures) {
     if (!(step instanceof SessionStep.Exposure)) {
       return;
@@ -56,7 +59,7 @@ final class StepQuality {
     }
   }
 
-  /** Something became of the headset while a step was shown. */
+  /** Checks an event of the headset during a step. */
   void check(SessionStep step, HeadsetNews news) {
     boolean gone = news.kind() == HeadsetNews.Kind.AWAY || news.kind() == HeadsetNews.Kind.LOST;
     if (gone && step instanceof SessionStep.Exposure) {
@@ -66,9 +69,9 @@ final class StepQuality {
   }
 
   /**
-   * Flags the session and says so.
+   * Flags the session in its journal and tells the experimenter.
    *
-   * @param why for people
+   * @param why the reason as text
    */
   void flag(SessionFlag flag, SessionStep step, Map<String, ?> more, String why) {
     Map<String, Object> members = new LinkedHashMap<>();

@@ -14,7 +14,10 @@ import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
 import org.selectiverenderer.experiment.session.Session;
 import org.selectiverenderer.experiment.session.SessionStep;
 
-/** Tells a session what is answered, and whether a disk failed meanwhile. */
+/**
+ * Records the answers of a questionnaire in the session's journal, and remembers a failure to
+ * write.
+ */
 final class ToldAnswers implements QuestionnaireCourse.Listener {
   private final Session session;
   private final SessionStep step;
@@ -42,20 +45,20 @@ final class ToldAnswers implements QuestionnaireCourse.Listener {
     }
   }
 
-  /** All answers, by the questions' ids. */
+  /** Returns all answers, keyed by the ids of the questions. */
   Map<String, Answer> all() {
     return Map.copyOf(answers);
   }
 
-  /** Whether an answer could not be kept; then nothing more need be asked. */
+  /** Returns whether an answer could not be written; then no more questions need be asked. */
   boolean failed() {
     return failure.get() != null;
   }
 
   /**
-   * Tells of a failure.
+   * Throws the failure to write an answer, if there was one.
    *
-   * @throws IOException if an answer could not be kept
+   * @throws IOException if an answer could not be written
    */
   void check() throws IOException {
     IOException failed = failure.get();

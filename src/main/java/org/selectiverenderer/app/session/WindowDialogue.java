@@ -16,7 +16,7 @@ import org.selectiverenderer.experiment.window.SessionEnd;
 import org.selectiverenderer.experiment.window.ThanksWindow;
 import org.selectiverenderer.runtime.render.window.Monitor;
 
-/** Participant and experimenter sit before windows. */
+/** The user interface of a session in Swing windows. */
 public final class WindowDialogue implements SessionDialogue {
   private final Wording wording;
   private final DesktopPlace desk;
@@ -24,7 +24,7 @@ public final class WindowDialogue implements SessionDialogue {
   private @Nullable ControlWindow control;
 
   /**
-   * @param stage says on which monitors the windows open
+   * @param stage the monitors on which the windows open
    */
   public WindowDialogue(Wording wording, SessionStage stage) {
     this.wording = wording;
@@ -62,8 +62,7 @@ public final class WindowDialogue implements SessionDialogue {
   /**
    * Asks page by page.
    *
-   * @return whether all is answered; else the session has ended, or the participant does not take
-   *     part
+   * @return whether all is answered; otherwise the session has ended or the participant has refused
    */
   private boolean ask(
       Session session,

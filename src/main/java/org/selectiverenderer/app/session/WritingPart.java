@@ -11,9 +11,9 @@ import org.selectiverenderer.experiment.questionnaire.ButtonCourse;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.runtime.camera.Mark;
 
-/** The part of a sheet on which something is written, with the keys for one who points. */
+/** Draws a text field on a panel, with a virtual keyboard for users who point. */
 final class WritingPart {
-  /** Of what is written, that are seen. */
+  /** The number of visible lines of the text. */
   private static final int LINES = 4;
 
   private static final int FIELD = 0xFF11161F;
@@ -26,7 +26,7 @@ final class WritingPart {
     keyboard = new PanelKeyboard(wording);
   }
 
-  /** What is written so far, its end where it is long, and the keys. */
+  /** Draws the text written so far (its last lines where it is long) and the keyboard. */
   void draw(ButtonCourse asked, boolean pointing) {
     List<String> lines = pen.wrapped(asked.written() + "_", PLAIN, ROOM - MARGIN);
     List<String> end = lines.subList(Math.max(0, lines.size() - LINES), lines.size());
@@ -39,7 +39,7 @@ final class WritingPart {
     }
   }
 
-  /** What number is wanted, below the field. */
+  /** Draws the range and unit of a number below the field. */
   private void range(AnswerField.Line line) {
     String wanted = line.range().orElseThrow().dashed();
     pen.text(line.unit().isEmpty() ? wanted : wanted + " " + line.unit(), SMALL, SheetPen.FAINT);

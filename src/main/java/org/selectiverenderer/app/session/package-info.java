@@ -2,22 +2,22 @@
  * A participant's session with real windows: the steps that {@code experiment.session} knows, each
  * shown by the same run loop as {@code run} shows a scene.
  *
- * <p>{@link org.selectiverenderer.app.run.WindowChain} makes one run after the other in windows
+ * <p>{@link org.selectiverenderer.app.run.WindowChain} shows one run after the other in windows
  * that stay open. A session's exposure is a run with a {@link
  * org.selectiverenderer.app.run.RunGuide}, which decides when it ends, how dark the picture is and
- * what the operator reads. JOGL begins while Java is headless, then Swing is let in: the two keep X
- * connections of their own.
+ * what the operator's window shows. JOGL starts while AWT is headless, and Swing is allowed
+ * afterwards, because each uses its own X connection.
  *
  * <p>With a headset, questions may be a run of the same chain: {@link
- * org.selectiverenderer.app.session.QuestionGuide} lets buttons answer and gives what is to be
- * read, which {@link org.selectiverenderer.app.session.QuestionSheet} lays out. Where the
- * participant is in them is {@code experiment.questionnaire}'s, for windows and headset alike.
+ * org.selectiverenderer.app.session.QuestionGuide} turns presses of buttons into answers, and
+ * {@link org.selectiverenderer.app.session.QuestionSheet} lays out the text. The participant's
+ * progress is kept by {@code experiment.questionnaire}, for windows and headset alike.
  *
  * <p>In: a {@link org.selectiverenderer.experiment.session.Session} begun or resumed, and a {@link
  * org.selectiverenderer.app.session.SessionDialogue}, which asks participant and experimenter. Out:
- * the session's files, and how it ended. Uses {@code app.run} with its settings and figures, {@code
- * app.head}, {@code experiment}, {@code hmd}, {@code control}, {@code tracker}, {@code runtime} and
- * {@code base}; Swing is behind the dialogue.
+ * the session's files, and how it ended. Uses {@code app.run} with its settings and measurements,
+ * {@code app.head}, {@code experiment}, {@code hmd}, {@code control}, {@code tracker}, {@code
+ * runtime} and {@code base}; Swing is behind the dialogue.
  */
 @NullMarked
 package org.selectiverenderer.app.session;

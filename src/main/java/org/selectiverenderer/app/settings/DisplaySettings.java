@@ -11,16 +11,16 @@ import org.selectiverenderer.runtime.render.Shading;
 import org.selectiverenderer.runtime.render.window.Monitor;
 
 /**
- * On what a scene is shown.
+ * The display on which a scene is shown, and how it is drawn.
  *
- * @param presentation to one eye or two, and on what
- * @param width of the picture in pixels
- * @param height of the picture in pixels
- * @param sized whether the size was asked for; else it is what suits the presentation
- * @param samples per pixel for anti-aliasing, 0 for none; empty for what suits the machine
+ * @param presentation display mode and stereo geometry
+ * @param width width of the picture in pixels
+ * @param height height of the picture in pixels
+ * @param sized whether the user chose the size; otherwise it is the presentation's default
+ * @param samples samples per pixel for anti-aliasing, 0 for none; empty for the machine's default
  * @param style how the scene is drawn
- * @param operator whether there is a window for whoever runs the session
- * @param operatorMonitor on which it opens; empty for one that no eye uses
+ * @param operator whether the operator of a session has a window
+ * @param operatorMonitor monitor of the operator's window; empty for one that no eye uses
  */
 public record DisplaySettings(
     Presentation presentation,
@@ -31,7 +31,7 @@ public record DisplaySettings(
     DrawStyle style,
     boolean operator,
     Optional<Monitor> operatorMonitor) {
-  /** A window on a desk. */
+  /** A window on a desktop monitor. */
   public static final DisplaySettings WINDOW =
       of(
           new Presentation(
@@ -39,7 +39,7 @@ public record DisplaySettings(
               new EyeGeometry(DisplayProfile.DESK, EyeGeometry.MEAN_IPD / 1000),
               false));
 
-  /** A presentation in the size that suits it. */
+  /** Creates the settings of a presentation in its default size. */
   public static DisplaySettings of(Presentation presentation) {
     return new DisplaySettings(
         presentation,
@@ -52,48 +52,48 @@ public record DisplaySettings(
         Optional.empty());
   }
 
-  /** In a size that was asked for. */
+  /** Returns these settings with a size chosen by the user. */
   public DisplaySettings sized(int wantedWidth, int wantedHeight) {
     return new DisplaySettings(
         presentation, wantedWidth, wantedHeight, true, samples, style, operator, operatorMonitor);
   }
 
-  /** With so many samples per pixel. */
+  /** Returns these settings with another number of samples per pixel. */
   public DisplaySettings samples(OptionalInt wanted) {
     return new DisplaySettings(
         presentation, width, height, sized, wanted, style, operator, operatorMonitor);
   }
 
-  /** Where light is computed. */
+  /** Returns whether light is computed per pixel or per vertex. */
   public Shading shading() {
     return style.shading();
   }
 
-  /** Drawn in another way. */
+  /** Returns these settings with another drawing style. */
   public DisplaySettings style(DrawStyle wanted) {
     return new DisplaySettings(
         presentation, width, height, sized, samples, wanted, operator, operatorMonitor);
   }
 
-  /** With a window for the operator or without. */
+  /** Returns these settings with or without a window for the operator. */
   public DisplaySettings operator(boolean wanted) {
     return new DisplaySettings(
         presentation, width, height, sized, samples, style, wanted, operatorMonitor);
   }
 
-  /** With the operator's window on a monitor. */
+  /** Returns these settings with the operator's window on a given monitor. */
   public DisplaySettings operatorOn(Optional<Monitor> wanted) {
     return new DisplaySettings(
         presentation, width, height, sized, samples, style, operator, wanted);
   }
 
-  /** Of the size that a monitor turned out to have. */
+  /** Returns these settings with the real size of a monitor. */
   public DisplaySettings filling(int foundWidth, int foundHeight) {
     return new DisplaySettings(
         presentation, foundWidth, foundHeight, sized, samples, style, operator, operatorMonitor);
   }
 
-  /** Shown in another way; the size stays if it was asked for. */
+  /** Returns these settings with another presentation; a size chosen by the user stays. */
   public DisplaySettings as(Presentation other) {
     DisplaySettings suited =
         of(other).samples(samples).style(style).operator(operator).operatorOn(operatorMonitor);

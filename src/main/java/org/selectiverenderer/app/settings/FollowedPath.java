@@ -6,19 +6,19 @@ import org.selectiverenderer.runtime.viewer.CameraPath;
 /**
  * A recorded path that the viewer follows.
  *
- * @param rate frames per second of the path's time; empty for frames that are the path's own rows,
- *     as those of a session played again
+ * @param rate frames per second of the path's time; empty for one frame per row of the path, as in
+ *     the replay of a session
  */
 public record FollowedPath(CameraPath path, OptionalDouble rate) {
-  /** Frames per second of a path that {@code run} follows. */
+  /** The frame rate of a path that the command {@code run} follows, in frames per second. */
   public static final double RATE = 60;
 
-  /** Frames at equal distances. */
+  /** Creates a path with frames at a fixed rate. */
   public static FollowedPath at(double rate, CameraPath path) {
     return new FollowedPath(path, OptionalDouble.of(rate));
   }
 
-  /** The frames of a session that was recorded. */
+  /** Creates a path with one frame per row, for a recorded session. */
   public static FollowedPath rows(CameraPath path) {
     return new FollowedPath(path, OptionalDouble.empty());
   }

@@ -3,17 +3,17 @@ package org.selectiverenderer.app.settings;
 import java.nio.file.Path;
 
 /**
- * What is recorded of the head.
+ * The settings of a head log.
  *
- * @param file of the head log
- * @param coneDegrees width of the cone in which the log names objects
- * @param replace whether a log that is there already may be replaced
+ * @param file file of the head log
+ * @param coneDegrees width of the gaze cone in which the log lists objects
+ * @param replace whether an existing log may be replaced
  */
 public record HeadLogSettings(Path file, double coneDegrees, boolean replace) {
-  /** Degrees: about what an eye that rests looks over without turning. */
+  /** The default width of the gaze cone in degrees, about the field that a resting eye surveys. */
   public static final double CONE = 10;
 
-  /** A log that must not be there yet, with the usual cone. */
+  /** Creates the settings of a log that must not exist yet, with the default cone. */
   public HeadLogSettings(Path file) {
     this(file, CONE, false);
   }

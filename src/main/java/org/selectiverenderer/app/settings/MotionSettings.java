@@ -4,34 +4,37 @@ import java.util.Optional;
 import org.selectiverenderer.runtime.walk.MouseMapping;
 
 /**
- * What moves the viewer.
+ * The settings of the viewer's motion.
  *
  * @param mouse what the mouse buttons do
- * @param path that the viewer follows; empty when the user walks
- * @param viewpoint at which it begins, by its name or description; empty for the scene's first
- * @param collisions whether walls hold the user up at first
+ * @param path the path that the viewer follows; empty when the user navigates
+ * @param viewpoint the initial viewpoint by its name or description; empty for the scene's first
+ * @param collisions whether collision detection is on at first
  */
 public record MotionSettings(
     MouseMapping mouse,
     Optional<FollowedPath> path,
     Optional<String> viewpoint,
     boolean collisions) {
-  /** From the first viewpoint of the scene, held up by walls. */
+  /**
+   * Creates the settings of a motion from the first viewpoint of the scene with collision
+   * detection.
+   */
   public MotionSettings(MouseMapping mouse, Optional<FollowedPath> path) {
     this(mouse, path, Optional.empty(), true);
   }
 
-  /** From another viewpoint. */
+  /** Returns these settings with another initial viewpoint. */
   public MotionSettings from(Optional<String> start) {
     return new MotionSettings(mouse, path, start, collisions);
   }
 
-  /** The user walks. */
+  /** Creates the settings of a motion that the user controls. */
   public static MotionSettings walking(MouseMapping mouse) {
     return new MotionSettings(mouse, Optional.empty());
   }
 
-  /** A path is followed. */
+  /** Creates the settings of a motion along a path. */
   public static MotionSettings following(FollowedPath path) {
     return new MotionSettings(MouseMapping.WALK, Optional.of(path));
   }

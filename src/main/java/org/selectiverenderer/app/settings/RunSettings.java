@@ -8,13 +8,12 @@ import org.selectiverenderer.runtime.walk.MouseMapping;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
- * What a run shows and for how long: a scene that is walked through in a window, and what differs
- * from that.
+ * The settings of a run: scene, motion, display, tracker, head log and duration.
  *
- * @param motion what moves the viewer
- * @param display on what it is shown
+ * @param motion the viewer's motion
+ * @param display the display and drawing style
  * @param tracker where the head's orientation comes from
- * @param log what is recorded of the head; empty for nothing
+ * @param log the head log; empty for none
  * @param duration seconds after which the run ends by itself
  */
 public record RunSettings(
@@ -24,7 +23,10 @@ public record RunSettings(
     TrackerSettings tracker,
     Optional<HeadLogSettings> log,
     OptionalDouble duration) {
-  /** A scene that the user walks through in a window, until he closes it. */
+  /**
+   * Creates the settings of a run in a window, in which the user navigates until the window is
+   * closed.
+   */
   public RunSettings(Path scene, SelectiveController.Settings rendering) {
     this(
         new SceneSettings(scene, rendering, ContentAccess.none(), false),
@@ -35,7 +37,7 @@ public record RunSettings(
         OptionalDouble.empty());
   }
 
-  /** Of a scene that may name more than its own files. */
+  /** Returns these settings with another permission to load files and URLs. */
   public RunSettings allowing(ContentAccess access) {
     return new RunSettings(
         new SceneSettings(scene.file(), scene.rendering(), access, scene.muted()),
@@ -46,7 +48,7 @@ public record RunSettings(
         duration);
   }
 
-  /** Whose sounds are heard, or not. */
+  /** Returns these settings with or without sound. */
   public RunSettings muted(boolean silent) {
     return new RunSettings(
         new SceneSettings(scene.file(), scene.rendering(), scene.access(), silent),
@@ -65,12 +67,12 @@ public record RunSettings(
     return new RunSettings(scene, motion, shown, tracker, log, duration);
   }
 
-  /** With a tracker, and what is recorded of the head. */
+  /** Returns these settings with a tracker and a head log. */
   public RunSettings with(TrackerSettings tracking, Optional<HeadLogSettings> recorded) {
     return new RunSettings(scene, motion, display, tracking, recorded, duration);
   }
 
-  /** That ends by itself. */
+  /** Returns these settings with a duration. */
   public RunSettings lasting(OptionalDouble seconds) {
     return new RunSettings(scene, motion, display, tracker, log, seconds);
   }

@@ -5,12 +5,12 @@ import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
- * What is shown.
+ * The scene of a run and how it is loaded.
  *
- * @param file of the scene
- * @param rendering the condition and its lot
- * @param access what the scene may name besides its own files
- * @param muted whether its sounds are not heard
+ * @param file file of the scene
+ * @param rendering the condition and its random seed
+ * @param access the files and URLs that the scene may load besides those in its folder
+ * @param muted whether its sounds are off
  */
 public record SceneSettings(
     Path file, SelectiveController.Settings rendering, ContentAccess access, boolean muted) {}

@@ -5,16 +5,16 @@ import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
- * Where the head's orientation and place come from.
+ * The settings of the head tracker.
  *
- * @param spec which tracker
+ * @param spec the tracker
  * @param options how the tracker's angles are taken
  * @param whenLost what turns the view while the tracker is silent
- * @param placed whether the place of the head is used, where the tracker tells it
+ * @param placed whether the position of the head is used, where the tracker reports it
  */
 public record TrackerSettings(
     TrackerSpec spec, TrackerOptions options, WhenLost whenLost, boolean placed) {
-  /** Which only turns the head. */
+  /** Creates the settings of a tracker of which only the orientation is used. */
   public TrackerSettings(TrackerSpec spec, TrackerOptions options, WhenLost whenLost) {
     this(spec, options, whenLost, false);
   }
@@ -23,7 +23,7 @@ public record TrackerSettings(
   public static final TrackerSettings NONE =
       new TrackerSettings(new TrackerSpec.None(), TrackerOptions.NONE, WhenLost.FREEZE);
 
-  /** Whether there is a tracker. */
+  /** Returns whether there is a tracker. */
   public boolean tracked() {
     return !(spec instanceof TrackerSpec.None);
   }

@@ -1,10 +1,9 @@
 /**
- * What a run is to be, in parts: the scene, what moves the viewer, the display, the head and its
- * log.
+ * The settings of a run: the scene, the viewer's motion, the display, the tracker and the head log.
  *
- * <p>In: what the command line or a study says. Out: values; nothing here does anything. May use
- * {@code control}, {@code hmd}, {@code tracker}, {@code runtime} and {@code x3d.files} for their
- * own settings.
+ * <p>In: the options of the command line or of a study. Out: immutable values without behaviour.
+ * May use {@code control}, {@code hmd}, {@code tracker}, {@code runtime} and {@code x3d.files} for
+ * their own settings.
  */
 @NullMarked
 package org.selectiverenderer.app.settings;

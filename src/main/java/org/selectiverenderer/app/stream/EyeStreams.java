@@ -15,9 +15,9 @@ import org.selectiverenderer.lsl.StreamDescription;
 import org.selectiverenderer.lsl.StreamDescription.Channel;
 
 /**
- * The streams of the eyes: where they look, and at what. They are offered when the first scene
- * begins in a headset that tracks the eyes, so that receivers see none where there is no eye
- * tracker. Belongs to the thread that sends.
+ * The LSL streams of an eye tracker: the direction of gaze, and the object looked at. Their outlets
+ * open when the first scene begins in a headset that tracks the eyes, so that receivers see no
+ * empty streams. The class is confined to the sending thread.
  */
 final class EyeStreams {
   private final LslLibrary lsl;
@@ -30,15 +30,15 @@ final class EyeStreams {
   private @Nullable String looked;
 
   /**
-   * Where the eyes look in a frame.
+   * The direction of gaze in a frame.
    *
-   * @param head orientation of the head in the world
+   * @param head orientation of the head in world coordinates
    */
   record Eyes(Quaterniond head, EyeSample sample) {}
 
   /**
-   * @param source what the streams are of
-   * @param problem hears what is not sent
+   * @param source the source of the streams, as in {@link StreamSender#open}
+   * @param problem receives messages about data that cannot be sent
    */
   EyeStreams(LslLibrary lsl, String source, Consumer<String> problem) {
     this.lsl = lsl;
@@ -69,13 +69,13 @@ final class EyeStreams {
     return Set.of(directions.sourceId(), objects.sourceId());
   }
 
-  /** A scene begins, shown in a headset that tracks the eyes. */
+  /** Reports that a scene begins in a headset that tracks the eyes. */
   void scene() {
     looked = null;
     opened();
   }
 
-  /** Sends where the eyes look, and what they look at when that has changed. */
+  /** Sends the direction of gaze, and the object looked at when it has changed. */
   void push(double time, Eyes eyes) {
     Optional<LslOutlet> to = opened();
     if (to.isEmpty()) {
@@ -108,7 +108,7 @@ final class EyeStreams {
         object = lsl.outlet(objects);
       } catch (IOException e) {
         refused = true;
-        problem.accept("what the eyes look at is not sent: " + e.getMessage());
+        problem.accept("the eye-tracking streams are not sent: " + e.getMessage());
       }
     }
     return Optional.ofNullable(direction);

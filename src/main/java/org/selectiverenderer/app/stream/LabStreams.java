@@ -18,12 +18,12 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.lsl.StreamDescription;
 
-/** What a run or a session sends to the Lab Streaming Layer, and records from it. */
+/** The Lab Streaming Layer (LSL) streams that a run or a session sends and records. */
 public final class LabStreams implements AutoCloseable {
   /**
-   * Members of a session's events that are sent. Answers, conditions and ages are nobody's in the
-   * lab's network, nor is a participant's place in the schedule, which tells the condition; all of
-   * them are in the journal.
+   * The members of a session's events that are sent. Answers, conditions and ages are private, as
+   * is a participant's place in the schedule, which reveals the condition: these are in the journal
+   * only.
    */
   private static final List<String> SENT =
       List.of("step", "run", "t", "what", "object", "place", "text", "flag", "file", "samples");
@@ -37,16 +37,16 @@ public final class LabStreams implements AutoCloseable {
     this.about = new LinkedHashMap<>(about);
   }
 
-  /** Nothing is sent or recorded. */
+  /** Creates an object that neither sends nor records. */
   public static LabStreams none() {
     return new LabStreams(null, Map.of());
   }
 
   /**
-   * Begins to send.
+   * Opens the outgoing streams.
    *
-   * @param about what every event says besides, such as study, participant and session
-   * @param problem hears what is not sent
+   * @param about members added to every event, such as study, participant and session
+   * @param problem receives messages about data that cannot be sent
    * @throws IOException if the library refuses it
    */
   public static LabStreams sending(
@@ -59,12 +59,12 @@ public final class LabStreams implements AutoCloseable {
   }
 
   /**
-   * Begins to record.
+   * Starts recording.
    *
-   * @param predicates conditions on streams
-   * @param tells hears of events {@code stream-began}, {@code stream-ended} and {@code problem}, on
-   *     the recorder's thread
-   * @throws IOException if a predicate is none
+   * @param predicates LSL predicates that select streams
+   * @param tells receives the events {@code stream-began}, {@code stream-ended} and {@code
+   *     problem}, on the recorder's thread
+   * @throws IOException if a predicate is malformed
    */
   public void record(
       LslLibrary lsl,
@@ -107,12 +107,14 @@ public final class LabStreams implements AutoCloseable {
             });
   }
 
-  /** Sends poses and what is looked at; empty when nothing is sent. */
+  /** Returns the listener that sends poses and gaze; empty when nothing is sent. */
   public Optional<SampleListener> samples() {
     return Optional.ofNullable(sender);
   }
 
-  /** Sends an event of a session's journal, without what is nobody's; called by any thread. */
+  /**
+   * Sends an event of a session's journal without its private members; may be called on any thread.
+   */
   public void event(JsonNode line) {
     StreamSender out = sender;
     if (out != null) {
@@ -137,7 +139,7 @@ public final class LabStreams implements AutoCloseable {
     }
   }
 
-  /** Ends both; what has come is written, what was told is sent. */
+  /** Ends sending and recording; all pending data is sent and written. */
   @Override
   public void close() {
     if (recorder != null) {

@@ -24,11 +24,14 @@ import org.selectiverenderer.lsl.LslInlet;
 import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.lsl.StreamDescription;
 
-/** A stream that is recorded, with its three files. Belongs to the recorder's thread. */
+/**
+ * The recording of one LSL stream into three files: samples, clock offsets and description. It is
+ * confined to the recorder's thread.
+ */
 final class RecordedStream implements AutoCloseable {
   private static final int DECIMALS = 6;
 
-  /** Samples after which others get their turn. */
+  /** The number of samples after which other streams get their turn. */
   private static final int TURN = 4096;
 
   private final LslInlet inlet;
@@ -54,9 +57,9 @@ final class RecordedStream implements AutoCloseable {
   }
 
   /**
-   * Begins to record.
+   * Opens the files and starts recording.
    *
-   * @param inlet closed with it, also when it cannot begin
+   * @param inlet closed with the recording, also when it cannot be opened
    * @throws IOException if its files cannot be written
    */
   static RecordedStream open(LslInlet inlet, StreamDescription stream, Path folder)
@@ -85,7 +88,10 @@ final class RecordedStream implements AutoCloseable {
     return FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
   }
 
-  /** A name that no file has: streams may be named alike, and a session may be resumed. */
+  /**
+   * Returns an unused file name: several streams may have the same name, and a session may be
+   * resumed.
+   */
   private static String free(Path folder, String name) {
     String plain = name.replaceAll("[^0-9A-Za-z._-]+", "-").replaceAll("^[.-]+|[.-]+$", "");
     for (int run = 1; ; run++) {
@@ -133,12 +139,12 @@ final class RecordedStream implements AutoCloseable {
     return csv;
   }
 
-  /** How many samples were recorded. */
+  /** Returns the number of samples recorded. */
   long count() {
     return count;
   }
 
-  /** Writes what has come; whether there may be more. */
+  /** Writes the samples that have arrived and returns whether there may be more. */
   boolean take() throws IOException {
     CsvText text = CsvText.bare();
     int taken = 0;
@@ -158,15 +164,15 @@ final class RecordedStream implements AutoCloseable {
     return taken == TURN;
   }
 
-  /** Whether the offset of the sender's clock was measured already. */
+  /** Returns whether the offset of the sender's clock has been measured. */
   boolean known() {
     return known;
   }
 
   /**
-   * Writes how the clocks stand now, when that is known; the first time in any case.
+   * Writes the present clock offset if it is known; the first time in any case.
    *
-   * @param timeout seconds to wait for it
+   * @param timeout the longest time to wait for the offset, in seconds
    */
   void compare(LslLibrary lsl, double timeout) throws IOException {
     Optional<LslInlet.Offset> offset = inlet.offset(timeout);
@@ -187,7 +193,7 @@ final class RecordedStream implements AutoCloseable {
             offset.map(value -> DecimalText.fixed(value.uncertainty(), DECIMALS)).orElse("")));
   }
 
-  /** Has the disk keep what was written. */
+  /** Forces the written data to the disk. */
   void keep() throws IOException {
     samples.force(false);
     offsets.force(false);

@@ -16,8 +16,8 @@ import org.selectiverenderer.lsl.LslResolver;
 import org.selectiverenderer.lsl.StreamDescription;
 
 /**
- * Records streams of other programs, whenever they come, on a thread of its own, {@code lsl-in}. A
- * disk that is full ends a stream's recording with a message, not the session.
+ * Records LSL streams of other programs, as soon as they appear, on its own thread {@code lsl-in}.
+ * A full disk ends the recording of a stream with a message, but not the session.
  */
 final class StreamRecorder implements AutoCloseable {
   private static final long PAUSE = 10_000_000;
@@ -25,25 +25,28 @@ final class StreamRecorder implements AutoCloseable {
   private static final double KEEP_EVERY = 0.6;
   private static final double COMPARE_EVERY = 5;
 
-  /** Seconds to wait for a clock's offset, and at the end for one that is not known yet. */
+  /**
+   * The seconds to wait for a clock offset; {@code LAST_OFFSET_TIMEOUT} applies at the end to an
+   * offset that is still unknown.
+   */
   private static final double OFFSET_TIMEOUT = 0.1;
 
   private static final double LAST_OFFSET_TIMEOUT = 4;
 
-  /** Seconds after which a stream that was asked for and is not there is told. */
+  /** The seconds after which a requested stream that has not appeared is reported. */
   private static final double PATIENCE = 10;
 
   private static final double NAMES_TIMEOUT = 2;
 
-  /** What happens to streams; called on the recorder's thread. */
+  /** Receives the events of the recorder, on its thread. */
   interface Listener {
-    /** A stream is recorded from now on. */
+    /** Reports that the recording of a stream has started. */
     void began(StreamDescription stream, Path file);
 
-    /** A stream's recording is over. */
+    /** Reports that the recording of a stream has ended. */
     void ended(StreamDescription stream, Path file, long samples);
 
-    /** Something is not as asked for. */
+    /** Reports a problem. */
     void problem(String text);
   }
 
@@ -72,12 +75,12 @@ final class StreamRecorder implements AutoCloseable {
   }
 
   /**
-   * Begins to look for streams.
+   * Starts looking for streams.
    *
-   * @param predicates conditions on streams; one that meets several is recorded once
-   * @param folder made when there is something to be written
-   * @param own source ids of streams that are not recorded: this program's
-   * @throws IOException if a predicate is none
+   * @param predicates LSL predicates; a stream that matches several is recorded once
+   * @param folder output folder, created when needed
+   * @param own source ids of this program's own streams, which are not recorded
+   * @throws IOException if a predicate is malformed
    */
   static StreamRecorder open(
       LslLibrary lsl, List<String> predicates, Path folder, Set<String> own, Listener listener)
@@ -123,7 +126,7 @@ final class StreamRecorder implements AutoCloseable {
       }
     }
     while (round(false, false)) {
-      // Until all that has come is written.
+      // Until all samples that have arrived are written.
     }
     round(true, true);
     List.copyOf(streams).forEach(this::end);
@@ -159,7 +162,10 @@ final class StreamRecorder implements AutoCloseable {
     }
   }
 
-  /** A program that was started again goes on with its stream, which the library connects anew. */
+  /**
+   * Returns whether a stream continues one that is being recorded: the LSL library reconnects the
+   * stream of a program that was restarted.
+   */
   private boolean recovered(StreamDescription stream) {
     return !stream.sourceId().isEmpty()
         && streams.stream()
@@ -175,13 +181,13 @@ final class StreamRecorder implements AutoCloseable {
     for (String predicate : resolvers.keySet()) {
       if (!found.contains(predicate)) {
         listener.problem(
-            "no stream with %s is there yet; it is recorded as soon as it comes"
+            "no LSL stream matches %s yet; it is recorded as soon as it appears"
                 .formatted(predicate));
       }
     }
   }
 
-  /** Whether there may be more to be taken. */
+  /** Writes pending samples of all streams and returns whether there may be more. */
   private boolean round(boolean compare, boolean keep) {
     boolean more = false;
     for (RecordedStream stream : List.copyOf(streams)) {
@@ -214,7 +220,7 @@ final class StreamRecorder implements AutoCloseable {
     listener.ended(stream.stream(), stream.file(), stream.count());
   }
 
-  /** Writes what has come and ends all recordings. */
+  /** Writes pending samples and ends all recordings. */
   @Override
   public void close() {
     closing = true;

@@ -24,20 +24,20 @@ import org.selectiverenderer.lsl.StreamDescription;
 import org.selectiverenderer.lsl.StreamDescription.Channel;
 
 /**
- * Sends poses, what is looked at, and events. What is to be sent is handed over without waiting,
- * with its own time; a thread of its own, {@code lsl-out}, sends it.
+ * Sends poses, the object looked at, and events as LSL streams. Samples are queued with their own
+ * timestamps without blocking, and sent by the thread {@code lsl-out}.
  */
 final class StreamSender implements SampleListener, AutoCloseable {
-  /** What is sent when nothing is in the middle of the view. */
+  /** The object name that is sent when nothing is in the middle of the view. */
   static final String NOTHING = "none";
 
   private static final int MOST_WAITING = 1 << 14;
   private static final long PAUSE = 100_000_000;
 
-  /** How long receivers may take what was sent last, before the streams end: nanoseconds. */
+  /** The time for receivers to fetch the last samples before the streams close, in nanoseconds. */
   private static final long LINGER = 300_000_000;
 
-  /** Something to be sent, with the time at which it happened. */
+  /** A queued sample with its time. */
   private sealed interface Item {
     long nanos();
 
@@ -45,7 +45,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
 
     record Look(long nanos, String object) implements Item {}
 
-    /** Where the eyes look; none when another scene begins. */
+    /** The direction of gaze; empty when another scene begins. */
     record Eyes(long nanos, Optional<EyeStreams.Eyes> eyes) implements Item {}
 
     record Event(long nanos, String text) implements Item {}
@@ -83,10 +83,10 @@ final class StreamSender implements SampleListener, AutoCloseable {
   }
 
   /**
-   * Offers the three streams that there always are.
+   * Opens the three outlets that are always present.
    *
-   * @param source what the streams are of, by which receivers know them again after a crash
-   * @param problem hears what is not sent
+   * @param source identifies the source, so that receivers recognise the streams after a crash
+   * @param problem receives messages about data that cannot be sent
    * @throws IOException if the library refuses one
    */
   static StreamSender open(LslLibrary lsl, String source, Consumer<String> problem)
@@ -128,7 +128,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
     return "selective-renderer/" + stream + "/" + source;
   }
 
-  /** Names and types as XDF has them for motion capture. */
+  /** Returns the channels with the names and types of the XDF specification for motion capture. */
   private static List<Channel> channels() {
     return List.of(
         new Channel("Head_PosX", "meters", "PositionX"),
@@ -141,7 +141,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
         new Channel("SceneTime", "seconds", "Time"));
   }
 
-  /** By which a recorder knows its own program's streams. */
+  /** Returns the source ids by which a recorder recognises its own program's streams. */
   Set<String> sourceIds() {
     return sourceIds;
   }
@@ -185,7 +185,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
     }
   }
 
-  /** Sends an event that happens now; called by any thread. */
+  /** Sends an event with the present time; may be called on any thread. */
   void event(String text) {
     add(new Item.Event(System.nanoTime(), text));
   }
@@ -222,7 +222,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
   }
 
   private void send() {
-    // The two clocks may drift apart over hours: they are compared each time.
+    // The two clocks may drift apart over hours, so they are compared each time.
     double offset = lsl.clock() - System.nanoTime() * 1e-9;
     for (Item item = queue.poll(); item != null; item = queue.poll()) {
       waiting.decrementAndGet();
@@ -239,7 +239,7 @@ final class StreamSender implements SampleListener, AutoCloseable {
     }
   }
 
-  /** Sends what is left and ends the streams. */
+  /** Sends the queued samples and closes the streams. */
   @Override
   public void close() {
     closing = true;

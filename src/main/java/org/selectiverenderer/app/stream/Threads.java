@@ -1,17 +1,17 @@
 package org.selectiverenderer.app.stream;
 
-/** Waits for threads that end by themselves. */
+/** Joins threads without being interrupted. */
 final class Threads {
   private Threads() {}
 
-  /** Waits for the end of a thread; who interrupts the caller is heard afterwards. */
+  /** Waits for the end of a thread; an interrupt of the caller is restored afterwards. */
   static void join(Thread thread) {
     boolean interrupted = false;
     while (thread.isAlive()) {
       try {
         thread.join();
       } catch (InterruptedException e) {
-        interrupted = true; // What was recorded is written first.
+        interrupted = true; // The recorded samples are written first.
       }
     }
     if (interrupted) {

@@ -1,10 +1,10 @@
 /**
- * A run's or a session's part in the Lab Streaming Layer.
+ * The Lab Streaming Layer (LSL) streams of a run or a session.
  *
  * <p>Out, by {@link org.selectiverenderer.app.stream.StreamSender}: three streams, of poses (each
- * frame), of what is looked at (each change) and of events. In, by {@link
+ * frame), of the object looked at (each change) and of events. In, by {@link
  * org.selectiverenderer.app.stream.StreamRecorder}: streams of other programs, written beside the
- * head logs with the offsets of their clocks.
+ * head logs with their clock offsets.
  *
  * <pre>
  *   stepping thread -- samples --> queue -> thread lsl-out -> outlets -> network
@@ -12,10 +12,9 @@
  *   network -> inlets -> thread lsl-in -> streams/NAME_run-NN.csv, .offsets.csv, .json
  * </pre>
  *
- * <p>The two threads are the only ones that call the library; nobody waits for them but the end of
- * the session. {@link org.selectiverenderer.app.stream.LabStreams} owns both. Uses {@code lsl},
- * {@code app.head} for the samples, {@code app.timeline}, {@code experiment.headlog} and {@code
- * base}.
+ * <p>The two threads are the only ones that call the library; only the end of the session waits for
+ * them. {@link org.selectiverenderer.app.stream.LabStreams} owns both. Uses {@code lsl}, {@code
+ * app.head} for the samples, {@code app.timeline}, {@code experiment.headlog} and {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.app.stream;

@@ -6,14 +6,17 @@ import org.selectiverenderer.experiment.threshold.ThresholdSession;
 import org.selectiverenderer.experiment.threshold.ThresholdStudy;
 import org.selectiverenderer.experiment.threshold.ThresholdTrial;
 
-/** Nobody sits there: a simulated observer answers at once. */
+/** Lets a simulated observer answer the trials at once. */
 public final class SimulatedTrials implements ThresholdDialogue {
-  /** Share of its polygons at which an object's threshold lies, on the way of the ladder. */
+  /**
+   * The position of an object's threshold on the ladder of polygon counts, on a logarithmic scale
+   * from the original (0) to the fewest polygons (1).
+   */
   private static final double WAY = 0.5;
 
   private final SimulatedObserver observer;
 
-  /** The same participant of the same study always answers alike. */
+  /** Creates an observer whose answers depend only on the study and the participant. */
   public SimulatedTrials(ThresholdStudy study, ThresholdPictures pictures, String participant) {
     observer =
         new SimulatedObserver(

@@ -5,38 +5,41 @@ import java.util.Optional;
 import org.selectiverenderer.experiment.threshold.ThresholdSession;
 import org.selectiverenderer.experiment.threshold.ThresholdTrial;
 
-/** Who answers the trials: a participant before a window, or nobody. */
+/**
+ * Presents the trials of a threshold pilot and returns the answers: to a participant in a window,
+ * or to a simulated observer.
+ */
 public interface ThresholdDialogue extends AutoCloseable {
   /**
    * An answer.
    *
    * @param response one of the trial's choices, or {@link ThresholdTrial#NONE}
-   * @param ms from when the trial was to be seen
+   * @param ms response time in milliseconds from the onset of the trial
    */
   record Given(String response, long ms) {}
 
   /**
-   * Says what is to be done.
+   * Shows the instructions.
    *
-   * @return false when it is to end
+   * @return false when the session is to end
    */
   boolean introduce() throws InterruptedException;
 
-  /** Shows a trial and waits for the answer; empty when it is to end. */
+  /** Shows a trial and waits for the answer; empty when the session is to end. */
   Optional<Given> ask(ThresholdTrial trial, ThresholdSession session)
       throws IOException, InterruptedException;
 
-  /** All is found. */
+  /** Thanks the participant when all thresholds are found. */
   void thanks();
 
   @Override
   void close();
 
   /**
-   * Goes through a session's trials until all is found.
+   * Runs a session's trials until all thresholds are found.
    *
-   * @return whether it is; else somebody has ended it, and it can be continued
-   * @throws IOException if an answer cannot be kept or a picture cannot be read
+   * @return whether all are found; otherwise the session was ended early and can be continued
+   * @throws IOException if an answer cannot be written or a picture cannot be read
    */
   static boolean run(ThresholdSession session, ThresholdDialogue dialogue)
       throws IOException, InterruptedException {

@@ -24,10 +24,10 @@ import org.selectiverenderer.experiment.threshold.PolygonLadder;
 import org.selectiverenderer.experiment.threshold.ThresholdStudy;
 
 /**
- * The pictures of a pilot: each object's versions from each view, as PNG files, and the polygons of
- * the versions. They lie in {@code threshold/pictures}; {@code pictures.json} is written last and
- * says what they were made from, so what is there is used, and what a crash left half done, or was
- * made from other things, is made again.
+ * The stimulus pictures of a threshold pilot: PNG files of each object's versions from each view,
+ * and the polygon counts of the versions. They are kept in {@code threshold/pictures}. The file
+ * {@code pictures.json} is written last and holds a checksum of the inputs: complete pictures of
+ * the same inputs are reused, all others are made again.
  */
 public final class ThresholdPictures {
   private final ThresholdStudy study;
@@ -48,11 +48,11 @@ public final class ThresholdPictures {
   }
 
   /**
-   * Finds the pictures, or makes them, which takes some seconds for an object; by the calling
-   * thread.
+   * Reuses or makes the pictures on the calling thread; making them takes some seconds for each
+   * object.
    *
-   * @param hears of each object that is made
-   * @return empty when an object cannot get versions, which is in {@code problems} then
+   * @param hears receives a message for each object that is made
+   * @return empty when versions of an object cannot be made, which is reported to {@code problems}
    * @throws IOException if a file cannot be read or written
    * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if pictures must be
    *     made and there is no display
@@ -91,7 +91,7 @@ public final class ThresholdPictures {
     return Optional.of(new ThresholdPictures(study, folder, ladders, text));
   }
 
-  /** SHA-256 of all that the pictures depend on. */
+  /** Returns the SHA-256 of all inputs of the pictures. */
   private static String key(ThresholdStudy study) throws IOException {
     StringBuilder all = new StringBuilder();
     Checksums.ofScene(study.scene()).forEach((name, sum) -> all.append(name).append(sum));
@@ -141,22 +141,22 @@ public final class ThresholdPictures {
             view + 1));
   }
 
-  /** The polygons of each object's versions. */
+  /** Returns the polygon counts of each object's versions. */
   public Map<String, PolygonLadder> ladders() {
     return ladders;
   }
 
-  /** SHA-256 of the settings and of what the pictures were made from. */
+  /** Returns the SHA-256 of the settings and of the list of pictures. */
   public String checksum() {
     return checksum;
   }
 
-  /** A version's picture. */
+  /** Returns the picture of a version. */
   Path file(String object, int rung, int view) {
     return file(study, folder, object, rung, view);
   }
 
-  /** The original's picture. */
+  /** Returns the picture of the original. */
   Path original(String object, int view) {
     PolygonLadder ladder = ladders.get(object);
     if (ladder == null) {

@@ -39,8 +39,9 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
- * Takes pictures of an object's versions: alone, on grey, by a headlight, all from where the
- * original fills the picture. Belongs to the thread that opens it, which owns its GL context.
+ * Renders pictures of an object's versions: the object alone on grey, lit by a headlight, all from
+ * the distance at which the original fills the picture. It is confined to the thread that opens it,
+ * which owns its OpenGL context.
  */
 final class VersionCamera implements AutoCloseable {
   private static final float GREY = 0.82f;
@@ -63,7 +64,7 @@ final class VersionCamera implements AutoCloseable {
     this.study = study;
   }
 
-  /** Where a picture goes. */
+  /** Returns the file of a picture. */
   interface PictureFiles {
     Path file(int rung, int view);
   }
@@ -71,7 +72,8 @@ final class VersionCamera implements AutoCloseable {
   /**
    * Makes the versions of an object, in memory, and takes a picture of each from each view.
    *
-   * @return their polygons; empty when it cannot get versions, which is in {@code problems} then
+   * @return the polygon counts; empty when versions cannot be made, which is reported to {@code
+   *     problems}
    */
   Optional<PolygonLadder> take(String object, PictureFiles files, Problems problems)
       throws IOException {
@@ -83,8 +85,8 @@ final class VersionCamera implements AutoCloseable {
     if (versions.size() < 3) {
       problems.error(
           Location.of(study.file().toString()),
-          ("the object %s comes to only %d different versions, too few for a pilot; leave it out, or"
-                  + " choose more \"rungs\" or fewer \"fewest\"")
+          ("the object %s yields only %d versions that differ in polygons, but a pilot needs 3;"
+                  + " remove the object, or give \"rungs\" a higher or \"fewest\" a lower value")
               .formatted(object, versions.size()));
       return Optional.empty();
     }
@@ -136,7 +138,7 @@ final class VersionCamera implements AutoCloseable {
                   .allowing(study.access()),
               catalogue,
               found);
-      // Nothing is written, so what is said of files that would change is of no use here.
+      // Nothing is written, so warnings about files that would change are left out.
       found.list().stream()
           .filter(problem -> problem.severity() == Problem.Severity.ERROR)
           .forEach(problems::add);
@@ -147,7 +149,7 @@ final class VersionCamera implements AutoCloseable {
     }
   }
 
-  /** From the fewest polygons to the original, each number of polygons once. */
+  /** Returns the versions from the fewest polygons to the original, one for each polygon count. */
   private static List<ObjectVersion> rising(List<ObjectVersion> versions) {
     ObjectVersion original = versions.get(0);
     List<ObjectVersion> rising =
@@ -178,10 +180,11 @@ final class VersionCamera implements AutoCloseable {
         .map(shape -> Bounds.of(shape.bounds()))
         .reduce(Bounds::union)
         .filter(box -> !box.isEmpty())
-        .orElseThrow(() -> new IOException(study.scene() + ": nothing is to be seen of " + object));
+        .orElseThrow(
+            () -> new IOException(study.scene() + ": the object " + object + " is not visible"));
   }
 
-  /** Where a box fills the picture. */
+  /** Returns the camera pose at which a box fills the picture. */
   private static Pose pose(Bounds box, ThresholdStudy.View from) {
     Vector3d half = new Vector3d(box.max()).sub(box.min()).mul(0.5);
     Quaterniond orientation =

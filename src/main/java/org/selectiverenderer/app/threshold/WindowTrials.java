@@ -18,7 +18,7 @@ import org.selectiverenderer.experiment.window.ThanksWindow;
 import org.selectiverenderer.experiment.window.TrialPage;
 import org.selectiverenderer.experiment.window.TrialWindow;
 
-/** A participant sits before a window. */
+/** Presents the trials to a participant in a window. */
 public final class WindowTrials implements ThresholdDialogue {
   private final ThresholdStudy study;
   private final ThresholdPictures pictures;
@@ -106,7 +106,7 @@ public final class WindowTrials implements ThresholdDialogue {
     BufferedImage image = ImageIO.read(file.toFile());
     if (image == null) {
       throw new IOException(
-          file + ": this is no picture; delete " + file.getParent() + ", and it is made again");
+          file + ": is not a picture; delete " + file.getParent() + ", and it is made again");
     }
     return image;
   }

@@ -2,33 +2,35 @@ package org.selectiverenderer.app.timeline;
 
 import org.selectiverenderer.control.ControlEvent;
 
-/** A line of the time line. */
+/** An event of the time line. */
 public sealed interface TimelineEvent {
-  /** Seconds of the walk, at the frame of the event. */
+  /** Returns the time of the event's frame, in seconds since the start of the walkthrough. */
   double t();
 
   /**
-   * What the controller told. Its own time is the browser's.
+   * An event of the selective controller; the event's own time is the browser's.
    *
-   * @param t seconds of the walk
+   * @param t seconds since the start of the walkthrough
    */
   record Told(double t, ControlEvent event) implements TimelineEvent {}
 
   /**
-   * Something became of the headset.
+   * An event of the headset.
    *
-   * @param what in one word, such as {@code away}
+   * @param what kind of the event, such as {@code away}
    */
   record Headset(double t, String what) implements TimelineEvent {}
 
   /**
-   * The walk is over.
+   * The end of the walkthrough.
    *
-   * @param frames stepped
-   * @param polygons of the whole scene in its present versions, seen or not
+   * @param frames number of frames stepped
+   * @param polygons polygons of the whole scene with its current versions, visible or not
    */
   record End(double t, long frames, PolygonSpan polygons) implements TimelineEvent {}
 
-  /** Polygons at the first frame, at the last one, and the most in any frame. */
+  /**
+   * The number of polygons at the first frame, at the last frame, and the maximum over all frames.
+   */
   record PolygonSpan(long start, long end, long max) {}
 }

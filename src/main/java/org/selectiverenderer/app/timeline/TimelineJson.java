@@ -6,21 +6,21 @@ import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.control.ControlEvent;
 
-/** The time line as JSON, one object per line, keys in the order that the command line promises. */
+/** Writes the time line as JSON, one object per line, with keys in the documented order. */
 public final class TimelineJson {
   private final Optional<String> scene;
 
-  /** Lines about one scene. */
+  /** Creates a writer for one scene. */
   public TimelineJson() {
     scene = Optional.empty();
   }
 
-  /** Lines about one of many scenes, each with the key {@code scene} first. */
+  /** Creates a writer for one of many scenes, whose lines begin with the key {@code scene}. */
   public TimelineJson(String scene) {
     this.scene = Optional.of(scene);
   }
 
-  /** One line, without its end. */
+  /** Returns the line of an event, without a line feed. */
   public String line(TimelineEvent event) {
     ObjectNode node = JsonTree.object();
     scene.ifPresent(name -> node.put("scene", name));

@@ -6,12 +6,12 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.selectiverenderer.control.ControlEvent;
 
-/** The time line for people. */
+/** Writes the time line as text for people. */
 public final class TimelineText {
-  /** Switches listed one by one at the start; of more, only the number is told. */
+  /** The largest number of switches that are listed one by one at the start. */
   private static final int LISTED = 20;
 
-  /** One line, without its end. */
+  /** Returns the line of an event, without a line feed. */
   public String line(TimelineEvent event) {
     if (event instanceof TimelineEvent.Told told) {
       return line(told.t(), told.event());

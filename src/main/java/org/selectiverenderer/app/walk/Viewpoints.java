@@ -9,18 +9,18 @@ import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** The viewpoints of a scene as users call them: by their DEF names and descriptions. */
+/** Lists and finds the viewpoints of a scene by their DEF names and descriptions. */
 public final class Viewpoints {
-  /** Viewpoints that a message lists at most. */
+  /** The largest number of viewpoints that a message lists. */
   private static final int LISTED = 10;
 
   private Viewpoints() {}
 
   /**
-   * A viewpoint as users see it.
+   * A viewpoint with its name and description.
    *
-   * @param name its DEF name; empty for none
-   * @param description its author's words; empty for none
+   * @param name the DEF name; empty for none
+   * @param description the author's description; empty for none
    */
   public record Entry(Node node, String name, String description) {
     static Entry of(Node node) {
@@ -39,15 +39,15 @@ public final class Viewpoints {
     }
   }
 
-  /** All of a scene, Inlines included, in document order. */
+  /** Returns all viewpoints of a scene, Inlines included, in document order. */
   public static List<Entry> of(World world) {
     return world.views().viewpoints().stream().map(Entry::of).toList();
   }
 
   /**
-   * Takes the viewer to a viewpoint, before the first step.
+   * Moves the viewer to a viewpoint before the first step.
    *
-   * @param wanted its DEF name, else its description, else either but for the letters' case
+   * @param wanted the DEF name, else the description, else either of them ignoring case
    * @throws IOException with a sentence when there is none
    */
   public static void start(World world, String wanted) throws IOException {

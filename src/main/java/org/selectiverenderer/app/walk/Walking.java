@@ -26,8 +26,8 @@ import org.selectiverenderer.runtime.walk.NavigationMode;
 import org.selectiverenderer.runtime.walk.Walker;
 
 /**
- * The user's walking through a world: follows the bound NavigationInfo and viewpoint, and goes from
- * viewpoint to viewpoint, by a transition whoever binds it. Belongs to the thread that steps the
+ * The user's navigation in a world: obeys the bound NavigationInfo and Viewpoint, and animates the
+ * transition whenever another viewpoint is bound. It is confined to the thread that steps the
  * world.
  */
 public final class Walking implements ViewerMotion {
@@ -48,13 +48,13 @@ public final class Walking implements ViewerMotion {
   private Set<CollisionNode> bumped = Set.of();
   private Set<CollisionNode> pushed = Set.of();
 
-  /** Held up by walls. */
+  /** Creates a navigation with collision detection. */
   public Walking(World world, Controls controls) {
     this(world, controls, true);
   }
 
   /**
-   * @param collisions whether walls hold the viewer up, until the user says otherwise
+   * @param collisions whether collision detection is on at first
    */
   public Walking(World world, Controls controls, boolean collisions) {
     this.world = world;
@@ -71,7 +71,7 @@ public final class Walking implements ViewerMotion {
     return made;
   }
 
-  /** Does what the user asked for, as far as it is about moving. */
+  /** Executes a command of the user, if it is about navigation. */
   public void command(NavigationCommand command) {
     switch (command) {
       case RESET_VIEWPOINT -> world.bindables().bound("Viewpoint").ifPresent(this::go);
@@ -91,7 +91,7 @@ public final class Walking implements ViewerMotion {
         walker.collisions(collisions);
       }
       case TOGGLE_OVERLAY, TOGGLE_FULL_SCREEN, RESET_HEADING, LEAVE -> {
-        // The window's and the tracker's own business.
+        // The window and the tracker handle these commands.
       }
     }
   }
@@ -108,7 +108,10 @@ public final class Walking implements ViewerMotion {
     begin(from, world.time());
   }
 
-  /** To where all is seen, which a walker does not fall from: he examines it where he may. */
+  /**
+   * Moves the viewer to where the whole scene is seen. From WALK it changes to EXAMINE, if that is
+   * allowed, because a walking viewer would fall.
+   */
   private void viewAll() {
     boolean falls = walker.mode() == NavigationMode.WALK;
     boolean examines = walker.navigation().allows(NavigationMode.EXAMINE);
@@ -132,7 +135,7 @@ public final class Walking implements ViewerMotion {
     }
   }
 
-  /** Begins the way to where the viewer was just put. */
+  /** Starts the transition to the pose that the viewer was just given. */
   private void begin(Pose from, double time) {
     Optional<Node> bound = world.bindables().bound("NavigationInfo");
     transition =
@@ -167,12 +170,12 @@ public final class Walking implements ViewerMotion {
     }
   }
 
-  /** How the viewer moves now. */
+  /** Returns the current navigation type. */
   public NavigationMode mode() {
     return walker.mode();
   }
 
-  /** What the overlay says about it. */
+  /** Returns the navigation type as text for the overlay. */
   public String describe() {
     return "%s%s".formatted(walker.mode(), walker.collisions() ? "" : ", through walls");
   }
@@ -199,11 +202,11 @@ public final class Walking implements ViewerMotion {
   }
 
   /**
-   * The user went himself: the viewer follows as far as walls let it.
+   * Moves the viewer by a physical movement of the user, as far as collision detection allows.
    *
-   * @param viewer stands where the walker's eyes are, and is moved
-   * @param way in the world
-   * @return whether it walks or flies now; else it stays
+   * @param viewer the viewer at the avatar's eyes, which is moved
+   * @param way displacement in world coordinates
+   * @return whether the navigation type lets the viewer move; otherwise it stays
    */
   public boolean push(Viewer viewer, Vector3dc way) {
     if (transition != null || !walker.push(viewer, way)) {
@@ -228,14 +231,16 @@ public final class Walking implements ViewerMotion {
     }
   }
 
-  /** The way to where the viewpoint is by now: it may move meanwhile. */
+  /**
+   * Returns the transition to the present pose of the viewpoint, which may move in the meantime.
+   */
   private ViewpointTransition target(ViewpointTransition way) {
     return viewpoint == null
         ? way
         : way.to(way.end().at(world.views().poseOf(viewpoint).mul(offset, new Matrix4d())));
   }
 
-  /** Collision nodes hear when the viewer begins and ceases to bump into what is in them. */
+  /** Tells Collision nodes when the viewer begins and ceases to collide with their children. */
   private void tellCollisions(Set<CollisionNode> now) {
     for (CollisionNode node : bumped) {
       if (!now.contains(node)) {
@@ -250,7 +255,7 @@ public final class Walking implements ViewerMotion {
     return navigationInfo.value("transitionTime") instanceof Double seconds ? seconds : 1;
   }
 
-  /** Adapts to another scene, NavigationInfo or viewpoint, and to what changes in these. */
+  /** Adapts to another scene, NavigationInfo or Viewpoint, and to changes of their fields. */
   private void follow() {
     boolean another = tree != world.instances();
     if (another) {
@@ -284,8 +289,8 @@ public final class Walking implements ViewerMotion {
   }
 
   /**
-   * @param keeps whether the NavigationInfo is the one of before: the user's mode stays then,
-   *     unless the author's modes are others
+   * @param keeps whether the NavigationInfo is still the same: then the user's navigation type
+   *     stays, unless the author's types have changed
    */
   private void use(boolean keeps) {
     Navigation navigation = info == null ? Navigation.WALKING : Navigation.of(info);
@@ -299,7 +304,7 @@ public final class Walking implements ViewerMotion {
     }
     Vector3dc middle = centre;
     if (info == null && from instanceof ViewpointNode known && known.viewAll()) {
-      walker.mode(NavigationMode.EXAMINE); // Nobody asked for walking, and he would fall.
+      walker.mode(NavigationMode.EXAMINE); // Without a NavigationInfo a walking viewer would fall.
     }
     if (middle != null) {
       walker.pivot(middle);

@@ -24,10 +24,10 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
- * A scene under the controller, ready to be walked through. Each step is a frame; with the same
- * scene, settings, times and motion the same time line comes out, with and without a picture.
+ * A loaded scene with its selective controller, stepped frame by frame. The same scene, settings,
+ * frame times and motion give the same time line, with and without rendering.
  *
- * <p>One thread steps it, the one that opened it or one that it is handed over to.
+ * <p>One thread steps it: the thread that opened it or one to which it is handed over.
  */
 public final class Walkthrough implements AutoCloseable {
   private final World world;
@@ -58,7 +58,7 @@ public final class Walkthrough implements AutoCloseable {
     world.instances().update();
   }
 
-  /** As the other, for a scene that may name no more than its own files. */
+  /** Opens a scene that may load only files in its own folder. */
   public static Walkthrough open(
       Path scene,
       SelectiveController.Settings settings,
@@ -70,12 +70,12 @@ public final class Walkthrough implements AutoCloseable {
   }
 
   /**
-   * Loads a scene with everything that it inlines and puts it under the controller.
+   * Loads a scene with all its Inlines and attaches the selective controller.
    *
-   * @param access what the scene may name besides its own files
-   * @param problem hears what is wrong with the scene, in document order
-   * @param timeline hears what happens, in order
-   * @param console takes what a scene prints through the SAI
+   * @param access the files and URLs that the scene may load besides those in its folder
+   * @param problem receives the problems of the scene in document order
+   * @param timeline receives the events of the time line in order
+   * @param console receives the text that a scene prints through the SAI
    * @throws IOException with a one-line message when the scene cannot be read at all
    */
   public static Walkthrough open(
@@ -104,29 +104,34 @@ public final class Walkthrough implements AutoCloseable {
     return world;
   }
 
-  /** What is wrong with the scene. */
+  /** Returns the problems of the scene. */
   public Problems problems() {
     return problems;
   }
 
-  /** Whether nothing of the file could be read: no node is there, and why has been said. */
+  /**
+   * Returns whether nothing of the file could be read: there is no node, and the problem has been
+   * reported.
+   */
   public boolean unreadable() {
     return problems.any()
         && world.scene().root().nodes("children").isEmpty()
         && world.scene().loose().isEmpty();
   }
 
-  /** The areas that the viewer is in, in the order of entering. */
+  /** Returns the areas that contain the viewer, in the order of entering. */
   public List<String> enteredAreas() {
     return controller.enteredAreas();
   }
 
-  /** The schemas in force. */
+  /** Returns the active schemas. */
   public List<String> activeSchemas() {
     return controller.activeSchemas();
   }
 
-  /** Polygons of the whole scene in its present versions, seen or not. */
+  /**
+   * Returns the number of polygons of the whole scene with its current versions, visible or not.
+   */
   public long polygons() {
     return world.shownPolygons();
   }
@@ -136,9 +141,9 @@ public final class Walkthrough implements AutoCloseable {
   }
 
   /**
-   * One frame.
+   * Steps one frame.
    *
-   * @param time seconds since the beginning of the walk
+   * @param time seconds since the start of the walkthrough
    */
   public void step(double time, ViewerMotion motion) {
     if (frames == 0) {
@@ -154,7 +159,7 @@ public final class Walkthrough implements AutoCloseable {
     maxPolygons = Math.max(maxPolygons, polygons());
   }
 
-  /** Tells the end of the walk. */
+  /** Reports the end of the walkthrough to the time line. */
   public void end() {
     if (frames > 0) {
       timeline.accept(
@@ -173,7 +178,10 @@ public final class Walkthrough implements AutoCloseable {
     }
   }
 
-  /** The frame's own time: the event's, counted from 1970, has lost its last digits. */
+  /**
+   * Reports an event with the time of its frame: the event's own time counts from 1970 and has lost
+   * its last digits.
+   */
   private void tell(ControlEvent event) {
     double t = Double.isNaN(world.time()) ? firstTime : world.time();
     timeline.accept(new TimelineEvent.Told(t, event));
@@ -187,7 +195,7 @@ public final class Walkthrough implements AutoCloseable {
     }
   }
 
-  /** Lets everything go; threads end. */
+  /** Releases all resources and ends the threads. */
   @Override
   public void close() {
     controller.close();

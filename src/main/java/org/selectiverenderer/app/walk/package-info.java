@@ -1,8 +1,8 @@
 /**
- * A scene under the controller, and the walking of a user through it.
+ * A loaded scene with its selective controller, and the user's navigation in it.
  *
- * <p>In: a scene file, how it is rendered, frame times and a motion. Out: a stepped world, its time
- * line, what is wrong with the scene. Uses {@code app.timeline}, {@code control}, {@code runtime}
+ * <p>In: a scene file, the rendering settings, frame times and a motion. Out: a stepped world, its
+ * time line, the problems of the scene. Uses {@code app.timeline}, {@code control}, {@code runtime}
  * but its renderer, {@code schema}, {@code x3d} and {@code base.problem}.
  */
 @NullMarked

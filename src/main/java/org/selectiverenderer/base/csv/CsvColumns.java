@@ -3,25 +3,25 @@ package org.selectiverenderer.base.csv;
 import java.util.List;
 
 /**
- * What a reader needs of a table's columns.
+ * The columns that a reader requires of a CSV table, and how strictly rows must match the header.
  *
- * @param needed names that the header must have, in any case and any order; they also tell the
- *     separator
- * @param filledUp whether a row may end before any column, whose cell is then empty; else it may
- *     end only behind the last needed one
- * @param lastCounts whether a header may name a column again, and the last one counts; else that is
- *     a fault
+ * @param needed names that the header must have, in any letter case and any order; the separator is
+ *     also detected by them
+ * @param filledUp whether a row may be shorter than the header, its missing cells being read as
+ *     empty; otherwise only columns after the last needed one may be missing
+ * @param lastCounts whether a header may repeat a column name, in which case the last column of
+ *     that name is read; otherwise a repeated name is an error
  */
 public record CsvColumns(List<String> needed, boolean filledUp, boolean lastCounts) {
-  /** Nothing is known of the header; every row must be as long as it. */
+  /** No required columns; every row must have as many cells as the header. */
   static final CsvColumns ANY = of(List.of());
 
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes a defensive copy of the list. */
   public CsvColumns {
     needed = List.copyOf(needed);
   }
 
-  /** Each is named once, and every row goes as far as these. */
+  /** Requires each column once in the header, and a cell in each of them in every row. */
   public static CsvColumns of(List<String> needed) {
     return new CsvColumns(needed, false, false);
   }

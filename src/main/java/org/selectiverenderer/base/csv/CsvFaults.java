@@ -2,22 +2,25 @@ package org.selectiverenderer.base.csv;
 
 import org.selectiverenderer.base.problem.Location;
 
-/** Hears what is wrong with a table; whoever reads it adds what becomes of it. */
+/**
+ * Receives the errors found in a CSV table. The caller that reads the table adds their consequence
+ * to the message.
+ */
 @FunctionalInterface
 public interface CsvFaults {
   /**
-   * A fault of the file or of a cell.
+   * Called for an error in the file or in a cell.
    *
    * @param message says what is wrong, without a full stop
    */
   void fault(Location location, String message);
 
-  /** A row that does not fit the header; the table lacks it, and goes on. */
+  /** Called for a row that does not match the header; the row is left out and reading goes on. */
   default void misfit(Location location, String message) {
     fault(location, message);
   }
 
-  /** The last row, when it ends before the header does, as a crash leaves it. */
+  /** Called for a last row with fewer cells than the header, as a crash of its writer leaves it. */
   default void torn(Location location, String message) {
     misfit(location, message);
   }

@@ -4,14 +4,16 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 
-/** Numbers as cells write them, whatever the locale; see the package for decimal commas. */
+/** Parses the numbers in cells, independent of the locale; the package describes decimal commas. */
 public final class CsvNumbers {
   private static final Pattern WITH_COMMA = Pattern.compile("[+-]?\\d+,\\d+");
   private static final int SHOWN = 40;
 
   private CsvNumbers() {}
 
-  /** The finite number of a cell, else empty, of which {@code faults} has heard. */
+  /**
+   * Returns the finite number in a cell; empty after an error, which {@code faults} has received.
+   */
   public static OptionalDouble number(CsvRow row, String column, CsvFaults faults) {
     String text = row.cell(column);
     String plain = row.withPoint(text);
@@ -34,7 +36,7 @@ public final class CsvNumbers {
     return OptionalDouble.empty();
   }
 
-  /** Whether a text is {@code [+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?}. */
+  /** Returns whether a text matches {@code [+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?}. */
   private static boolean isNumber(String text) {
     int from = behindSign(text, 0);
     int point = behindDigits(text, from);
@@ -62,14 +64,14 @@ public final class CsvNumbers {
     return at;
   }
 
-  /** Advice for a cell that is refused, if it may be for a decimal comma; else empty. */
+  /** Returns a hint for a refused cell that looks like a number with a decimal comma, else "". */
   public static String commaHint(CsvRow row, String column) {
     return WITH_COMMA.matcher(row.decimal(column)).matches()
         ? " (write it with a decimal point, not a comma)"
         : "";
   }
 
-  /** A cell's text for a message, shortened. */
+  /** Returns a cell's text in quotes for a message, shortened if it is long. */
   public static String quoted(String text) {
     return "'" + (text.length() > SHOWN ? text.substring(0, SHOWN) + "..." : text) + "'";
   }

@@ -3,7 +3,7 @@ package org.selectiverenderer.base.csv;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Location;
 
-/** A row below the header; it has as many cells as the header, if need be empty ones. */
+/** A row below the header, padded with empty cells to the length of the header. */
 public final class CsvRow {
   private final CsvTable table;
   private final String[] cells;
@@ -17,17 +17,17 @@ public final class CsvRow {
     this.line = line;
   }
 
-  /** The cell in that column, without space around it. */
+  /** Returns the cell in a column, without surrounding white space. */
   public String cell(String column) {
     return cells[table.index(column)];
   }
 
-  /** The cell in that column; empty where there is no such column. */
+  /** Returns the cell in a column; empty if the table has no such column. */
   public String cellIfAny(String column) {
     return table.has(column) ? cell(column) : "";
   }
 
-  /** That cell with a decimal point, should it be a number with the table's decimal comma. */
+  /** Returns that cell, with the table's decimal comma, if any, replaced by a decimal point. */
   public String decimal(String column) {
     return withPoint(cell(column));
   }
@@ -40,12 +40,12 @@ public final class CsvRow {
     return table.decimalSign().clash(number, line);
   }
 
-  /** Where that cell begins. */
+  /** Returns where that cell begins in the file. */
   public Location location(String column) {
     return table.place(start, line, table.index(column));
   }
 
-  /** Where the row begins. */
+  /** Returns where the row begins in the file. */
   public Location location() {
     return table.place(start, line, 0);
   }

@@ -3,8 +3,8 @@ package org.selectiverenderer.base.csv;
 import java.util.Arrays;
 
 /**
- * Finds the records of a text and their cells (RFC 4180), whatever ends the lines. Lines that are
- * empty are passed over, and so is space round a cell, also before a quotation mark.
+ * Scans a text for its records and their cells (RFC 4180), with LF, CR or CRLF line ends. Empty
+ * lines are skipped, as is white space around a cell, also before a quotation mark.
  */
 final class CsvScan {
   private final String text;
@@ -26,7 +26,7 @@ final class CsvScan {
     this.separator = separator.character();
   }
 
-  /** Goes to the next record; false behind the last one, or at one that is {@link #broken}. */
+  /** Advances to the next record; false after the last one, or at one that is {@link #broken}. */
   boolean next() {
     while (at < text.length() && isEnd(text.charAt(at))) {
       endLine();
@@ -69,32 +69,32 @@ final class CsvScan {
     return c == '\n' || c == '\r';
   }
 
-  /** Whether that cell begins a quotation that is not closed before a separator or line end. */
+  /** Returns whether the last cell begins with a quotation mark that is never properly closed. */
   boolean broken() {
     return broken;
   }
 
-  /** The offset at which the record begins. */
+  /** Returns the character offset at which the record begins. */
   int start() {
     return start;
   }
 
-  /** The line in which it begins, from 1. */
+  /** Returns the line in which the record begins, counted from 1. */
   int startLine() {
     return startLine;
   }
 
-  /** How many it has. */
+  /** Returns the number of cells of the record. */
   int cells() {
     return cells;
   }
 
-  /** Whether the record stands in the text's last line, and nothing ends that. */
+  /** Returns whether the record is the text's last line and has no line end. */
   boolean last() {
     return at == text.length() && line == startLine;
   }
 
-  /** The cells of a record without space round them, filled up with empty ones. */
+  /** Returns the cells of a record, stripped, padded with empty ones to {@code count}. */
   String[] cells(int record, int count) {
     String[] found = new String[count];
     int behind = record - 1;
@@ -110,7 +110,7 @@ final class CsvScan {
     return found;
   }
 
-  /** Finds a cell; the offset behind it, or -1 when a quotation mark in it is not closed. */
+  /** Scans a cell; returns the offset after it, or -1 if its quotation mark is not closed. */
   private int cell(int begin) {
     int i = begin;
     while (i < text.length() && Character.isWhitespace(text.charAt(i)) && !isBehind(i)) {
@@ -154,7 +154,7 @@ final class CsvScan {
         || isEnd(text.charAt(offset));
   }
 
-  /** Where a cell begins in the line in which its record begins, counted from 1. */
+  /** Returns the column, from 1, at which a cell begins in the line where its record begins. */
   int column(int record, int cell) {
     int i = record;
     boolean inQuotes = false;
@@ -169,7 +169,7 @@ final class CsvScan {
     return i - record + 1;
   }
 
-  /** Where in that line the last quotation mark stands that is not closed in it, likewise. */
+  /** Returns the column, from 1, of the last quotation mark left open in that line. */
   int openQuote(int record) {
     int open = -1;
     for (int i = record; i < text.length() && !isEnd(text.charAt(i)); i++) {

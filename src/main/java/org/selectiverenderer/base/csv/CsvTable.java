@@ -16,8 +16,8 @@ import org.selectiverenderer.base.files.InputFile;
 import org.selectiverenderer.base.problem.Location;
 
 /**
- * A table with a header, as this package reads them. Columns are named in any case and in any
- * order. It keeps its text and where rows begin; a row's cells are made when it is asked for, so
+ * A CSV table with a header. Column names are matched without regard to letter case and order. The
+ * table keeps its text and the offsets of its rows; the cells of a row are created on request, so
  * that a long table takes hardly more memory than its file.
  */
 public final class CsvTable {
@@ -32,12 +32,12 @@ public final class CsvTable {
   private List<String> header = List.of();
   private int headerStart;
 
-  /** How many cells a row must have. */
+  /** The least number of cells that a row must have. */
   private int least;
 
   private int headerLine = 1;
 
-  /** For each row the offset at which it begins, and its line. */
+  /** Two numbers per row: the offset at which it begins, and its line. */
   private int[] rows = new int[64];
 
   private int size;
@@ -54,8 +54,8 @@ public final class CsvTable {
   /**
    * Reads a file.
    *
-   * @param faults hears of rows with too few or too many cells, which the table then lacks
-   * @return empty when the file is no UTF-8 or no CSV, which {@code faults} has heard
+   * @param faults receives the rows with too few or too many cells, which are left out
+   * @return empty if the file is not UTF-8 or not CSV, which {@code faults} has received
    * @throws IOException if the file cannot be read at all
    */
   public static Optional<CsvTable> read(Path path, CsvColumns form, CsvFaults faults)
@@ -64,7 +64,7 @@ public final class CsvTable {
   }
 
   /**
-   * A file's bytes.
+   * Returns a file's bytes.
    *
    * @throws IOException if it cannot be read, or is a folder
    */
@@ -83,7 +83,7 @@ public final class CsvTable {
   }
 
   /**
-   * Reads a file's bytes, of whose header nothing is known.
+   * Reads a file's bytes, without requirements on the header.
    *
    * @param file its name, for messages
    */
@@ -92,7 +92,7 @@ public final class CsvTable {
   }
 
   /**
-   * Reads a text, of whose header nothing is known.
+   * Reads a text, without requirements on the header.
    *
    * @param file its name, for messages
    */
@@ -149,7 +149,7 @@ public final class CsvTable {
     return form.needed().stream().mapToInt(this::index).max().orElseThrow() + 1;
   }
 
-  /** Whether what a row lacks may be empty, and what it has beyond the header is. */
+  /** Returns whether the record has enough cells, and only empty ones beyond the header. */
   private boolean fits() {
     if (scan.cells() <= header.size()) {
       boolean torn = scan.last() && !form.filledUp();
@@ -184,12 +184,12 @@ public final class CsvTable {
     }
   }
 
-  /** Its name, for messages. */
+  /** Returns the name of the file, for messages. */
   public String file() {
     return file;
   }
 
-  /** In the order of the file. Each is made when it is asked for, and not kept. */
+  /** Returns the rows in file order; each is created on request and not kept. */
   public List<CsvRow> rows() {
     return new Rows();
   }
@@ -208,25 +208,25 @@ public final class CsvTable {
     }
   }
 
-  /** The columns' names as the file writes them, without space around them. */
+  /** Returns the column names as the file writes them, stripped. */
   public List<String> header() {
     return header;
   }
 
-  /** Whether there is such a column. */
+  /** Returns whether the header names such a column. */
   public boolean has(String column) {
     return columns.containsKey(key(column));
   }
 
-  /** Where the header names that column, which it must have. */
+  /** Returns where the header names a column, which must exist. */
   public Location location(String column) {
     return place(headerStart, headerLine, index(column));
   }
 
   /**
-   * Whether the header names these columns, each once.
+   * Returns whether the header names these columns, each once; reports an error otherwise.
    *
-   * @param needed what the header must be, for the message when it lacks one
+   * @param needed the header that the file must have, for the message
    */
   public boolean require(List<String> wanted, String needed) {
     List<String> missing = wanted.stream().filter(name -> !has(name)).toList();
@@ -254,7 +254,7 @@ public final class CsvTable {
   }
 
   int index(String column) {
-    Integer index = columns.get(column); // mostly asked for as it is kept
+    Integer index = columns.get(column); // most callers use the key in lower case
     if (index == null) {
       index = columns.get(key(column));
     }
@@ -268,7 +268,7 @@ public final class CsvTable {
     return name.strip().toLowerCase(Locale.ROOT);
   }
 
-  /** Where a cell of a record begins, quoted cells before it included. */
+  /** Returns where a cell of a record begins; quoted cells before it are counted correctly. */
   Location place(int record, int line, int cell) {
     return new Location(file, line, scan.column(record, cell));
   }

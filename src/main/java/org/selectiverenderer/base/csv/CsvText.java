@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import org.apache.commons.csv.CSVFormat;
 
 /**
- * Writes a table: commas between the cells, quotation marks round those that need them (RFC 4180),
- * every row ended by LF whatever the platform. Not safe for use by several threads.
+ * Writes a CSV table: commas between the cells, quotation marks around those that need them (RFC
+ * 4180), and LF after every row on every platform. Not thread-safe.
  */
 public final class CsvText {
   private static final CSVFormat FORMAT =
@@ -18,7 +18,10 @@ public final class CsvText {
   private final StringBuilder text = new StringBuilder();
   private final boolean bare;
 
-  /** Also quotes cells that a spreadsheet might trim or take for a comment: {@code #1}. */
+  /**
+   * Creates a writer that also quotes cells which a spreadsheet might trim or read as a comment
+   * ({@code #1}).
+   */
   public CsvText() {
     this(false);
   }
@@ -27,12 +30,12 @@ public final class CsvText {
     this.bare = bare;
   }
 
-  /** Quotes no cell but those with a comma, a quotation mark or an end of line. */
+  /** Returns a writer that quotes only cells with a comma, a quotation mark or a line end. */
   public static CsvText bare() {
     return new CsvText(true);
   }
 
-  /** Adds a row; numbers with decimals come as text. */
+  /** Adds a row; the caller formats fractional numbers as text. */
   public CsvText row(Object... cells) {
     if (bare) {
       text.append(Arrays.stream(cells).map(CsvText::quoted).collect(Collectors.joining(",")));
@@ -52,7 +55,7 @@ public final class CsvText {
     return row(cells.toArray());
   }
 
-  /** One row with its end, {@link #bare}. */
+  /** Returns one row with its line end, quoted as by {@link #bare}. */
   public static String line(Object... cells) {
     return bare().row(cells).toString();
   }
@@ -63,7 +66,7 @@ public final class CsvText {
     return plain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
   }
 
-  /** All rows, the last one ended. */
+  /** Returns all rows, each with its line end. */
   @Override
   public String toString() {
     return text.toString();

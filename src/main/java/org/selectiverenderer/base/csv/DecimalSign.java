@@ -3,9 +3,9 @@ package org.selectiverenderer.base.csv;
 import java.util.Optional;
 
 /**
- * The decimal sign of a table's numbers: whichever the first number has that has one. A comma
- * before exactly three digits may separate thousands, and counts only where semicolons separate
- * cells.
+ * The decimal separator of a table's numbers: that of the first number with a fraction. A comma
+ * before exactly three digits may be a thousands separator, and is taken for a decimal comma only
+ * where semicolons separate the cells.
  */
 final class DecimalSign {
   private static final int THOUSAND = 3;
@@ -18,7 +18,7 @@ final class DecimalSign {
     semicolons = separator == Separator.SEMICOLON;
   }
 
-  /** A cell's text with a decimal point for the decimal comma that it may have. */
+  /** Returns a cell's text with its decimal comma, if any, replaced by a decimal point. */
   String withPoint(String cell) {
     int comma = cell.indexOf(',');
     if (comma < 0 || cell.indexOf('.') >= 0 || cell.indexOf(',', comma + 1) >= 0) {
@@ -35,7 +35,7 @@ final class DecimalSign {
     return at - from;
   }
 
-  /** What is wrong with the decimal sign of a number, if it has another than those before it. */
+  /** Returns an error message if a number has another decimal sign than those before it. */
   Optional<String> clash(String number, int line) {
     boolean comma = number.indexOf(',') >= 0;
     if (!comma && number.indexOf('.') < 0) {

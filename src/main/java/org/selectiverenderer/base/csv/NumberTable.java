@@ -10,10 +10,10 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * Reads a table of numbers over time: a header that names the columns, in any order, then one row
- * per time. Columns that the {@link TableForm} does not name are passed over.
+ * Reads a time series, a table of numbers with one row per time below a header that names the
+ * columns in any order. Columns that the {@link TableForm} does not name are ignored.
  *
- * <p>A table with any fault is refused: the faults are reported, each with its place.
+ * <p>A table with any error is refused, and each error is reported with its location.
  */
 public final class NumberTable {
   private final TableForm form;
@@ -29,8 +29,8 @@ public final class NumberTable {
   /**
    * Reads a file.
    *
-   * @return one array per row, at least one: the needed columns, then, when they are there, those
-   *     that go together; empty when the file has faults, which are then in {@code problems}
+   * @return one array per row, at least one, with the needed columns and then, if present, the
+   *     columns of {@code together}; empty if the file has errors, which are in {@code problems}
    * @throws IOException if the file cannot be read at all
    */
   public static Optional<double[][]> read(TableForm form, Path path, Problems problems)

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** What stands between the cells of a table. */
+/** The delimiter between the cells of a CSV table. */
 enum Separator {
   COMMA(','),
   TAB('\t'),
@@ -22,18 +22,18 @@ enum Separator {
   }
 
   /**
-   * The one that the header has most of outside quotation marks; a comma where it has none, and of
-   * those that are as many the first of this list.
+   * Detects the delimiter that occurs most often in the header outside quotation marks; a comma if
+   * there is none, and the first in the order of this enum in a tie.
    *
-   * @param text of a table, the header being its first line that is not empty
+   * @param text the table, its header being the first line that is not empty
    */
   static Separator of(String text) {
     return of(text, List.of());
   }
 
   /**
-   * The first of this list that divides the header into the needed names among others; where there
-   * is none, that which {@link #of(String)} tells.
+   * Detects the first delimiter, in the order of this enum, that splits the header into cells that
+   * include the needed names; if none does, the result of {@link #of(String)}.
    */
   static Separator of(String text, List<String> needed) {
     if (!needed.isEmpty()) {

@@ -3,16 +3,16 @@ package org.selectiverenderer.base.csv;
 import java.util.List;
 
 /**
- * What a table of numbers over time must look like.
+ * The format that a time series table must have.
  *
- * @param subject what it is called in messages, such as {@code the path}
- * @param refusal what is not done with a faulty one, such as {@code the path is not played}
- * @param needed names of columns that must be there; the first is the time
- * @param together names of columns of which all or none must be there
- * @param strict whether every time must be later than the one before; else it may be the same
- * @param torn whether a last row that was not written whole is passed over, as a crash leaves it
- * @param gaps whether the columns that go together may be empty in a row, all of them; each is then
- *     not a number
+ * @param subject the noun for it in messages, such as {@code the path}
+ * @param refusal the consequence of an error, such as {@code the path is not played}
+ * @param needed names of the required columns; the first is the time
+ * @param together names of columns of which all or none must be present
+ * @param strict whether times must increase strictly; otherwise equal times are allowed
+ * @param torn whether an incomplete last row, as a crash of its writer leaves it, is ignored
+ * @param gaps whether the {@code together} columns may all be empty in a row; they are then read as
+ *     NaN
  */
 public record TableForm(
     String subject,
@@ -22,18 +22,18 @@ public record TableForm(
     boolean strict,
     boolean torn,
     boolean gaps) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies of the lists. */
   public TableForm {
     needed = List.copyOf(needed);
     together = List.copyOf(together);
   }
 
-  /** What the header must have. */
+  /** Returns the required columns. */
   CsvColumns columns() {
     return CsvColumns.of(needed);
   }
 
-  /** The header, or headers, that it may have. */
+  /** Returns the allowed headers, for messages. */
   String headers() {
     String least = String.join(",", needed);
     return together.isEmpty() ? least : least + " or " + least + "," + String.join(",", together);

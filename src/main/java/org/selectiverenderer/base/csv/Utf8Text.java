@@ -7,14 +7,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Location;
 
-/** Decodes a file that must be UTF-8, and says where it is not. */
+/** Decodes a file that must be UTF-8, and reports the location of the first invalid byte. */
 final class Utf8Text {
-  /** What Java decodes a byte to that is no UTF-8; a file may also hold it itself. */
+  /** Java decodes an invalid byte to this character; a valid file may also contain it. */
   private static final char REPLACEMENT = '\ufffd';
 
   private Utf8Text() {}
 
-  /** The text without its byte order mark; empty after a fault. */
+  /** Returns the text without its byte order mark; empty after an error. */
   static Optional<String> decode(String file, byte[] bytes, CsvFaults faults) {
     if (bytes.length > 1
         && (bytes[0] == (byte) 0xff && bytes[1] == (byte) 0xfe

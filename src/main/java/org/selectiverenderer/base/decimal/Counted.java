@@ -1,13 +1,13 @@
 package org.selectiverenderer.base.decimal;
 
-/** Numbers of things in messages: one polygon, two polygons. */
+/** Formats a count with its noun in the singular or plural: "1 polygon", "2 polygons". */
 public final class Counted {
   private Counted() {}
 
   /**
-   * A number with its noun.
+   * Returns a number with its noun.
    *
-   * @param noun in the singular, one that takes an s
+   * @param noun in the singular, with a regular plural in -s
    */
   public static String of(long count, String noun) {
     return count + " " + noun + (count == 1 ? "" : "s");

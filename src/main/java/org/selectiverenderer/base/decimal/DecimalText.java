@@ -4,26 +4,26 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 
 /**
- * Numbers as decimal text, the same on every machine and in every locale: digits 0 to 9, a point,
- * never a negative zero.
+ * Formats numbers as decimal text, the same on every machine and in every locale: digits 0 to 9, a
+ * decimal point, never a negative zero.
  *
- * <p>What is rounded is the number as {@link Double#toString(double)} writes it, to the nearest
- * decimal; a tie goes to the even digit: 0.125 to two decimals is 0.12, 1.015 is 1.02. Numbers must
- * be finite, otherwise a NumberFormatException is thrown.
+ * <p>The rounded value is the decimal that {@link Double#toString(double)} writes, rounded half to
+ * even: 0.125 to two decimals is 0.12, 1.015 is 1.02. Numbers must be finite; others throw a
+ * NumberFormatException.
  */
 public final class DecimalText {
   private static final double[] TENS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
-  /** Below this, a product with a power of ten is right to a millionth. */
+  /** Below this, the product with a power of ten is accurate to a millionth. */
   private static final double SURE = 1e9;
 
-  /** More units than a double holds without gaps. */
+  /** A count of units above the range in which a double represents every integer. */
   private static final double TOO_MANY = 1e15;
 
   private DecimalText() {}
 
   /**
-   * How many units of the last decimal make 1.
+   * Returns how many units of the last decimal make 1, a power of ten.
    *
    * @param decimals 0 to 9
    */
@@ -32,8 +32,8 @@ public final class DecimalText {
   }
 
   /**
-   * With that many decimals, all of them written: {@code 12.500}, {@code 0.000}; never with an
-   * exponent.
+   * Formats a number with a fixed number of decimals, never with an exponent: {@code 12.500},
+   * {@code 0.000}.
    *
    * @param decimals 0 to 9
    */
@@ -54,8 +54,9 @@ public final class DecimalText {
   }
 
   /**
-   * Rounded to so many decimals, without zeros that say nothing: {@code 12.5}, {@code 0}. Numbers
-   * of 10<sup>15</sup> units of the last decimal and more are written as {@link #shortest(float)}.
+   * Formats a number rounded to so many decimals, without trailing zeros: {@code 12.5}, {@code 0}.
+   * Numbers of 10<sup>15</sup> units of the last decimal and more are written as {@link
+   * #shortest(float)} writes them.
    *
    * @param decimals 0 to 9
    */
@@ -80,7 +81,7 @@ public final class DecimalText {
     append(text, units, places);
   }
 
-  /** How many units of the last decimal a number is. */
+  /** Returns a number in units of the last decimal, rounded. */
   private static long units(double value, int decimals) {
     double units = value * TENS[decimals];
     double nearest = Math.rint(units);
@@ -108,21 +109,21 @@ public final class DecimalText {
   }
 
   /**
-   * The shortest text that reads as that very float, without zeros that say nothing: {@code 0.1},
+   * Returns the shortest text that parses to the same float, without trailing zeros: {@code 0.1},
    * {@code 1E-30}.
    */
   public static String shortest(float value) {
     return shortest(Float.toString(value), 8, 9);
   }
 
-  /** The shortest text that reads as that very double. */
+  /** Returns the shortest text that parses to the same double. */
   public static String shortest(double value) {
     return shortest(Double.toString(value), 17, 17);
   }
 
   /**
-   * @param scale the least number of decimals that may be written with an exponent
-   * @param digits the least number of digits before the point that is
+   * @param scale the number of decimals from which on an exponent is written
+   * @param digits the number of digits before the point from which on an exponent is written
    */
   private static String shortest(String text, int scale, int digits) {
     BigDecimal decimal = new BigDecimal(text).stripTrailingZeros();
@@ -130,7 +131,7 @@ public final class DecimalText {
     return plain ? decimal.toPlainString() : decimal.toString();
   }
 
-  /** A whole number in groups of three digits, for people: {@code 1,234}. */
+  /** Formats a whole number with thousands separators, for people: {@code 1,234}. */
   public static String grouped(long value) {
     StringBuilder text = new StringBuilder().append(value);
     for (int at = text.length() - 3; at > (value < 0 ? 1 : 0); at -= 3) {

@@ -1,11 +1,11 @@
 package org.selectiverenderer.base.decimal;
 
-/** Numbers that stay numbers and lose their further decimals, as figures in JSON do. */
+/** Rounds numbers to a number of decimals, for figures in JSON. */
 public final class Rounded {
   private Rounded() {}
 
   /**
-   * A number rounded to so many decimals; a tie goes up, as {@link Math#round(double)} has it.
+   * Returns a number rounded to so many decimals, half up as {@link Math#round(double)} does.
    *
    * @param value finite, less than 9e18 units of the last decimal
    * @param decimals 0 to 9

@@ -1,5 +1,5 @@
 /**
- * Numbers as decimal text that every program reads, whatever the machine and the locale.
+ * Formats numbers as decimal text, independent of the machine and the locale.
  *
  * <p>In: floats and doubles. Out: text. Uses nothing of the other packages.
  */

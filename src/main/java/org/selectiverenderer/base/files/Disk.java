@@ -6,11 +6,11 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** What a power cut must not take. */
+/** Forces file content and directory entries to the disk, so that they survive a power cut. */
 public final class Disk {
   private Disk() {}
 
-  /** Writes all of it at the channel's position; {@code force} has the disk keep it. */
+  /** Writes all bytes at the channel's position; the caller's {@code force} makes them durable. */
   public static void write(FileChannel channel, byte[] content) throws IOException {
     ByteBuffer left = ByteBuffer.wrap(content);
     while (left.hasRemaining()) {
@@ -19,8 +19,9 @@ public final class Disk {
   }
 
   /**
-   * Has the disk keep a folder's list of names, without which a new file is lost with its content
-   * (POSIX: fsync of a file does not do it). Windows keeps names by itself and opens no folder.
+   * Forces a folder's directory entries to the disk, without which a new file may be lost (on
+   * POSIX, fsync of the file does not sync its name). Windows does so by itself and cannot open a
+   * folder.
    *
    * @throws IOException if the disk fails
    */

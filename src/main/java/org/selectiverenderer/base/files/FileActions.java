@@ -10,17 +10,17 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
-/** What is done to files, as the file system does it; a test has some of it fail. */
+/** The file system operations of a {@link FileTransaction}; tests override some to fail. */
 public interface FileActions {
-  /** The file system's own. */
+  /** Operations of the real file system. */
   FileActions REAL = new FileActions() {};
 
-  /** Makes a folder in one that is there. */
+  /** Creates a folder in an existing one. */
   default void createFolder(Path folder) throws IOException {
     Files.createDirectory(folder);
   }
 
-  /** Writes a new file to the disk itself, not to a cache that may still fail. */
+  /** Writes a new file and forces it to the disk, so that a full disk fails here. */
   default void write(Path file, byte[] content) throws IOException {
     try (FileChannel channel =
         FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
@@ -29,14 +29,14 @@ public interface FileActions {
     }
   }
 
-  /** Writes into what exists and is no file of a disk, such as a pipe; waits for its reader. */
+  /** Writes into an existing pipe or device; waits for the reader of a pipe. */
   default void pour(Path sink, byte[] content) throws IOException {
     try (OutputStream out = Files.newOutputStream(sink, StandardOpenOption.WRITE)) {
       out.write(content);
     }
   }
 
-  /** Gives a file a second name in its folder; where a disk has no links, it loses the first. */
+  /** Hard-links a file under a second name in its folder, or renames it where links are missing. */
   default void keep(Path file, Path as) throws IOException {
     try {
       Files.createLink(as, file);
@@ -45,7 +45,7 @@ public interface FileActions {
     }
   }
 
-  /** Gives a file another name in its folder, in place of what had it. */
+  /** Renames a file within its folder, replacing any file of the new name. */
   default void move(Path from, Path to) throws IOException {
     try {
       Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
@@ -54,12 +54,12 @@ public interface FileActions {
     }
   }
 
-  /** Gives a file another name in its folder, which nothing may have. */
+  /** Renames a file within its folder to a name that must be free. */
   default void place(Path from, Path to) throws IOException {
     Files.move(from, to);
   }
 
-  /** Has the disk keep a folder's list of names, as {@link Disk#forceFolder}. */
+  /** Forces a folder's directory entries to the disk, as {@link Disk#forceFolder} does. */
   default void forceFolder(Path folder) throws IOException {
     Disk.forceFolder(folder);
   }

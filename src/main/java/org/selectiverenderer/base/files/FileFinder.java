@@ -17,17 +17,17 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds the files that a user means by the name of a file or folder, or by a pattern.
+ * Finds the files that a user names by a file, a folder or a glob pattern.
  *
- * @param noun what is looked for, for messages
- * @param endings of the files looked for in folders, in small letters, such as {@code .x3d}
+ * @param noun the kind of file, for messages
+ * @param endings file name endings to look for in folders, in lower case, such as {@code .x3d}
  */
 public record FileFinder(String noun, List<String> endings) {
   private static final Pattern PATTERN_LETTERS = Pattern.compile("[*?\\[{]");
 
   /**
-   * X3D scenes in XML, ClassicVRML and JSON, and VRML97, gzipped or not. The one list of what
-   * scenes are called; a {@code .json} is a scene only where a user names it, as most are none.
+   * Finds X3D scenes in XML, ClassicVRML and JSON, and VRML97, gzipped or not. A {@code .json} file
+   * is a scene only if the user names it, as most of them are something else.
    */
   public static final FileFinder SCENES =
       new FileFinder(
@@ -35,17 +35,18 @@ public record FileFinder(String noun, List<String> endings) {
           List.of(
               ".x3d", ".x3dz", ".x3dv", ".x3dvz", ".wrl", ".wrz", ".wrl.gz", ".x3dj", ".x3djz"));
 
-  /** Whether a name stands for any number of files: that of a folder, or a pattern. */
+  /** Returns whether a name may stand for several files: a folder or a pattern. */
   public static boolean meansSeveral(String name) {
     Path path = path(name);
     return path == null || Files.isDirectory(path) || !Files.exists(path) && isPattern(name);
   }
 
   /**
-   * A file itself, whatever its name; of a folder all files with the endings in it and below, those
-   * apart whose name or folder begins with a dot; of a pattern such as {@code scenes/**}{@code
-   * /*.x3d} all that match it, {@code **}{@code /} standing for any number of folders and none.
-   * Links to folders are not followed. What a folder or a pattern finds is in order of the paths.
+   * Returns a named file itself, whatever its ending; all files with the endings in a folder and
+   * below it, except where a file or folder name begins with a dot; or all files that match a
+   * pattern such as {@code scenes/**}{@code /*.x3d}, in which {@code **}{@code /} stands for zero
+   * or more folders. Links to folders are not followed. The files of a folder or pattern are sorted
+   * by path.
    *
    * @throws IOException if there is no such file, or a folder cannot be read, or nothing is found
    */
@@ -75,7 +76,7 @@ public record FileFinder(String noun, List<String> endings) {
     try {
       return Path.of(name);
     } catch (InvalidPathException e) {
-      return null; // On Windows a pattern is no path.
+      return null; // on Windows a pattern is not a valid path
     }
   }
 
@@ -102,8 +103,8 @@ public record FileFinder(String noun, List<String> endings) {
   }
 
   /**
-   * With {@code **}{@code /} for no folder, too, as shells and editors have it; Java's patterns
-   * want one. A group cannot stand in a group, so that those within braces stay as they are.
+   * Rewrites {@code **}{@code /} to match zero folders, too, as in shells; Java's globs require at
+   * least one. Java does not allow nested groups, so patterns within braces stay as they are.
    */
   private static String anyDepth(String pattern) {
     StringBuilder wide = new StringBuilder();

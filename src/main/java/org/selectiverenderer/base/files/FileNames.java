@@ -5,14 +5,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributeView;
 
-/** Where a file's content lies, and names beside it. */
+/** Resolves the target of a symbolic link, and finds free names for temporary files beside it. */
 final class FileNames {
-  /** Links that lead to one another, as many as Linux follows. */
+  /** The longest chain of symbolic links followed, as on Linux. */
   private static final int MOST_LINKS = 40;
 
   private FileNames() {}
 
-  /** The file itself, or what the link is about even if that does not exist yet. */
+  /** Returns the file itself, or the target of a link, even if that does not exist yet. */
   static Path target(Path file) throws IOException {
     if (Files.exists(file)) {
       return file.toRealPath();
@@ -27,7 +27,7 @@ final class FileNames {
     return target;
   }
 
-  /** A name that no file has. */
+  /** Returns an unused hidden name in the same folder. */
   static Path beside(Path target, String kind) {
     for (int i = 0; ; i++) {
       Path name = target.resolveSibling("." + target.getFileName() + "." + kind + i);

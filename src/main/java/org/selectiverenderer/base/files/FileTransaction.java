@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Writes several files, all or none. Their contents go to temporary files beside them first; only
- * when all are on the disk do they take the names, each in one step and in the order in which they
- * were added. What had a name before is kept until the end and comes back if anything fails.
+ * Writes several files, all or none. Their contents are first written to temporary files beside
+ * them; when all are on the disk, each is renamed atomically, in the order in which they were
+ * added. The replaced files are kept until the end and restored if anything fails.
  */
 public final class FileTransaction {
   static final String UNCHANGED = "nothing has been changed";
@@ -23,24 +23,24 @@ public final class FileTransaction {
     void run() throws IOException;
   }
 
-  /** What is promised of a file. */
+  /** The guarantee given for a file. */
   private enum Promise {
-    /** It comes in the place of what is there. */
+    /** The file replaces an existing one. */
     REPLACED,
-    /** It never comes in the place of another content. */
+    /** The file never replaces one with other content. */
     NEW,
-    /** Besides, a power cut does not take its name. */
+    /** As {@link #NEW}, and its name survives a power cut. */
     LASTING
   }
 
   private record Content(byte[] bytes, Promise promise) {
-    /** Whether it must not come in the place of another. */
+    /** Returns whether the file must not replace another. */
     boolean once() {
       return promise != Promise.REPLACED;
     }
   }
 
-  /** A file whose content is on the disk under another name. */
+  /** A file whose content is on the disk under a temporary name. */
   private record Staged(Path file, Path target, Path temporary, Content content) {}
 
   private final FileActions actions;
@@ -48,48 +48,46 @@ public final class FileTransaction {
   private final Deque<Undo> undo = new ArrayDeque<>();
   private Path at = Path.of("");
 
-  /** On the file system. */
+  /** Creates an empty transaction on the real file system. */
   public FileTransaction() {
     this(FileActions.REAL);
   }
 
-  /** A transaction in which nothing is written yet. */
+  /** Creates an empty transaction on these file operations. */
   public FileTransaction(FileActions actions) {
     this.actions = actions;
   }
 
   /**
-   * Adds a file; a symbolic link stays one, and what it names is replaced and keeps its
-   * permissions. What is no file of a disk, such as a pipe or a device, is written to and not
-   * replaced.
+   * Adds a file. A symbolic link is kept and its target replaced, with the same permissions. A pipe
+   * or device is written to, not replaced.
    */
   public void add(Path file, byte[] content) {
     files.put(file, new Content(content, Promise.REPLACED));
   }
 
   /**
-   * Adds a file that is never replaced: one that is there with this content stays, one with another
-   * makes all fail.
+   * Adds a file that must not replace another: an existing file with the same content stays, one
+   * with other content makes the transaction fail.
    */
   public void addNew(Path file, byte[] content) {
     files.put(file, new Content(content, Promise.NEW));
   }
 
   /**
-   * As {@link #addNew}, and the disk has its name, too, when {@link #commit} returns; it fails
-   * where that cannot be had.
+   * Adds a file as {@link #addNew} does, and forces its directory entry to the disk before {@link
+   * #commit} returns; the commit fails if the file system cannot do that.
    */
   public void addLasting(Path file, byte[] content) {
     files.put(file, new Content(content, Promise.LASTING));
   }
 
   /**
-   * Writes all files, and the folders that they need.
+   * Writes all files, and creates the folders that they need.
    *
-   * @return files of the state before under other names, which could not be deleted; empty unless
-   *     something is wrong with the disk
-   * @throws NotWritten if one cannot be written, with one line that names it; nothing has changed
-   *     then, unless it says so
+   * @return backups of replaced files that could not be deleted; normally empty
+   * @throws NotWritten if a file cannot be written, with a one-line message that names it and says
+   *     whether all changes have been undone
    */
   public List<Path> commit() throws IOException {
     List<Path> kept = new ArrayList<>();
@@ -112,7 +110,7 @@ public final class FileTransaction {
         at = file.file();
         forceName(file);
       }
-      // What has gone through a pipe cannot be taken back, so it comes last.
+      // a write to a pipe cannot be undone, so it comes last
       for (Map.Entry<Path, byte[]> sink : sinks.entrySet()) {
         at = sink.getKey();
         actions.pour(at, sink.getValue());
@@ -130,13 +128,13 @@ public final class FileTransaction {
       try {
         actions.delete(old);
       } catch (IOException e) {
-        left.add(old); // The caller tells; the new files are where they belong.
+        left.add(old); // the caller reports it; the new files are complete
       }
     }
     return List.copyOf(left);
   }
 
-  /** Whether something exists that is written to as it is: a pipe, a terminal, /dev/null. */
+  /** Returns whether a path is a pipe, terminal or device, which is written to in place. */
   public static boolean sink(Path file) {
     return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
   }
@@ -176,7 +174,7 @@ public final class FileTransaction {
   }
 
   /**
-   * @param more whether there are other files, after whose failure this one must come back
+   * @param more whether there are other files, whose failure would require this one to be restored
    */
   private void exchange(Staged file, boolean more, List<Path> kept) throws IOException {
     Path target = file.target();
@@ -194,13 +192,13 @@ public final class FileTransaction {
       undo.push(
           () -> {
             actions.move(old, target);
-            actions.delete(old); // To move one link of a file onto another does nothing (POSIX).
+            actions.delete(old); // POSIX rename between two links of the same file does nothing
           });
     }
     actions.move(file.temporary(), target);
   }
 
-  /** Some network folders refuse it: a file is whole in any case, the old or the new. */
+  /** Syncs the directory entry; some network folders refuse, but the file is complete anyway. */
   private void forceName(Staged file) throws IOException {
     try {
       actions.forceFolder(file.target().getParent());

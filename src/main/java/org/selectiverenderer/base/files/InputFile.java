@@ -6,12 +6,12 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Files that a user names. Java reads a folder with a failure that names none. */
+/** Reads files that a user names; reading a folder fails with a clear message. */
 public final class InputFile {
   private InputFile() {}
 
   /**
-   * A file's bytes.
+   * Returns a file's bytes.
    *
    * @throws IOException if it cannot be read, or is a folder
    */
@@ -21,7 +21,7 @@ public final class InputFile {
   }
 
   /**
-   * A file's text, in UTF-8.
+   * Returns a file's text, decoded from UTF-8.
    *
    * @throws IOException if it cannot be read, is a folder, or is not UTF-8
    */

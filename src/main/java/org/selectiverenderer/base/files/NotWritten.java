@@ -6,11 +6,11 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 
-/** A file that could not be written, in one line that names it, says why, and what has become. */
+/** Thrown if a file cannot be written; its one-line message names the file, cause and outcome. */
 public final class NotWritten extends IOException {
   private static final long serialVersionUID = 1L;
 
-  /** Why, in words. */
+  /** The cause, in words. */
   private final String reason;
 
   NotWritten(Path file, Exception cause, String outcome) {
@@ -18,12 +18,12 @@ public final class NotWritten extends IOException {
     reason = reason(cause);
   }
 
-  /** Why, for a sentence of the caller's: {@code permission denied}, {@code it is a folder}. */
+  /** Returns the cause for use in a message: {@code permission denied}, {@code it is a folder}. */
   public String reason() {
     return reason;
   }
 
-  /** A failure with the file's name, which a full disk does not tell. */
+  /** Adds the file's name to an exception that lacks it, as the one for a full disk does. */
   public static IOException named(Path file, IOException e) {
     return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
   }

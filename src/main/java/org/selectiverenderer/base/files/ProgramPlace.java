@@ -7,14 +7,14 @@ import java.security.CodeSource;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Where the program itself lies. */
+/** Finds the program's installation folder and the files installed with it. */
 public final class ProgramPlace {
-  /** Folders above the program's in which its files are looked for: target/classes has two. */
+  /** Number of parent folders searched for installed files; target/classes needs two. */
   private static final int LEVELS = 4;
 
   private ProgramPlace() {}
 
-  /** The jar or the folder of classes that a class comes from; empty where it is no file. */
+  /** Returns the jar or class folder from which a class was loaded; empty if it is not a file. */
   public static Optional<Path> of(Class<?> type) {
     CodeSource source = type.getProtectionDomain().getCodeSource();
     try {
@@ -22,13 +22,13 @@ public final class ProgramPlace {
           ? Optional.empty()
           : Optional.of(Path.of(source.getLocation().toURI()).toAbsolutePath());
     } catch (URISyntaxException | IllegalArgumentException e) {
-      return Optional.empty(); // Of a class loader that has no files.
+      return Optional.empty(); // the class loader does not load from files
     }
   }
 
   /**
-   * A file that comes with the program, wherever the user is: beside the jar, or in a folder above
-   * it.
+   * Finds a file that is installed with the program, beside the jar or relative to a folder above
+   * it, independent of the working directory.
    *
    * @param name with slashes, such as {@code scenes/apartment.x3d}
    */

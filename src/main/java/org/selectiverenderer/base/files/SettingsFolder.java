@@ -4,15 +4,17 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 
-/** Where a user's settings belong, as each system has it. */
+/** Finds the user's configuration folder by the convention of each operating system. */
 public final class SettingsFolder {
   private static final String NAME = "selective-renderer";
 
   private SettingsFolder() {}
 
   /**
-   * @param system the name of the operating system, as {@code os.name} has it
-   * @param home the user's folder
+   * Returns the program's configuration folder.
+   *
+   * @param system the name of the operating system, as in {@code os.name}
+   * @param home the user's home folder
    * @param environment variables of the process
    */
   public static Path of(String system, Path home, Map<String, String> environment) {

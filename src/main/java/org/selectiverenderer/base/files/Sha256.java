@@ -4,11 +4,11 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** SHA-256 (FIPS 180-4), by which contents are told apart. */
+/** Computes SHA-256 digests (FIPS 180-4), by which file contents are compared. */
 public final class Sha256 {
   private Sha256() {}
 
-  /** 64 hexadecimal digits in small letters. */
+  /** Returns the digest as 64 lower-case hexadecimal digits. */
   public static String of(byte[] content) {
     try {
       return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content));

@@ -6,20 +6,20 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** One file written whole or not at all: at every moment there is all of the old or of the new. */
+/** Writes one file atomically: a reader sees the complete old or the complete new content. */
 public final class WholeFile {
   private WholeFile() {}
 
-  /** Replaces a file, or makes it; the rest as in {@link FileTransaction#add}. */
+  /** Replaces or creates a file; links and permissions as in {@link FileTransaction#add}. */
   public static void replace(Path file, byte[] content) throws IOException {
     replace(file, content, FileActions.REAL);
   }
 
   /**
-   * The same by other actions.
+   * Replaces or creates a file by the given file operations.
    *
-   * @throws NotWritten if it cannot be written, or its folder is not there: one that was unplugged
-   *     is not made anew in its place. The file is as it was then
+   * @throws NotWritten if it cannot be written, or its folder does not exist (the folder is not
+   *     created, as it may be on an unplugged drive); the file is then unchanged
    */
   public static void replace(Path file, byte[] content, FileActions actions) throws IOException {
     requireFolder(file);
@@ -29,9 +29,9 @@ public final class WholeFile {
   }
 
   /**
-   * Replaces a file that the user named, or makes it. One whose name nothing can take though it may
-   * be written to itself is written into: its folder is write-protected, or somebody else's with
-   * others' files, or the file is a mount.
+   * Replaces or creates a file that the user named. A file that is writable but cannot be replaced
+   * is written in place instead: its folder is write-protected or sticky, or the file is a mount
+   * point.
    *
    * @throws IOException with the file's name, if it cannot be written either way
    */
@@ -39,7 +39,7 @@ public final class WholeFile {
     write(file, content, FileActions.REAL);
   }
 
-  /** The same by other actions. */
+  /** Replaces or creates a file in the same way by the given file operations. */
   public static void write(Path file, byte[] content, FileActions actions) throws IOException {
     try {
       replace(file, content, actions);
@@ -51,7 +51,7 @@ public final class WholeFile {
     }
   }
 
-  /** A full disk is no such reason. */
+  /** Returns whether the file is writable but cannot be replaced; a full disk is no such case. */
   private static boolean keepsItsName(Path file, NotWritten failure) {
     return failure.getCause() instanceof FileSystemException
         && Files.isRegularFile(file)
@@ -59,8 +59,8 @@ public final class WholeFile {
   }
 
   /**
-   * Writes into a file itself, so that who has it open sees the change; for what may be lost, such
-   * as a picture of work that goes on.
+   * Writes a file in place, so that a program that has it open sees the change; not atomic, for
+   * content that may be lost, such as a picture of a computation in progress.
    *
    * @throws IOException with the file's name
    */
@@ -73,11 +73,11 @@ public final class WholeFile {
   }
 
   /**
-   * Writes a file that is never written again; after a power cut it is there with all its content
-   * or not at all. One that is there with this very text was written before a crash, and stays.
+   * Writes a file once; after a power cut it exists with all its content or not at all. An existing
+   * file with the same text, written before a crash, is kept.
    *
-   * @throws NotWritten if it is there with another text, or cannot be written, or its folder is not
-   *     there
+   * @throws NotWritten if the file exists with another text, cannot be written, or its folder does
+   *     not exist
    */
   public static void writeOnce(Path file, String text) throws IOException {
     requireFolder(file);
@@ -86,10 +86,10 @@ public final class WholeFile {
     writing.commit();
   }
 
-  /** That of what a link is about, not the link's own. */
+  /** Requires the folder of the file, for a link that of its target, to exist. */
   private static void requireFolder(Path file) throws NotWritten {
     if (FileTransaction.sink(file)) {
-      return; // What is behind a name such as /dev/stdout may be in no folder.
+      return; // the target of a name such as /dev/stdout may be in no folder
     }
     try {
       Path folder = FileNames.target(file).getParent();

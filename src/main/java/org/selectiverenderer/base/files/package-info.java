@@ -1,14 +1,14 @@
 /**
- * Files found by the names that users give, and files written whole or not at all.
+ * Finds files by the names and patterns that users give, and writes files atomically.
  *
- * <p>{@link org.selectiverenderer.base.files.FileFinder} finds. For writing there is one policy for
- * everything that is not a log: the content goes to a temporary file beside the target and onto the
- * disk itself, and then takes the name in one step; several files do so all or none, and what they
- * replace is kept until all are in place. Links stay links, permissions stay, pipes and devices are
- * written to and not replaced. What is written once ({@link
- * org.selectiverenderer.base.files.WholeFile#writeOnce}) never replaces anything. Logs (time lines,
- * head logs, journals) are appended to instead, and use {@link
- * org.selectiverenderer.base.files.Disk} alone.
+ * <p>{@link org.selectiverenderer.base.files.FileFinder} finds files. All files but logs are
+ * written in one way: the content is written to a temporary file beside the target, forced to the
+ * disk, and then renamed in one atomic step; several files are replaced all or none, and the
+ * replaced files are kept until all are in place. Links stay links, permissions are kept, and pipes
+ * and devices are written to, not replaced. A file written once ({@link
+ * org.selectiverenderer.base.files.WholeFile#writeOnce}) never replaces another. Logs (time lines,
+ * head logs, journals) are appended to instead, and use only {@link
+ * org.selectiverenderer.base.files.Disk}.
  *
  * <p>In: names, paths and bytes. Out: paths, files, or a {@link
  * org.selectiverenderer.base.files.NotWritten}. Uses the JDK only.

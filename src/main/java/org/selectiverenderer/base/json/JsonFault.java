@@ -7,9 +7,9 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * Tells what is wrong with one file.
+ * Reports the errors of one JSON file, each with the consequence for the file.
  *
- * @param outcome what becomes of the file, such as {@code the study is not used}
+ * @param outcome the consequence of an error, such as {@code the study is not used}
  */
 record JsonFault(String file, String outcome, Problems problems) {
   void at(Location at, String message) {
@@ -31,14 +31,14 @@ record JsonFault(String file, String outcome, Problems problems) {
     return place(file, at);
   }
 
-  /** In characters, as the text was parsed from characters. */
+  /** Returns a parser location as line and column in characters. */
   static Location place(String file, JsonLocation at) {
     return at == null
         ? new Location(file, 1, 1)
         : new Location(file, Math.max(1, at.getLineNr()), Math.max(1, at.getColumnNr()));
   }
 
-  /** Without the parser's own places, which are those of its buffer. */
+  /** Returns the parser's message without the locations in it, which refer to its buffer. */
   static String sentence(JsonProcessingException e) {
     return e.getOriginalMessage()
         .lines()

@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A list of objects among the members of a JSON text that a person has written, for changing it in
- * place: all else, comments and blanks too, stays character for character.
+ * Edits an array of objects in a hand-written JSON text in place: everything else, including
+ * comments and white space, stays character for character.
  */
 public final class JsonListText {
   private record Span(int from, int to) {}
@@ -28,9 +28,11 @@ public final class JsonListText {
   private boolean empty = true;
 
   /**
-   * @param text that {@link JsonSettings} reads without a fault
-   * @param key of the list; the text may lack it
-   * @throws IllegalArgumentException if the text is not such a one
+   * Parses a text.
+   *
+   * @param text a text that {@link JsonSettings} reads without an error
+   * @param key the key of the array in the root object; the text may lack it
+   * @throws IllegalArgumentException if the text is not a JSON object
    */
   public JsonListText(String text, String key) {
     this.text = text;
@@ -41,7 +43,7 @@ public final class JsonListText {
     } catch (JsonProcessingException e) {
       throw new IllegalArgumentException("no JSON: " + JsonFault.sentence(e), e);
     } catch (IOException e) {
-      throw new UncheckedIOException(e); // A text does not fail.
+      throw new UncheckedIOException(e); // reading a string does not fail
     }
   }
 
@@ -89,7 +91,7 @@ public final class JsonListText {
     return (int) parser.currentTokenLocation().getCharOffset();
   }
 
-  /** Behind the present token; it is read to its end first. */
+  /** Returns the offset after the current token, which is read to its end first. */
   private static int end(JsonParser parser) throws IOException {
     if (parser.currentToken().isScalarValue()) {
       return begin(parser) + written(parser);
@@ -97,7 +99,7 @@ public final class JsonListText {
     return (int) parser.currentLocation().getCharOffset();
   }
 
-  /** A number ends where the parser has looked ahead; its own text is as long as it is written. */
+  /** Returns the length of a scalar; after a number the parser has read ahead. */
   private static int written(JsonParser parser) throws IOException {
     if (parser.currentToken() == JsonToken.VALUE_STRING) {
       parser.finishToken();
@@ -106,17 +108,17 @@ public final class JsonListText {
     return parser.getTextLength();
   }
 
-  /** How many values the list has. */
+  /** Returns the number of elements of the array. */
   public int size() {
     return items.size();
   }
 
   /**
-   * The text with another value of an object's member.
+   * Returns the text with another value for a member of an object.
    *
-   * @param index of the object in the list
-   * @param member one that it has
-   * @param value JSON
+   * @param index the index of the object in the array
+   * @param member the key of an existing member
+   * @param value the new value as JSON
    */
   public String with(int index, String member, String value) {
     Span at = Optional.ofNullable(items.get(index).values().get(member)).orElseThrow();
@@ -124,9 +126,9 @@ public final class JsonListText {
   }
 
   /**
-   * The text with another object at the end of the list, which is made where there is none.
+   * Returns the text with an object appended to the array, which is created if it is missing.
    *
-   * @param object JSON in one line
+   * @param object the object as JSON in one line
    */
   public String added(String object) {
     String line = text.contains("\r\n") ? "\r\n" : "\n";
@@ -145,7 +147,9 @@ public final class JsonListText {
     return insert(rootStart + 1, member + (!empty ? "," : broken ? "" : line));
   }
 
-  /** A mark and the blanks before a place where only these stand in its line; else nothing. */
+  /**
+   * Returns "|" and the indentation if an offset is the first in its line after blanks; else "".
+   */
   private String indentation(int at) {
     int start = text.lastIndexOf('\n', at - 1) + 1;
     String before = text.substring(start, at);
@@ -156,10 +160,10 @@ public final class JsonListText {
     return text.substring(0, at) + more + text.substring(at);
   }
 
-  /** The text without an object, and without the comma that it needs no more. */
+  /** Returns the text without an object and without the comma that separated it. */
   public String without(int index) {
     Span place = items.get(index).place();
-    if (items.size() == 1) { // Behind it there may be a comma, which needs something before it.
+    if (items.size() == 1) { // a trailing comma would be invalid in an empty array
       Span all = list.orElseThrow();
       return text.substring(0, all.from()) + "[]" + text.substring(all.to());
     }

@@ -13,9 +13,9 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Spelling;
 
 /**
- * The members of a JSON object, asked for one by one. What is wrong is an error at its place; a
- * value that stands in for it is returned, so that all faults of a file are found at once. Keys
- * that nobody asked for are errors, too.
+ * Reads the members of a JSON object by key. An error is reported at its location and a default
+ * value returned, so that all errors of a file are found in one pass. Keys that the caller never
+ * reads are errors, too.
  */
 public final class JsonMembers {
   private final Map<String, Member> members;
@@ -32,9 +32,9 @@ public final class JsonMembers {
   }
 
   /**
-   * The members of a value that is to be an object; none of another.
+   * Returns a reader of a value that should be an object; without members if it is not.
    *
-   * @param subject what it is, for messages, such as {@code an area}
+   * @param subject the noun for the object in messages, such as {@code an area}
    */
   static JsonMembers of(JsonValue value, String subject, JsonFault faults) {
     Optional<Map<String, Member>> members = value.members();
@@ -44,7 +44,7 @@ public final class JsonMembers {
     return new JsonMembers(members.orElse(Map.of()), value.at(), subject, faults);
   }
 
-  /** What is read of the members, and nothing else may be there. */
+  /** Reads the content, then reports every key that was not read as unknown. */
   <T> T all(Function<JsonMembers, T> content) {
     T read = content.apply(this);
     members.forEach(
@@ -66,13 +66,13 @@ public final class JsonMembers {
                 .orElse(" (known keys: %s)".formatted(String.join(", ", asked))));
   }
 
-  /** The names that are there, where any name may be. */
+  /** Returns all keys, for an object that may have any. */
   public List<String> names() {
     asked.addAll(members.keySet());
     return List.copyOf(members.keySet());
   }
 
-  /** Whether there is a member of that name. */
+  /** Returns whether the object has a member with this key that is not null. */
   public boolean has(String key) {
     return find(key).isPresent();
   }
@@ -92,33 +92,33 @@ public final class JsonMembers {
     return found;
   }
 
-  /** A value of any kind; empty where it is missing. */
+  /** Returns a value of any type; empty if it is missing. */
   public Optional<JsonValue> value(String key) {
     return find(key);
   }
 
-  /** A fault of the object as a whole. */
+  /** Reports an error of the object as a whole. */
   public void fault(String message) {
     faults.at(at, message);
   }
 
-  /** A fault at a member's value; at the object where there is none. */
+  /** Reports an error at a member's value, or at the object if there is no such member. */
   public void fault(String key, String message) {
     Member member = members.get(key);
     faults.at(member == null ? at : member.value().at(), message);
   }
 
-  /** A fault at a value of a list. */
+  /** Reports an error at an array element. */
   public void fault(JsonValue value, String message) {
     faults.at(value.at(), message);
   }
 
-  /** A text that must be there and say something. */
+  /** Returns a string that must be present and not blank; "" after an error. */
   public String text(String key) {
     return text(key, true).orElse("");
   }
 
-  /** A text that may be missing or empty, or must not; what is found is not empty. */
+  /** Returns a string that is not blank; a missing or blank one is an error if it is needed. */
   public Optional<String> text(String key, boolean needed) {
     Optional<String> text = find(key, needed).flatMap(value -> textOf(key, value));
     if (text.isPresent() && text.get().isBlank()) {
@@ -138,10 +138,10 @@ public final class JsonMembers {
   }
 
   /**
-   * A number in a range, both ends included.
+   * Returns a number in a closed range.
    *
-   * @param otherwise where it is missing; NaN where it must not be
-   * @return the least where there is a fault
+   * @param otherwise the default if it is missing; NaN if it is required
+   * @return {@code least} after an error
    */
   public double number(String key, double least, double most, double otherwise) {
     Optional<JsonValue> found = find(key, Double.isNaN(otherwise));
@@ -157,7 +157,7 @@ public final class JsonMembers {
     return least;
   }
 
-  /** A whole number in a range, likewise. */
+  /** Returns an integer in a closed range, with a default as in {@link #number}. */
   public long whole(String key, double least, double most, double otherwise) {
     double number = number(key, least, most, otherwise);
     if (number != Math.rint(number)) {
@@ -170,7 +170,7 @@ public final class JsonMembers {
     return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
   }
 
-  /** True or false; {@code otherwise} where it is missing or a fault. */
+  /** Returns a boolean; {@code otherwise} if it is missing or after an error. */
   public boolean truth(String key, boolean otherwise) {
     Optional<JsonValue> found = find(key);
     if (found.isPresent() && found.get().truth().isEmpty()) {
@@ -179,12 +179,12 @@ public final class JsonMembers {
     return found.flatMap(JsonValue::truth).orElse(otherwise);
   }
 
-  /** Whether a member is there and is an object. */
+  /** Returns whether a member is present and is an object. */
   public boolean hasObject(String key) {
     return find(key).flatMap(JsonValue::members).isPresent();
   }
 
-  /** One of some spellings. */
+  /** Returns the known value with this spelling; {@code otherwise} if it is missing or unknown. */
   public <T> T choice(String key, List<T> known, Function<T, String> spelling, T otherwise) {
     Optional<String> text = text(key, false);
     if (text.isEmpty()) {
@@ -203,15 +203,15 @@ public final class JsonMembers {
   }
 
   /**
-   * An object; empty where it is missing.
+   * Reads an object; empty if it is missing.
    *
-   * @param what it is, for messages, such as {@code the display}
+   * @param what the noun for the object in messages, such as {@code the display}
    */
   public <T> Optional<T> object(String key, String what, Function<JsonMembers, T> content) {
     return find(key).map(value -> of(value, what, faults).all(content));
   }
 
-  /** The values of a list; none where it is missing. */
+  /** Returns the elements of an array; none if it is missing. */
   public List<JsonValue> list(String key, boolean needed) {
     Optional<JsonValue> found = find(key, needed);
     Optional<List<JsonValue>> list = found.flatMap(JsonValue::list);
@@ -221,7 +221,7 @@ public final class JsonMembers {
     return list.orElse(List.of());
   }
 
-  /** The texts of a list; none where it is missing. */
+  /** Returns the elements of an array of strings; none if it is missing. */
   public List<String> texts(String key) {
     List<String> texts = new ArrayList<>();
     for (JsonValue value : list(key, false)) {
@@ -233,7 +233,7 @@ public final class JsonMembers {
     return texts;
   }
 
-  /** The objects of a list; none where it is missing. */
+  /** Reads the elements of an array of objects; none if it is missing. */
   public <T> List<T> objects(String key, String what, Function<JsonMembers, T> content) {
     return list(key, false).stream().map(value -> of(value, what, faults).all(content)).toList();
   }

@@ -16,10 +16,10 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * Reads files of one kind that people write. The package says to what policy.
+ * Reads hand-written JSON files of one kind; the package describes the rules.
  *
- * @param subject what such a file is, for messages, such as {@code a study}
- * @param outcome what becomes of a faulty one, such as {@code the study is not used}
+ * @param subject the noun for such a file in messages, such as {@code a study}
+ * @param outcome the consequence of an error, such as {@code the study is not used}
  */
 public record JsonSettings(String subject, String outcome) {
   static final JsonFactory FACTORY =
@@ -29,15 +29,15 @@ public record JsonSettings(String subject, String outcome) {
           .enable(JsonReadFeature.ALLOW_TRAILING_COMMA)
           .build();
 
-  /** What editors write at the beginning of a text to say that it is UTF-8. */
+  /** The byte order mark that some editors write at the beginning of UTF-8 text. */
   static final String MARK = "\uFEFF";
 
   /**
    * Reads a file.
    *
-   * @param content asks for all keys that there may be; whatever it returns of a faulty file, which
-   *     is told, is let go
-   * @return empty when the file has faults, which are then in {@code problems}
+   * @param content reads all keys that the file may have; its result is discarded if the file has
+   *     errors
+   * @return empty if the file has errors, which are then in {@code problems}
    * @throws IOException if it cannot be read at all
    */
   public <T> Optional<T> read(Path file, Problems problems, Function<JsonMembers, T> content)
@@ -88,7 +88,7 @@ public record JsonSettings(String subject, String outcome) {
       faults.noJson(e);
       return Optional.empty();
     } catch (IOException e) {
-      throw new UncheckedIOException(e); // A text does not fail.
+      throw new UncheckedIOException(e); // reading a string does not fail
     }
   }
 }

@@ -10,26 +10,26 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 
-/** Writes JSON for programs that people may look at too: indented, each line ended by LF. */
+/** Writes indented JSON with LF line ends, for programs and people. */
 public final class JsonText {
   private static final DefaultIndenter LINES = new DefaultIndenter("  ", "\n");
 
   private JsonText() {}
 
-  /** Something that is written. */
+  /** Streams the content of a JSON text. */
   public interface Content {
     /** Writes one value. */
     void write(JsonGenerator json) throws IOException;
   }
 
-  /** A tree; a list of numbers or texts is one line. */
+  /** Writes a tree; an array of numbers or strings takes one line. */
   public static String of(JsonNode tree) {
     return text(
         json -> JsonTree.MAPPER.writeTree(json, tree),
         new DefaultPrettyPrinter().withObjectIndenter(LINES));
   }
 
-  /** What is too long for a tree; a list has each value in a line of its own. */
+  /** Writes streamed content, too long for a tree; each array element takes a line of its own. */
   public static String of(Content content) {
     return text(
         content, new DefaultPrettyPrinter().withObjectIndenter(LINES).withArrayIndenter(LINES));
@@ -41,7 +41,7 @@ public final class JsonText {
       json.setPrettyPrinter(printer);
       content.write(json);
     } catch (IOException e) {
-      throw new UncheckedIOException(e); // A StringWriter does not fail.
+      throw new UncheckedIOException(e); // a StringWriter does not fail
     }
     return text.append('\n').toString();
   }

@@ -9,36 +9,36 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.selectiverenderer.base.files.InputFile;
 
-/** JSON that programs write for programs, as trees. */
+/** Reads and builds JSON trees, for files that programs exchange. */
 public final class JsonTree {
   static final ObjectMapper MAPPER = new ObjectMapper();
 
   private JsonTree() {}
 
-  /** A new object to be filled. */
+  /** Returns a new empty object. */
   public static ObjectNode object() {
     return JsonNodeFactory.instance.objectNode();
   }
 
-  /** A text, number or truth value, or a list or map of such, as a tree. */
+  /** Converts a string, number or boolean, or a list or map of these, to a tree. */
   public static JsonNode of(Object value) {
     return MAPPER.valueToTree(value);
   }
 
-  /** What is wrong with a text, without the parser's own places. */
+  /** Returns the parser's error message without the locations in it. */
   public static String sentence(JsonProcessingException e) {
     return JsonFault.sentence(e);
   }
 
-  /** Reads a text. */
+  /** Parses a text. */
   public static JsonNode parse(String text) throws JsonProcessingException {
     return MAPPER.readTree(text);
   }
 
   /**
-   * Reads a file that is to hold an object.
+   * Reads a file that should hold a JSON object.
    *
-   * @throws IOException if it cannot be read or holds none, with a message of one line
+   * @throws IOException if it cannot be read or holds no object, with a one-line message
    */
   public static JsonNode read(Path file) throws IOException {
     try {

@@ -10,27 +10,29 @@ import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.base.problem.Location;
 
-/** A value of a JSON text that knows where it stands. */
+/** A value of a JSON text with its location in the file. */
 public final class JsonValue {
-  /** What null reads as. */
+  /** Represents null. */
   private static final Object NOTHING = new Object();
 
-  /** A value and where its name stands. */
+  /** A value and the location of its key. */
   record Member(Location name, JsonValue value) {}
 
   private final Object value;
   private final Location at;
 
   /**
+   * Creates a value.
+   *
    * @param value a {@code String}, {@code Double} or {@code Boolean}, a list of values, a map from
-   *     names to members, or {@link #NOTHING}
+   *     keys to members, or {@link #NOTHING}
    */
   private JsonValue(Object value, Location at) {
     this.value = value;
     this.at = at;
   }
 
-  /** Reads the value that a parser has come to. */
+  /** Reads the value that begins at the current token of a parser. */
   static JsonValue read(JsonParser parser, JsonFault faults) throws IOException {
     Location at = faults.place(parser.currentTokenLocation());
     return switch (parser.currentToken()) {
@@ -58,7 +60,7 @@ public final class JsonValue {
     };
   }
 
-  /** Where it begins. */
+  /** Returns where the value begins. */
   public Location at() {
     return at;
   }
@@ -67,29 +69,29 @@ public final class JsonValue {
     return value == NOTHING;
   }
 
-  /** Empty when it is no text. */
+  /** Returns the string; empty if the value is of another type. */
   public Optional<String> text() {
     return value instanceof String text ? Optional.of(text) : Optional.empty();
   }
 
-  /** NaN when it is no number. */
+  /** Returns the number; NaN if the value is of another type. */
   public double number() {
     return value instanceof Double number ? number : Double.NaN;
   }
 
-  /** Empty when it is neither true nor false. */
+  /** Returns the boolean; empty if the value is of another type. */
   Optional<Boolean> truth() {
     return value instanceof Boolean truth ? Optional.of(truth) : Optional.empty();
   }
 
-  /** Empty when it is no list. */
+  /** Returns the elements; empty if the value is not an array. */
   Optional<List<JsonValue>> list() {
     return value instanceof List<?> list
         ? Optional.of(list.stream().map(JsonValue.class::cast).toList())
         : Optional.empty();
   }
 
-  /** In their order; empty when it is no object. */
+  /** Returns the members in file order; empty if the value is not an object. */
   Optional<Map<String, Member>> members() {
     if (!(value instanceof Map<?, ?> map)) {
       return Optional.empty();
@@ -99,7 +101,7 @@ public final class JsonValue {
     return Optional.of(members);
   }
 
-  /** For messages. */
+  /** Returns a short form for messages. */
   @Override
   public String toString() {
     return value == NOTHING

@@ -3,22 +3,21 @@ package org.selectiverenderer.base.machine;
 import java.util.Optional;
 
 /**
- * The process that started this one, where this one is to end with it, whatever ends that one:
- * where it is killed, nobody else would know of a child that shows a window, or of one in which a
- * library hangs.
+ * Ends a child process when its parent process ends for whatever reason. Without it, a child that
+ * shows a window, or one in which a library hangs, would survive a parent that is killed.
  */
 public final class ParentProcess {
   private static final String PROPERTY = "selective-renderer.parent";
 
-  /** What the flag of a child begins with, which is not for the child's own children. */
+  /** The prefix of the child's JVM flag, which the child must not pass to its own children. */
   static final String FLAG = "-D" + PROPERTY + "=";
 
-  /** Between two looks. */
+  /** The interval between two checks of the parent. */
   private static final long PAUSE_MS = 200;
 
   private ParentProcess() {}
 
-  /** The flag for Java of a child that is to end with this process. */
+  /** Returns the JVM flag for a child that should end with this process. */
   public static String flag() {
     return FLAG + ProcessHandle.current().pid();
   }
@@ -34,13 +33,13 @@ public final class ParentProcess {
     if (pid == null) {
       return;
     }
-    Optional<ProcessHandle> parent = ProcessHandle.of(pid); // None where it has ended already.
+    Optional<ProcessHandle> parent = ProcessHandle.of(pid); // empty if it has ended already
     Thread watch = new Thread(() -> await(parent, end), "parent-watch");
     watch.setDaemon(true);
     watch.start();
   }
 
-  /** By looking: Java's own notice of a process that is no child may take five seconds. */
+  /** Polls the parent, since {@link ProcessHandle#onExit} may take five seconds for a non-child. */
   private static void await(Optional<ProcessHandle> parent, Runnable end) {
     try {
       while (parent.filter(ProcessHandle::isAlive).isPresent()) {
@@ -48,7 +47,7 @@ public final class ParentProcess {
       }
       end.run();
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // Nobody interrupts it but to end it.
+      Thread.currentThread().interrupt(); // only an ending process interrupts it
     }
   }
 }

@@ -5,13 +5,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 
-/** What computes. */
+/** Names the computer's processor. */
 public final class Processor {
   private static final Path PROCESSORS = Path.of("/proc/cpuinfo");
 
   private Processor() {}
 
-  /** Its maker's name for it, as far as the system tells; else {@code unknown}. */
+  /** Returns the model name of the CPU as reported by the system, else {@code unknown}. */
   public static String name() throws IOException {
     if (Files.isReadable(PROCESSORS)) {
       try (Stream<String> lines = Files.lines(PROCESSORS)) {

@@ -8,15 +8,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The command line that starts the program a second time, as this process was started. */
+/** Builds the command line that starts this program again as a child process. */
 public final class ProgramCommand {
   /**
-   * Set by launchers that a desktop starts with files and nothing else: the program's command for
-   * them. What is started here names its own.
+   * The system property set by a desktop launcher, which is started with files as its only
+   * arguments: the program's command to run on them. A child process is given its own command.
    */
   public static final String DESKTOP = "selective-renderer.desktop";
 
-  /** Flags that two processes cannot share, such as a debugger's port. */
+  /** JVM flags that two processes cannot share, such as a debugger's port. */
   private static final List<String> OWN =
       List.of(
           "-agentlib:jdwp", "-Xrunjdwp", "-javaagent", "-D" + DESKTOP + "=", ParentProcess.FLAG);
@@ -24,11 +24,11 @@ public final class ProgramCommand {
   private ProgramCommand() {}
 
   /**
-   * The same Java, flags and class path.
+   * Returns a command with the Java command, JVM flags and class path of this process.
    *
-   * @param mainClass of the program
-   * @param flags further flags for Java
-   * @param arguments of the program
+   * @param mainClass the main class of the program
+   * @param flags further JVM flags
+   * @param arguments the program's arguments
    */
   public static List<String> of(String mainClass, List<String> flags, List<String> arguments) {
     List<String> command = new ArrayList<>();
@@ -40,7 +40,7 @@ public final class ProgramCommand {
     return command;
   }
 
-  /** Those of a process's flags that one which it starts may have too. */
+  /** Returns those of a process's JVM flags that it may pass to a child. */
   static List<String> shared(List<String> flags) {
     return flags.stream().filter(flag -> OWN.stream().noneMatch(flag::startsWith)).toList();
   }
@@ -53,11 +53,12 @@ public final class ProgramCommand {
   }
 
   /**
-   * In a bundle of jpackage this process is its launcher, and Java's own command lies inside.
+   * Returns the Java command in a folder. It is looked for there since in a jpackage bundle this
+   * process runs the bundle's launcher.
    *
-   * @param folder of Java's commands
-   * @param unseen whether nobody sees a terminal: then Windows must not open one, as it does for
-   *     {@code java.exe}
+   * @param folder the folder of Java's commands
+   * @param unseen whether the program runs without a terminal; Windows would open one for {@code
+   *     java.exe}
    */
   static Optional<String> java(Path folder, boolean unseen) {
     return Stream.of(unseen ? "javaw.exe" : "java", "java", "java.exe")

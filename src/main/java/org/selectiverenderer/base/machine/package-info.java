@@ -1,9 +1,9 @@
 /**
- * The computer that the program runs on, and how it was started.
+ * Describes the computer that runs the program, and starts the program again as a child process.
  *
  * <p>In: system properties, the environment, files of the system. Out: the processor's name, and
- * the command that starts the program a second time, in processes that end with this one if they
- * are to. Uses the JDK only.
+ * the command line of a child process, which may be tied to the lifetime of this one. Uses the JDK
+ * only.
  */
 @NullMarked
 package org.selectiverenderer.base.machine;

@@ -1,18 +1,18 @@
 package org.selectiverenderer.base.markup;
 
 /**
- * Text as XML and HTML write it. What XML 1.0 cannot hold at all (section 2.2: control characters
- * but tab and line ends, halves of surrogate pairs) becomes a question mark.
+ * Escapes text for XML and HTML. Characters that XML 1.0 does not allow (section 2.2: control
+ * characters except tab and line ends, unpaired surrogates) become question marks.
  */
 public final class Markup {
   private Markup() {}
 
-  /** As content of an element. */
+  /** Escapes text for element content. */
   public static String text(String text) {
     return escaped(text, false);
   }
 
-  /** As the value of an attribute in double quotes; also content of an element. */
+  /** Escapes text for an attribute value in double quotes, or for element content. */
   public static String attribute(String text) {
     return escaped(text, true);
   }

@@ -1,6 +1,6 @@
 /**
- * Text as markup holds it: the one place that escapes what XML and HTML give a meaning of their
- * own. Values of X3D fields have rules of their own and are written elsewhere.
+ * Escapes the special characters of XML and HTML. X3D field values have further quoting rules and
+ * are written elsewhere.
  *
  * <p>In and out: strings. Uses nothing else of ours.
  */

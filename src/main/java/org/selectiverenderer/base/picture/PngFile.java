@@ -8,14 +8,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 
-/** Pixels as a PNG file (ISO/IEC 15948), true colour, 8 bits. */
+/** Encodes pixels as PNG (ISO/IEC 15948) in true colour with 8 bits per sample. */
 public final class PngFile {
   static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
   private PngFile() {}
 
   /**
-   * The bytes of the file.
+   * Encodes pixels without row filters, for speed.
    *
    * @param rgb three bytes per pixel, rows from the top
    */
@@ -24,7 +24,7 @@ public final class PngFile {
   }
 
   /**
-   * The bytes of the file, made as small as can be, which takes some ten times as long.
+   * Encodes pixels with row filters and best compression, which takes some ten times as long.
    *
    * @param pixels rows from the top, three bytes per pixel, or four with alpha
    */

@@ -1,8 +1,8 @@
 package org.selectiverenderer.base.picture;
 
 /**
- * PNG's filters (ISO/IEC 15948, clause 9): each row has the one that leaves the least sum of
- * differences (12.8), which deflates best.
+ * Applies PNG's row filters (ISO/IEC 15948, clause 9). Each row gets the filter with the least sum
+ * of absolute differences (clause 12.8), which usually compresses best.
  */
 final class PngFilters {
   private static final int FILTERS = 5;
@@ -10,10 +10,10 @@ final class PngFilters {
   private PngFilters() {}
 
   /**
-   * Every row, its filter's number before it.
+   * Returns the filtered rows, each preceded by the number of its filter.
    *
-   * @param row bytes of one
-   * @param pixel bytes of one
+   * @param row bytes per row
+   * @param pixel bytes per pixel
    */
   static byte[] filtered(int row, int height, int pixel, byte[] samples) {
     byte[] out = new byte[(row + 1) * height];
@@ -36,7 +36,7 @@ final class PngFilters {
     return out;
   }
 
-  /** Filters a row; returns the sum of what is left, as signed bytes. */
+  /** Filters a row into {@code out}; returns the sum of absolute differences as signed bytes. */
   private static long filter(int filter, byte[] all, int from, int row, int pixel, byte[] out) {
     long sum = 0;
     for (int i = 0; i < row; i++) {

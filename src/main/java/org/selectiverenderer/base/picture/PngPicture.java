@@ -5,18 +5,18 @@ import java.nio.ByteBuffer;
 import java.util.zip.Deflater;
 
 /**
- * Pixels as a small PNG file (ISO/IEC 15948), 8 bits a sample: rows are filtered as suits each best
- * and deflated as far as goes. {@link PngFile} is the quick way.
+ * Encodes pixels as a small PNG file (ISO/IEC 15948) with 8 bits per sample: each row gets its best
+ * filter, and the data the best compression. {@link PngFile} is faster.
  */
 public final class PngPicture {
 
-  /** What a pixel's samples are. */
+  /** The PNG colour types, which define the samples of a pixel. */
   public enum Samples {
     /** One byte: grey. */
     GREY(0, 1),
     /** Three bytes: red, green, blue. */
     RGB(2, 3),
-    /** A number of the palette. */
+    /** One byte: an index into the palette. */
     PALETTE(3, 1),
     /** Four bytes: red, green, blue, opacity. */
     RGBA(6, 4);
@@ -29,7 +29,7 @@ public final class PngPicture {
       this.count = count;
     }
 
-    /** Bytes of a pixel. */
+    /** Returns the bytes per pixel. */
     public int count() {
       return count;
     }
@@ -38,9 +38,9 @@ public final class PngPicture {
   private PngPicture() {}
 
   /**
-   * The bytes of the file.
+   * Returns the bytes of the file.
    *
-   * @param palette red, green and blue of up to 256 colours; empty unless samples are of it
+   * @param palette red, green and blue of up to 256 colours; empty for other colour types
    * @param pixels rows from the top
    */
   public static byte[] of(int width, int height, Samples samples, byte[] palette, byte[] pixels) {
@@ -70,7 +70,7 @@ public final class PngPicture {
     return out.toByteArray();
   }
 
-  /** Each row after the number of its filter; numbers of a palette are not filtered. */
+  /** Returns the rows, each preceded by its filter number; palette indices are not filtered. */
   private static byte[] filtered(int row, int height, Samples samples, byte[] pixels) {
     if (samples != Samples.PALETTE) {
       return PngFilters.filtered(row, height, samples.count, pixels);

@@ -4,18 +4,19 @@ import java.util.List;
 import org.selectiverenderer.base.markup.Markup;
 
 /**
- * Writes a drawing as SVG 1.1. A style is attributes, names and values by turns; a value that is a
- * {@code Double} gets the drawing's precision, and an attribute whose value is empty is left out.
+ * Writes a drawing as SVG 1.1. A style is a sequence of alternating attribute names and values. A
+ * {@code Double} is written with the drawing's precision, and an attribute with an empty value is
+ * left out.
  */
 public final class SvgDrawing {
   private final StringBuilder svg = new StringBuilder();
   private final SvgPrecision precision;
 
   /**
-   * An empty drawing.
+   * Creates an empty drawing.
    *
-   * @param fonts families, the most wanted one first
-   * @param title that viewers show
+   * @param fonts font families in order of preference
+   * @param title the title that viewers show
    */
   public SvgDrawing(int width, int height, String fonts, String title, SvgPrecision precision) {
     this.precision = precision;
@@ -24,7 +25,7 @@ public final class SvgDrawing {
     svg.append(">\n<title>").append(Markup.text(title)).append("</title>\n");
   }
 
-  /** Adds a rectangle; one without an extent has none. */
+  /** Adds a rectangle; a negative width or height is written as 0. */
   public void rectangle(double x, double y, double width, double height, String fill) {
     begin("rect", "x", x, "y", y);
     attributes("width", Math.max(0, width), "height", Math.max(0, height), "fill", fill);
@@ -34,7 +35,7 @@ public final class SvgDrawing {
   /**
    * Adds a path.
    *
-   * @param data its {@code d}
+   * @param data the value of its attribute {@code d}
    */
   public void path(String data, Object... style) {
     begin("path", "d", data);
@@ -49,7 +50,7 @@ public final class SvgDrawing {
     svg.append("/>\n");
   }
 
-  /** Adds text, which stays text; y is its base line's. */
+  /** Adds a text element; y is the coordinate of its baseline. */
   public void text(String words, double x, double y, Object... style) {
     begin("text", "x", x, "y", y);
     attributes(style);
@@ -74,7 +75,7 @@ public final class SvgDrawing {
     }
   }
 
-  /** The value of {@code d} for a line through points, x and y each. */
+  /** Returns the value of {@code d} for a polyline through points of x and y. */
   public String line(List<double[]> points) {
     StringBuilder data = new StringBuilder();
     for (double[] point : points) {
@@ -84,12 +85,12 @@ public final class SvgDrawing {
     return data.toString();
   }
 
-  /** A number as the drawing writes them. */
+  /** Formats a number with the drawing's precision. */
   private String number(double value) {
     return precision.of(value);
   }
 
-  /** The drawing's text; nothing is drawn afterwards. */
+  /** Ends the drawing and returns its text. */
   public String finish() {
     return svg.append("</svg>\n").toString();
   }

@@ -2,12 +2,12 @@ package org.selectiverenderer.base.picture;
 
 import java.util.Locale;
 
-/** How exactly a drawing's numbers are written. */
+/** The number of decimals in a drawing. */
 public enum SvgPrecision {
-  /** {@code 12.0}. */
+  /** Exactly one decimal: {@code 12.0}. */
   TENTHS,
 
-  /** {@code 12.34}, {@code 12.3}, {@code 12}. */
+  /** Up to two decimals: {@code 12.34}, {@code 12.3}, {@code 12}. */
   HUNDREDTHS;
 
   String of(double number) {

@@ -1,10 +1,11 @@
 /**
- * Pictures as files: SVG element by element ({@link org.selectiverenderer.base.picture.SvgDrawing})
- * and pixels as PNG ({@link org.selectiverenderer.base.picture.PngFile}).
+ * Writes picture files: SVG element by element ({@link
+ * org.selectiverenderer.base.picture.SvgDrawing}) and pixels as PNG ({@link
+ * org.selectiverenderer.base.picture.PngFile}).
  *
- * <p>In: shapes or pixels from the upper left corner, y down. Out: text or bytes, the same every
- * time: every line of SVG ends with LF and every number has a decimal point, whatever the platform
- * and the locale. Uses {@code base.markup}; no AWT.
+ * <p>In: shapes or pixels from the upper left corner, y down. Out: text or bytes, reproducible:
+ * every line of SVG ends with LF and every number has a decimal point, whatever the platform and
+ * the locale. Uses {@code base.markup}; no AWT.
  */
 @NullMarked
 package org.selectiverenderer.base.picture;

@@ -1,28 +1,25 @@
 package org.selectiverenderer.base.problem;
 
 /**
- * Something about a scene that its author should know.
+ * An error, warning or note about a user's file, with its location.
  *
- * @param message one sentence: what is wrong and what is done about it. Whatever names of the file
- *     it quotes, it is one line of a bearable length
+ * @param message one sentence that says what is wrong and what the program does about it, on one
+ *     line of limited length
  */
 public record Problem(Severity severity, Location location, String message) {
-  /** ERROR and WARNING make a command end with status 1; INFO does not. */
+  /** The severity; ERROR and WARNING make a command exit with status 1, INFO does not. */
   public enum Severity {
-    /** Something is wrong, and the result lacks it. */
+    /** The input is wrong, and the affected part is missing from the result. */
     ERROR,
-    /** Something is probably not as it is meant. */
+    /** The input is probably not what its author meant. */
     WARNING,
-    /** Something worth knowing. */
+    /** Information without a need to act. */
     INFO
   }
 
   private static final int MESSAGE_LENGTH = 500;
 
-  /**
-   * Puts question marks in the place of control characters, and shortens a message that is too
-   * long.
-   */
+  /** Replaces control characters by question marks, and truncates a message that is too long. */
   public Problem {
     message = printable(message);
   }
@@ -37,7 +34,7 @@ public record Problem(Severity severity, Location location, String message) {
     return message.length() > MESSAGE_LENGTH ? line + "..." : line.toString();
   }
 
-  /** {@code file:line:column: message}, the form that editors and terminals link. */
+  /** Returns {@code file:line:column: message}, which editors and terminals turn into a link. */
   @Override
   public String toString() {
     return location + ": " + message;

@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Collects problems; safe for use by several threads. A listener hears each as it is found. After
- * {@link #LIMIT} problems of one file the rest are counted and summed up in one line, so that a
- * broken file of a million numbers costs bounded memory.
+ * Collects problems, and passes each to a listener at once. Thread-safe. After {@link #LIMIT}
+ * problems of one file a single line says that the rest are not listed, so that a broken file of a
+ * million numbers takes bounded memory.
  */
 public final class Problems {
-  /** Problems kept per file. */
+  /** The maximum number of problems kept per file. */
   public static final int LIMIT = 100;
 
   private final Consumer<Problem> listener;
@@ -18,27 +18,27 @@ public final class Problems {
   private final java.util.Map<String, Integer> perFile = new java.util.HashMap<>();
   private boolean errors;
 
-  /** Problems that are kept. */
+  /** Creates an empty collector without a listener. */
   public Problems() {
     this(problem -> {});
   }
 
-  /** Problems that are kept, and told as they are found. */
+  /** Creates an empty collector with a listener. */
   public Problems(Consumer<Problem> listener) {
     this.listener = listener;
   }
 
-  /** Adds something that is wrong. */
+  /** Adds an error. */
   public void error(Location location, String message) {
     add(new Problem(Problem.Severity.ERROR, location, message));
   }
 
-  /** Adds something that is probably wrong. */
+  /** Adds a warning. */
   public void warning(Location location, String message) {
     add(new Problem(Problem.Severity.WARNING, location, message));
   }
 
-  /** Adds something worth knowing. */
+  /** Adds an information. */
   public void info(Location location, String message) {
     add(new Problem(Problem.Severity.INFO, location, message));
   }
@@ -62,12 +62,12 @@ public final class Problems {
     listener.accept(problem);
   }
 
-  /** All problems so far, in the order found. */
+  /** Returns all problems so far, in the order in which they were found. */
   public synchronized List<Problem> list() {
     return List.copyOf(list);
   }
 
-  /** Whether any error or warning was found: the input has problems. */
+  /** Returns whether any error or warning was found. */
   public synchronized boolean any() {
     return errors;
   }

@@ -3,7 +3,7 @@ package org.selectiverenderer.base.problem;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Names in sentences: the one that somebody probably meant, and the article before one. */
+/** Suggests the intended name for a misspelt one, and puts the article before a name. */
 public final class Spelling {
   /** Letters whose names begin with a vowel: an LOD, an X3D file. */
   private static final String SPOKEN_WITH_VOWEL = "AEFHILMNORSX";
@@ -11,9 +11,8 @@ public final class Spelling {
   private Spelling() {}
 
   /**
-   * The name of a node or field type with its article: {@code an Inline}, {@code a Box}. What
-   * begins with two capitals is spelt out in speech, so that it is {@code an LOD} and {@code a
-   * CADPart}.
+   * Returns the name of a node or field type with its indefinite article: {@code an Inline}, {@code
+   * a Box}. A name that begins with two capitals is pronounced letter by letter: {@code an LOD}.
    */
   public static String one(String name) {
     boolean spelt =
@@ -25,17 +24,17 @@ public final class Spelling {
   }
 
   /**
-   * The candidate nearest to a misspelt name, if one is near enough to be worth proposing: at most
-   * a third of its letters differ. Letter case counts little, since it is the most common slip.
+   * Returns the candidate most similar to a misspelt name, if at most a third of the letters
+   * differ. Letter case is ignored, since it is the most common mistake.
    */
   public static Optional<String> nearest(String name, Iterable<String> candidates) {
     return nearest(name, candidates, Integer.MAX_VALUE);
   }
 
   /**
-   * The same with a bound.
+   * Returns the candidate most similar to a misspelt name, within a maximum edit distance.
    *
-   * @param slips letters that may differ at most, letter case apart
+   * @param slips the maximum edit distance, ignoring letter case
    */
   public static Optional<String> nearest(String name, Iterable<String> candidates, int slips) {
     String wanted = name.toLowerCase(Locale.ROOT);
@@ -59,7 +58,7 @@ public final class Spelling {
     return Optional.ofNullable(best);
   }
 
-  /** Levenshtein's distance, in which two neighbours in the wrong order are one slip, not two. */
+  /** Returns the Damerau-Levenshtein distance (optimal string alignment). */
   private static int distance(String a, String b) {
     int[] before = new int[b.length() + 1];
     int[] above = new int[b.length() + 1];

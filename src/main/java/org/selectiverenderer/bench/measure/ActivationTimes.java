@@ -11,13 +11,13 @@ import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
 /**
- * Enters and leaves an area whose schemas affect a few of very many switches, and times the whole
- * frame in which that happens: sensor, cascade, controller, instance tree.
+ * Measures the time of an activation: enters and leaves an area whose schemas affect a few of very
+ * many Switches, and times the whole frame: sensor, event cascade, controller, instance tree.
  */
 final class ActivationTimes {
   /**
-   * Java's compilers are done with this after some 4,000 changes: in the first 400 a change takes
-   * two to four times as long as later.
+   * The number of measured rounds. Java's just-in-time compilers are done after about 4,000
+   * changes: in the first 400 a change takes two to four times as long as later.
    */
   private static final int ROUNDS = 4000;
 
@@ -49,7 +49,7 @@ final class ActivationTimes {
   /**
    * Steps in and out of the area.
    *
-   * @param time of the walk so far
+   * @param time present time of the walkthrough
    * @param rounds measured, after as many to warm up
    */
   static void frames(Walkthrough walk, double time, int rounds, ObjectNode node) {

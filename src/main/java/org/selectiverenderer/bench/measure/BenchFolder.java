@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.stream.Stream;
 
-/** A folder of its own for what a measurement writes, deleted with everything in it. */
+/** A temporary folder for the files of a measurement, deleted with its contents on close. */
 final class BenchFolder implements AutoCloseable {
   private final Path path = Files.createTempDirectory("selective-renderer-bench");
 

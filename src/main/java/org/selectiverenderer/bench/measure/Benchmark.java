@@ -12,18 +12,19 @@ import org.selectiverenderer.bench.ManySwitchesScene;
 import org.selectiverenderer.hmd.DisplayProfile;
 
 /**
- * Measures this machine. Everything is written to a folder of its own and deleted afterwards.
+ * Runs the benchmark of this machine. Its files are written to a temporary folder and deleted
+ * afterwards.
  *
- * @param mainClass of the command line, started anew for each run of a scene
- * @param runs of each scene, of which the median counts
- * @param progress hears what is being measured
+ * @param mainClass main class of the command line, started as a new process for each run of a scene
+ * @param runs number of runs of each scene, of which the median is reported
+ * @param progress receives messages about the progress
  */
 public record Benchmark(String mainClass, int runs, Consumer<String> progress) {
   private static final int SWITCHES = 100_000;
   private static final int AFFECTED = 10;
 
   /**
-   * Measures all.
+   * Runs all measurements.
    *
    * @throws IOException when a scene cannot be written or a run fails
    * @throws InterruptedException when the waiting thread is interrupted

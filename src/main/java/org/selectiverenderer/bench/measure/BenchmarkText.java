@@ -3,7 +3,7 @@ package org.selectiverenderer.bench.measure;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Locale;
 
-/** The figures for people, beside the peers'. */
+/** Formats the results of the benchmark as text, beside those of other browsers. */
 public final class BenchmarkText {
   private static final String ROW = "%-42s %11s %9s %11s %11s %9s %11s%n";
 
@@ -11,7 +11,7 @@ public final class BenchmarkText {
 
   private BenchmarkText() {}
 
-  /** Several lines, the last one ended. */
+  /** Returns several lines; the last one ends with a line feed. */
   public static String of(JsonNode report) {
     StringBuilder text = new StringBuilder();
     line(

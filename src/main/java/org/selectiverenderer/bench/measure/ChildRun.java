@@ -13,22 +13,22 @@ import org.selectiverenderer.base.machine.ProgramCommand;
 import org.selectiverenderer.bench.BenchScene;
 
 /**
- * Runs a scene offscreen in a process of its own, with the Java, class path and flags of this one,
- * and reads its figures.
+ * Runs a scene off-screen in a child process, with the Java, class path and flags of this process,
+ * and reads its measurements.
  *
- * @param mainClass of the command line
+ * @param mainClass main class of the command line
  */
 record ChildRun(String mainClass, int runs) {
-  /** Width and height of the picture: that of the peers' figures. */
+  /** Width and height of the picture, the same as for other browsers. */
   private static final String SIZE = "1024x768";
 
-  /** Of the path's time: 300 frames in which the camera moves. */
+  /** The duration of the run in seconds of the path's time: 300 frames. */
   private static final String SECONDS = "5";
 
-  /** Property by which the launcher tells the flags of {@code run}, separated by commas. */
+  /** The system property with the launcher's JVM flags for {@code run}, separated by commas. */
   private static final String FLAGS = "selective-renderer.run-flags";
 
-  /** Medians over the runs. */
+  /** The medians over the runs. */
   record Result(
       double loadMs, double startMs, double fps, double p50, double p99, double rss, JsonNode gl) {}
 
@@ -52,9 +52,9 @@ record ChildRun(String mainClass, int runs) {
   }
 
   /**
-   * The figures of one run along a path.
+   * Returns the measurements of one run along a path.
    *
-   * @param seconds of the path
+   * @param seconds duration in seconds of the path's time
    * @param more options of {@code run}
    */
   JsonNode once(Path scene, Path path, String seconds, String... more)
@@ -65,7 +65,7 @@ record ChildRun(String mainClass, int runs) {
     return once(scene, options);
   }
 
-  /** The figures of one run with options of {@code run}. */
+  /** Returns the measurements of one run with options of {@code run}. */
   JsonNode once(Path scene, List<String> options) throws IOException, InterruptedException {
     Path stats = Files.createTempFile("selective-renderer-bench", ".json");
     Path log = Files.createTempFile("selective-renderer-bench", ".log");

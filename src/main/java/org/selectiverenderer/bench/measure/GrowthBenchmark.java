@@ -14,18 +14,18 @@ import org.selectiverenderer.bench.BenchScene;
 import org.selectiverenderer.bench.GrowthSeries;
 
 /**
- * Measures how loading, memory and frames grow with a scene: {@link GrowthSeries}, each from its
- * smallest scene to its largest. Loading is to grow no faster than the scene, and a frame's update
- * not at all.
+ * Measures how loading, memory and frame times grow with the size of a scene, for each {@link
+ * GrowthSeries} from its smallest scene to its largest. The time to load should grow no faster than
+ * the scene, and the update of a frame not at all.
  *
- * @param mainClass of the command line, started anew to draw each scene
+ * @param mainClass main class of the command line, started as a new process to draw each scene
  * @param draws whether frames are drawn too, which needs a display with OpenGL
- * @param runs loads of each scene, of which the median counts
- * @param progress hears what is being measured
+ * @param runs number of times that each scene is loaded; the median is reported
+ * @param progress receives messages about the progress
  */
 public record GrowthBenchmark(
     String mainClass, boolean draws, int runs, Consumer<String> progress) {
-  /** Of the path's time, in which 60 frames are drawn. */
+  /** The duration of the drawn run in seconds of the path's time, in which 60 frames are drawn. */
   private static final String SECONDS_DRAWN = "1";
 
   /**
@@ -54,7 +54,7 @@ public record GrowthBenchmark(
     return report;
   }
 
-  /** So that the first and smallest scenes do not pay for a machine that is still cold. */
+  /** Warms up the JVM, so that the first and smallest scenes are not measured cold. */
   private static void warmUp(Path folder) throws IOException {
     BenchScene scene = GrowthSeries.INLINES.write(folder, GrowthSeries.INLINES.sizes().get(0));
     for (int round = 0; round < 5; round++) {

@@ -3,13 +3,13 @@ package org.selectiverenderer.bench.measure;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Locale;
 
-/** The figures of {@link GrowthBenchmark} for people: a table for each series. */
+/** Formats the results of {@link GrowthBenchmark} as text: a table for each series. */
 public final class GrowthText {
   private static final String ROW = "%12s %9s %10s %10s %10s %10s %10s %11s %9s %9s%n";
 
   private GrowthText() {}
 
-  /** Several lines, the last one ended. */
+  /** Returns several lines; the last one ends with a line feed. */
   public static String of(JsonNode report) {
     StringBuilder text = new StringBuilder();
     report
@@ -55,7 +55,7 @@ public final class GrowthText {
         figure(row, "/rss_mb"));
   }
 
-  /** A dash for what was not measured. */
+  /** Formats a value, or a dash if it was not measured. */
   private static String figure(JsonNode row, String key) {
     JsonNode value = row.at(key);
     return value.isMissingNode() ? "-" : String.format(Locale.ROOT, "%,.1f", value.asDouble());

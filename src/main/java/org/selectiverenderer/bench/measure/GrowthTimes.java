@@ -15,20 +15,20 @@ import org.selectiverenderer.runtime.viewer.CameraPathReader;
 import org.selectiverenderer.runtime.viewer.PathMotion;
 
 /**
- * What a scene costs without a picture: from the start of reading until it can be stepped under the
- * controller, the heap that it keeps, the update of a frame along its path, and the frame in which
- * an area is entered or left.
+ * Measures a scene without drawing: the time from the start of reading until it can be stepped with
+ * the controller, the heap that it occupies, the update of a frame along its path, and the frame in
+ * which an area is entered or left.
  */
 final class GrowthTimes {
   private static final double RATE = 60;
 
-  /** Walks along the path, of which the last one is measured. */
+  /** The number of walks along the path, of which the last one is measured. */
   private static final int WALKS = 4;
 
-  /** Of entering and leaving. */
+  /** The number of measured entries and exits. */
   private static final int ROUNDS = 60;
 
-  /** Seconds after which a walk ends, be it over or not: a slow one must not take minutes. */
+  /** The timeout of a walk in seconds: a slow one must not take minutes. */
   private static final double PATIENCE = 3;
 
   private GrowthTimes() {}
@@ -56,7 +56,7 @@ final class GrowthTimes {
     }
   }
 
-  /** The time gone by, and that of all processors spent by this process. */
+  /** Measures the elapsed time and the processor time of this process. */
   private static final class Stopwatch {
     private final long begun = System.nanoTime();
     private final long spent = processorNanos();
@@ -115,7 +115,7 @@ final class GrowthTimes {
     return time;
   }
 
-  /** What is used after a collection. */
+  /** Returns the used heap after a garbage collection. */
   private static double heapMegabytes() {
     System.gc();
     return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed() / 1048576.0;

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import org.selectiverenderer.base.machine.Processor;
 
-/** What the figures were measured on. */
+/** Describes the machine of the measurements. */
 final class Machine {
   private Machine() {}
 

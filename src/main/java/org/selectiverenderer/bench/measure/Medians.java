@@ -2,11 +2,11 @@ package org.selectiverenderer.bench.measure;
 
 import java.util.Arrays;
 
-/** Medians. */
+/** Computes medians. */
 final class Medians {
   private Medians() {}
 
-  /** The middle one; of an even number the lower middle. */
+  /** Returns the median; the lower one of two middle values. */
   static double median(double[] values) {
     double[] sorted = values.clone();
     Arrays.sort(sorted);

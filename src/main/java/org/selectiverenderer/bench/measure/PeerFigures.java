@@ -3,9 +3,9 @@ package org.selectiverenderer.bench.measure;
 import java.util.List;
 
 /**
- * What other browsers reach on scenes of this size. Measured on one machine: 4 cores, software
- * OpenGL (Mesa llvmpipe under Xvfb), 1024x768, no anti-aliasing. Single runs differ by a quarter;
- * only ratios taken side by side on one machine say anything.
+ * The published measurements of other browsers on scenes of this size, made on one machine: 4
+ * cores, software OpenGL (Mesa llvmpipe under Xvfb), 1024x768, no anti-aliasing. Single runs differ
+ * by a quarter; only ratios measured side by side on one machine are meaningful.
  */
 final class PeerFigures {
   /**

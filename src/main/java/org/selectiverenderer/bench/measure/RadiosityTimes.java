@@ -22,8 +22,8 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
- * Measures radiosity's rays, on one core: in the apartment, and over hills of growing numbers of
- * triangles, where the time of a ray should grow with their logarithm.
+ * Measures the ray casting of radiosity on one core: in the apartment, and over hills of growing
+ * numbers of triangles, where the time of a ray should grow with their logarithm.
  */
 final class RadiosityTimes {
   private static final int RAYS = 16;
@@ -62,7 +62,7 @@ final class RadiosityTimes {
     }
   }
 
-  /** The better of two runs, since the first warms up. */
+  /** Returns the better of two runs, since the first one warms up. */
   private static long raysPerSecond(LightScene scene, double patch) {
     LightPatches patches = new LightPatches(scene, patch);
     ForkJoinPool one = new ForkJoinPool(1);
@@ -81,7 +81,10 @@ final class RadiosityTimes {
     }
   }
 
-  /** A hilly floor of two triangles for each of its squares, 20 m by 20 m, under a lamp. */
+  /**
+   * Returns a scene with a hilly floor of 20 m by 20 m, two triangles per grid square, under a
+   * lamp.
+   */
   private static String hills(int side) {
     StringBuilder heights = new StringBuilder();
     for (int i = 0; i < side * side; i++) {

@@ -21,12 +21,12 @@ import org.selectiverenderer.runtime.viewer.CameraPathReader;
 import org.selectiverenderer.runtime.viewer.PathMotion;
 
 /**
- * Times our frames beside the same walk drawn by one raw call per frame: all triangles of the
- * scene, no light, nothing culled. Rounds of ours and of raw ones alternate, so that whatever else
- * the machine does falls on both.
+ * Compares our frames with the same walk drawn by a single draw call per frame: all triangles of
+ * the scene, unlit, without culling. Rounds of both alternate, so that other load of the machine
+ * affects both.
  *
  * <p>{@code fps_to_raw} is our frames per raw frame, the median of the rounds. It is above 1 where
- * culling spares more than lights, materials and calls cost.
+ * culling saves more than lights, materials and draw calls cost.
  */
 final class RawFrames {
   private static final int WIDTH = 1024;
@@ -34,7 +34,7 @@ final class RawFrames {
   private static final int ROUNDS = 5;
   private static final int FRAMES = 30;
 
-  /** Frames per second of the walk: a round spans what a run of a scene does. */
+  /** The frame rate of the walk, at which a round spans the same path as a run of a scene. */
   private static final double RATE = 6;
 
   private RawFrames() {}

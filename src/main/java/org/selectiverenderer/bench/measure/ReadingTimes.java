@@ -19,9 +19,14 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dReader;
 
-/** Reads all files of a scene over all processors, from memory, so that no disk is measured. */
+/**
+ * Measures the reading of all files of a scene on all processors, from memory, so that the disk has
+ * no influence.
+ */
 final class ReadingTimes {
-  /** Rounds, of which the first is cold and the median of the second half counts as warm. */
+  /**
+   * The number of rounds: the first is the cold result, the median of the second half the warm one.
+   */
   private static final int ROUNDS = 12;
 
   private ReadingTimes() {}

@@ -15,19 +15,19 @@ import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.base.decimal.Rounded;
 
 /**
- * What selective rendering pays: the apartment in the thesis's three conditions (6.1.3), seen from
- * the middle of each room in a full turn. The conditions take turns, so that a machine that is busy
- * for a while is so for all of them, and ratios are those of neighbouring runs.
+ * Measures the gain of selective rendering: the apartment in the thesis's three conditions (6.1.3),
+ * seen from the centre of each room in a full turn. The conditions alternate, so that temporary
+ * load of the machine affects all of them, and ratios are those of neighbouring runs.
  */
 final class RoomRuns {
   private static final List<String> CONDITIONS = List.of("high", "high-low", "selective");
   private static final String HIGH = CONDITIONS.get(0);
   private static final String SELECTIVE = CONDITIONS.get(2);
 
-  /** Of the turn: 120 frames. */
+  /** The duration of the turn in seconds: 120 frames. */
   private static final String SECONDS = "2";
 
-  /** Height of the eyes above the scene's origin, in metres: those of somebody who sits. */
+  /** The height of the eyes of a seated person above the scene's origin, in metres. */
   private static final double EYES = Room.FLOOR + 1.2;
 
   private final ChildRun child;
@@ -85,7 +85,7 @@ final class RoomRuns {
     node.put("selective_to_high", ratio(figures.get(SELECTIVE), figures.get(HIGH)));
   }
 
-  /** Frames per second of the one to those of the other: the median of pairs. */
+  /** Returns the median ratio of the frame rates of pairs of runs. */
   private static double ratio(List<JsonNode> ones, List<JsonNode> others) {
     double[] ratios = new double[ones.size()];
     for (int i = 0; i < ratios.length; i++) {

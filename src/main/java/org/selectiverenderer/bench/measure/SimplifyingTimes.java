@@ -17,8 +17,9 @@ import org.selectiverenderer.polygon.simplify.Simplifier;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /**
- * Times the polygon count process: the apartment's listed objects on all processors, and one large
- * mesh. Without reading, and in a process that has made the apartment: the code is warm.
+ * Measures the polygon count process: the apartment's listed objects on all processors, and one
+ * large mesh. Reading is not included, and the code is warm, because the process has generated the
+ * apartment before.
  */
 final class SimplifyingTimes {
   /** Rings and steps of a waved torus: 2 * 707 * 708 = 1,001,112 triangles. */

@@ -20,13 +20,13 @@ import org.selectiverenderer.runtime.viewer.CameraPathReader;
 import org.selectiverenderer.runtime.viewer.PathMotion;
 
 /**
- * Times frames of one eye and of both, of the same walk through the same scene: the whole update
- * and drawing. Rounds of one and of both alternate, so that whatever else the machine does falls on
- * both, and each round is compared with its own. Once with pictures as large as the display's, and
- * once with pictures so small that filling them costs next to nothing: what is left are the
- * triangles and the calls that draw them.
+ * Measures the cost of the second eye: the frames of one eye and of both eyes, update and drawing,
+ * on the same walk through the same scene. Rounds of both kinds alternate, so that other load of
+ * the machine affects both, and neighbouring rounds are compared. This is done with pictures of the
+ * display's size, and with pictures so small that the fill rate does not matter and only triangles
+ * and draw calls count.
  *
- * <p>{@code second_eye_to_first} is what is to stay below 1.6: the time that the second eye adds,
+ * <p>{@code second_eye_to_first} should stay below 1.6: it is the time that the second eye adds,
  * divided by the time of a frame of one eye.
  */
 final class StereoCost {
@@ -34,12 +34,12 @@ final class StereoCost {
   private static final int FRAMES = 30;
   private static final double RATE = 30;
 
-  /** A display's picture is that many times as wide and as high as a small one. */
+  /** The factor by which a small picture is narrower and lower than the display's. */
   private static final int SMALLER = 8;
 
   private StereoCost() {}
 
-  /** Both sizes of picture. */
+  /** Measures both sizes of pictures. */
   static void measure(BenchScene scene, DisplayProfile profile, ObjectNode node)
       throws IOException {
     pictures(scene, profile, profile.width(), profile.height(), node);
@@ -93,7 +93,7 @@ final class StereoCost {
     node.put("second_eye_to_first", Rounded.to(2, Medians.median(second)));
   }
 
-  /** Milliseconds per frame. */
+  /** Returns the milliseconds per frame. */
   private static double frames(
       Walkthrough walk, CameraPath path, int width, int height, ViewLayout layout, double start)
       throws IOException {

@@ -12,9 +12,9 @@ import org.selectiverenderer.tracker.emulate.HeadMotion;
 import org.selectiverenderer.tracker.emulate.InterTrax2Emulator;
 
 /**
- * How long a tracker's record takes from its arrival to the submitted frame that shows it, both
- * eyes drawn: with an emulated InterTrax2 on a pseudo-terminal, at its usual rate and at the most
- * that its line carries.
+ * Measures the latency from the arrival of a tracker sample to the submitted frame that shows it,
+ * with both eyes drawn: an emulated InterTrax2 on a pseudo-terminal, at its usual rate and at the
+ * highest rate of its serial line.
  */
 final class TrackerLatency {
   private static final int[] RATES = {120, 240, 480};

@@ -52,7 +52,7 @@ public final class ApartmentCommand extends CliCommand {
     ApartmentGenerator generator = new ApartmentGenerator();
     for (String name : only) {
       if (!generator.objects().contains(name)) {
-        throw CommandFailure.usage("there is no recipe named " + name);
+        throw CommandFailure.usage("--only: the apartment has no object named " + name);
       }
     }
     Written written = write(generator);

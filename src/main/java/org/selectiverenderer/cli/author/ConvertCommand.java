@@ -61,8 +61,8 @@ public final class ConvertCommand extends CliCommand {
       throw CommandFailure.usage(
           "OUT "
               + output
-              + ": its ending says no encoding to write; .x3d is X3D XML, .x3dv ClassicVRML, .x3dj"
-              + " X3D JSON");
+              + ": its file name extension names no encoding; use .x3d for X3D XML, .x3dv for"
+              + " ClassicVRML or .x3dj for X3D JSON");
     }
     if (Files.isDirectory(scene)) {
       throw CommandFailure.environment("IN " + scene + ": is a folder, not a scene");
@@ -102,7 +102,7 @@ public final class ConvertCommand extends CliCommand {
     return ExitStatus.of(problems);
   }
 
-  /** Refuses to write over a file that the scene names. */
+  /** Rejects an output that would overwrite a file to which the scene refers. */
   private void keepInlined(XmlDocument document) throws IOException {
     ContentAccess named = ContentAccess.none();
     Path folder = scene.toAbsolutePath().getParent();

@@ -39,7 +39,7 @@ public final class EnrichCommand extends CliCommand {
   public interface Window {
     /**
      * @param scene to open; empty for none
-     * @param access what it may name besides its own files
+     * @param access the files and URLs that the scene may load besides those in its folder
      */
     ExitStatus open(Optional<Path> scene, ContentAccess access) throws IOException;
   }

@@ -6,18 +6,22 @@ import org.selectiverenderer.base.decimal.Counted;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.cli.output.Console;
 
-/** Tells of the files that a scene names and does not find from another folder. */
+/**
+ * Warns about the files that a scene refers to by relative URLs and cannot find from its output
+ * folder.
+ */
 final class FilesNotFound {
   private FilesNotFound() {}
 
   /**
    * @param left the files, as {@link org.selectiverenderer.document.file.LeftBehind} finds them
-   * @param output the scene in the other folder; what is no file, such as a pipe, has none
+   * @param output the written scene; nothing is reported for a pipe or device
    */
   static void tell(List<String> left, Path output, Console console) {
     if (!left.isEmpty() && !FileTransaction.sink(output)) {
       console.message(
-          "%s: %s that the scene names (%s%s) will not be found from here; write it into the folder of the scene, or copy them too"
+          ("%s: %s that the scene refers to (%s%s) cannot be found from this folder; write the"
+                  + " output into the folder of the scene, or copy these files too")
               .formatted(
                   output,
                   Counted.of(left.size(), "file"),

@@ -11,7 +11,7 @@ import org.selectiverenderer.polygon.simplify.Goal;
 import org.selectiverenderer.polygon.simplify.ModelSize;
 import org.selectiverenderer.polygon.simplify.Simplified;
 
-/** Goals of a reduction from options, and sentences about them. */
+/** Checks the goals of a polygon reduction given as options, and formats messages about them. */
 final class GoalText {
   private GoalText() {}
 
@@ -44,7 +44,10 @@ final class GoalText {
     return new Goal.LargestError(error);
   }
 
-  /** Whether a goal has more than the model, which is reported. */
+  /**
+   * Reports a goal that asks for more polygons or vertices than the model has, and returns whether
+   * it does.
+   */
   static boolean beyond(Goal goal, ModelSize size, Path file, Problems problems) {
     boolean beyond =
         goal instanceof Goal.Polygons polygons && polygons.count() > size.polygons()
@@ -52,7 +55,7 @@ final class GoalText {
     if (beyond) {
       problems.error(
           Location.of(file.toString()),
-          "the model has %s and %s, fewer than asked for"
+          "the model has only %s and %s, fewer than asked for"
               .formatted(polygonText(size.polygons()), vertexText(size.vertices())));
     }
     return beyond;
@@ -66,7 +69,7 @@ final class GoalText {
     return count == 1 ? "1 vertex" : count + " vertices";
   }
 
-  /** Why a goal is not met. */
+  /** Returns the message that a goal could not be reached. */
   static String shortfall(String subject, Goal goal, Simplified reduced) {
     String wanted =
         goal instanceof Goal.Polygons polygons
@@ -81,7 +84,7 @@ final class GoalText {
         + " come nearest";
   }
 
-  /** As people write a number: without an exponent. */
+  /** Formats a number without an exponent. */
   private static String plain(double number) {
     return DecimalText.shortest(number);
   }

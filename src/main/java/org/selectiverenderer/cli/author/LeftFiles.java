@@ -4,12 +4,12 @@ import java.nio.file.Path;
 import java.util.List;
 import org.selectiverenderer.cli.output.Console;
 
-/** Tells of what could not be tidied up after files have been written. */
+/** Warns about previous versions of files that could not be deleted after writing. */
 final class LeftFiles {
   private LeftFiles() {}
 
   /**
-   * @param left what {@link org.selectiverenderer.base.files.FileTransaction#commit} says
+   * @param left the result of {@link org.selectiverenderer.base.files.FileTransaction#commit}
    */
   static void tell(List<Path> left, Console console) {
     for (Path file : left) {

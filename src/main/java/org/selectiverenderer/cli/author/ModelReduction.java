@@ -28,12 +28,12 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.Gzip;
 
 /**
- * Reduces one model and prints its figures.
+ * Reduces one model and prints its polygon counts.
  *
- * @param access what the model may name besides its own files
+ * @param access the files and URLs that the model may load besides those in its folder
  * @param output the file to write; null for standard output
- * @param json whether the figures are JSON, in which case only they go to standard output
- * @param many whether it is one of many models, so that the figures name it
+ * @param json whether the report is JSON, in which case standard output gets only the report
+ * @param many whether it is one of many models, so that the report names it
  */
 record ModelReduction(
     Goal goal, ContentAccess access, @Nullable Path output, boolean json, boolean many) {

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import org.selectiverenderer.cli.output.CommandFailure;
 
-/** The folder that the results of many models go to, each named as its model. */
+/** The output folder of the command {@code simplify}: each result is named like its model. */
 final class OutputFolder {
   private final Path folder;
 
@@ -19,10 +19,10 @@ final class OutputFolder {
   }
 
   /**
-   * Makes the folder when it is missing, and looks whether each result gets a file of its own that
-   * is no model itself.
+   * Creates the folder if it is missing, and checks that each result gets a file of its own that is
+   * not one of the models.
    *
-   * @throws IOException when it cannot be made
+   * @throws IOException when the folder cannot be created
    */
   static OutputFolder open(Path folder, List<Path> models) throws IOException {
     OutputFolder opened = new OutputFolder(folder);
@@ -52,7 +52,7 @@ final class OutputFolder {
     return opened;
   }
 
-  /** The file of a model's result. */
+  /** Returns the output file of a model. */
   Path of(Path model) {
     String name = String.valueOf(model.getFileName());
     int ending = name.lastIndexOf('.');

@@ -36,7 +36,7 @@ import picocli.CommandLine.Option;
     description = {
       "Counts the polygons of each object's versions, and of each part of the "
           + "scene for every set of schemas that can be active there.",
-      "Of several scenes it works on as many at a time as there are processors."
+      "Processes several scenes in parallel, one on each processor."
     },
     footer = {
       "  ./selective-renderer polygons scenes/trashcan.x3d --chart polygons.svg",
@@ -119,7 +119,7 @@ public final class PolygonsCommand extends CliCommand {
     };
   }
 
-  /** One of many. */
+  /** Counts one of many scenes. */
   private ExitStatus one(Path scene, Console own) throws IOException {
     Problems problems = new Problems(own::problem);
     SceneStatistics statistics = count(scene, problems);

@@ -8,13 +8,13 @@ import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * A line on the terminal with the stage, the share done and the time left. Ctrl-C cancels the work
- * and lets the program end only when what was done is written.
+ * A progress bar on the terminal with the stage, the share done and the time left. Ctrl-C cancels
+ * the work, and the program ends when the results so far are written.
  */
 final class ProgressBar implements WorkProgress, AutoCloseable {
   private static final int CELLS = 30;
 
-  /** How long the program waits after Ctrl-C for a sign that the work goes on or has ended. */
+  /** The longest time after Ctrl-C without progress before the program gives up. */
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
   private static final long TICK = 200_000_000L;
@@ -32,7 +32,7 @@ final class ProgressBar implements WorkProgress, AutoCloseable {
   private String last = "";
 
   /**
-   * @param patience how long it waits after Ctrl-C for a sign of the work
+   * @param patience the longest time after Ctrl-C without progress before the program gives up
    */
   ProgressBar(Console console, boolean terminal, Duration patience) {
     this.console = console;
@@ -41,14 +41,14 @@ final class ProgressBar implements WorkProgress, AutoCloseable {
     Runtime.getRuntime().addShutdownHook(hook);
   }
 
-  /** A bar that is drawn only on a terminal; elsewhere whole lines are printed alone. */
+  /** Creates a bar that is drawn only on a terminal; elsewhere only whole lines are printed. */
   static ProgressBar on(Console console) {
     return new ProgressBar(console, System.console() != null, PATIENCE);
   }
 
   /**
-   * Asks the work to end and waits for it. On a busy machine writing takes long: it is given up
-   * only when nothing moves any more.
+   * Cancels the work and waits for its end. On a busy machine writing may take long, so the wait is
+   * given up only when there is no progress any more.
    */
   void cancel() {
     cancelled = true;
@@ -59,7 +59,7 @@ final class ProgressBar implements WorkProgress, AutoCloseable {
         end = ended.await(patience.toMillis(), TimeUnit.MILLISECONDS);
       } while (!end && moved);
       if (!end) {
-        console.message("the work did not end in time; nothing is written");
+        console.message("the computation did not stop in time; nothing is written");
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -116,7 +116,7 @@ final class ProgressBar implements WorkProgress, AutoCloseable {
     }
   }
 
-  /** Takes the bar away. */
+  /** Removes the bar. */
   synchronized void end() {
     clear();
   }

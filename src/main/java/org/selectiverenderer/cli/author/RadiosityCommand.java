@@ -95,7 +95,7 @@ public final class RadiosityCommand extends CliCommand {
       names = "--noise",
       paramLabel = "P",
       description =
-          "mean noise wished for in the light of pictures, percent: places that are noisier get "
+          "target for the mean noise of the light pictures, percent: noisier texels get "
               + "more rays, up to half as many again in all (default: ${DEFAULT-VALUE})")
   private double noise = LightStore.DEFAULT.noise();
 
@@ -135,12 +135,14 @@ public final class RadiosityCommand extends CliCommand {
   @Option(
       names = "--no-global-subdivision",
       description =
-          "keeps the polygons of all surfaces, also where the scene asks for a number of them")
+          "does not subdivide surfaces, even where the scene asks for a number of polygons")
   private boolean noSubdivision;
 
   @Option(
       names = "--no-regather",
-      description = "takes indirect light from the iterations' patches: faster, coarser")
+      description =
+          "takes indirect light from the iterations' patches, without final gathering: faster,"
+              + " coarser")
   private boolean noRegather;
 
   @Option(
@@ -152,8 +154,8 @@ public final class RadiosityCommand extends CliCommand {
       names = "--rays",
       paramLabel = "N",
       description =
-          "number of rays gathered at each vertex, or at each place between which the light at texels is "
-              + "interpolated (default: ${DEFAULT-VALUE})")
+          "number of final-gathering rays at each vertex, or at each sample between which the "
+              + "light at texels is interpolated (default: ${DEFAULT-VALUE})")
   private int rays = RadiositySettings.DEFAULT.rays();
 
   @Option(
@@ -353,6 +355,6 @@ public final class RadiosityCommand extends CliCommand {
   private String wish(double mean) {
     return 100 * mean <= noise
         ? ""
-        : String.format(Locale.ROOT, ", more than the %.1f %% wished for: raise --rays", noise);
+        : String.format(Locale.ROOT, ", above the target of %.1f %%: raise --rays", noise);
   }
 }

@@ -29,7 +29,7 @@ import picocli.CommandLine.Parameters;
       "Makes one reduced version of a model: X3D, OBJ, PLY, STL or glTF to X3D.",
       "Without --output the model goes to standard output, and the figures to standard error; with"
           + " --format json and no --output only the figures are printed.",
-      "Of several models it works on as many at a time as there are processors."
+      "Processes several models in parallel, one on each processor."
     },
     footer = {
       "  ./selective-renderer simplify inlineNodes/trashCan_v1.x3d --vert-percent 10 \\",
@@ -47,7 +47,7 @@ public final class SimplifyCommand extends CliCommand {
   private static final FileFinder MODELS =
       new FileFinder("model", List.of(".x3d", ".x3dz", ".obj", ".ply", ".stl", ".gltf", ".glb"));
 
-  /** One of the ways to say how far to reduce. */
+  /** The exclusive options for the goal of the reduction. */
   static final class GoalOptions {
     @Option(
         names = "--vert-percent",

@@ -57,7 +57,7 @@ public final class ValidateCommand extends CliCommand {
     warning
   }
 
-  /** Names formats as the user writes them. */
+  /** Converts the names of report formats. */
   private static final class Formats implements ITypeConverter<ReportFormat> {
     @Override
     public ReportFormat convert(String value) {
@@ -172,7 +172,7 @@ public final class ValidateCommand extends CliCommand {
     written.check(settings.get().access().named());
     boolean colours = console().colours() && output == null;
     print(format.write(report, new ReportFormat.Style(colours, least, ProgramVersion.number())));
-    // Of more findings than are kept nobody can say which ones a baseline knows.
+    // When findings were dropped, they cannot be compared with the baseline.
     boolean unjudged = baseline != null && report.dropped() > 0;
     return unjudged || report.has(least) ? ExitStatus.PROBLEMS : ExitStatus.DONE;
   }

@@ -44,13 +44,16 @@ import picocli.CommandLine.Option;
       "      --dry-run"
     })
 public final class VersionsCommand extends CliCommand {
-  /** Of what is removed, --dry-run shows so many lines at most, each of so many characters. */
+  /**
+   * The first and last lines of removed text that {@code --dry-run} shows, each with at most {@code
+   * WIDTH} characters.
+   */
   private static final int HEAD = 12;
 
   private static final int TAIL = 4;
   private static final int WIDTH = 160;
 
-  /** One of the ways to say how far to reduce. */
+  /** The exclusive options for the goals of the reduction. */
   static final class GoalOptions {
     @Option(
         names = "--vert-percent",
@@ -186,7 +189,7 @@ public final class VersionsCommand extends CliCommand {
     edit.after().lines().forEach(line -> console().out().println("+ " + line));
   }
 
-  /** Geometry may be megabytes: its beginning and end tell which it is. */
+  /** Shortens long texts to their first and last lines, because geometry may take megabytes. */
   private static List<String> shortened(List<String> lines) {
     List<String> kept = new ArrayList<>();
     for (int i = 0; i < lines.size(); i++) {

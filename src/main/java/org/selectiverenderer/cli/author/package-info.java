@@ -3,7 +3,7 @@
  * polygons}, {@code radiosity}, {@code validate}, {@code apartment}.
  *
  * <p>May use {@code cli.base}, {@code cli.batch}, {@code cli.option}, {@code cli.output} and the
- * packages that do the work.
+ * packages that implement the commands.
  */
 @NullMarked
 package org.selectiverenderer.cli.author;

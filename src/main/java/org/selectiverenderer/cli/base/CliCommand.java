@@ -8,9 +8,10 @@ import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.ExitStatus;
 
 /**
- * A command: options as picocli fields, {@link #run} as the call into the package that does the
- * work. {@code --help}, {@code --version} and {@code --debug} come with the program; an example for
- * the help is given as {@code @Command(footer = "...")}, under the heading that all commands share.
+ * A command of the program: its options are picocli fields, and {@link #run} calls the package that
+ * implements it. {@code --help}, {@code --version} and {@code --debug} come with the program; an
+ * example for the help is given as {@code @Command(footer = "...")}, under the heading that all
+ * commands share.
  */
 public abstract class CliCommand implements Callable<Integer> {
   private final Console console;
@@ -19,20 +20,20 @@ public abstract class CliCommand implements Callable<Integer> {
     this.console = console;
   }
 
-  /** Where data and messages go. */
+  /** Returns the console for data and messages. */
   public final Console console() {
     return console;
   }
 
-  /** Commands that this one groups; none as a rule. */
+  /** Returns the subcommands; most commands have none. */
   public List<CliCommand> subcommands() {
     return List.of();
   }
 
   /**
-   * Does the command's work.
+   * Executes the command.
    *
-   * @throws CommandFailure if it cannot be done, with the sentence for the user
+   * @throws CommandFailure if the command fails, with the message for the user
    * @throws IOException reported as one line, with status {@link ExitStatus#FAILURE}
    */
   public abstract ExitStatus run() throws IOException;

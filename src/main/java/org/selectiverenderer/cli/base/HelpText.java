@@ -10,9 +10,9 @@ import picocli.CommandLine.Model.PositionalParamSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
 /**
- * What {@code --help} prints. Picocli breaks lines wherever Unicode lets prose be broken, as in the
- * middle of {@code --output=OUT.x3d}; here lines end at spaces alone. Examples are not broken at
- * all, so that they can be copied.
+ * Formats the text of {@code --help}. Picocli breaks lines wherever Unicode allows it, as in the
+ * middle of {@code --output=OUT.x3d}; this class breaks lines only at spaces. Examples are not
+ * wrapped at all, so that they can be copied.
  */
 public final class HelpText extends Help {
   public HelpText(CommandSpec command, ColorScheme colours) {
@@ -73,7 +73,7 @@ public final class HelpText extends Help {
     return new WholeWords(colorScheme(), new Column[] {new Column(width, 0, Column.Overflow.WRAP)});
   }
 
-  /** A table that breaks what it wraps at spaces. */
+  /** A text table that wraps lines only at spaces. */
   private static final class WholeWords extends TextTable {
     private final ColorScheme colours;
 
@@ -101,7 +101,7 @@ public final class HelpText extends Help {
       return last;
     }
 
-    /** Where to break a text; a word that is longer than the room is broken by picocli. */
+    /** Returns where to break a text; picocli breaks a word that is longer than the line. */
     private static int end(String text, int room) {
       if (text.length() <= room) {
         return text.length();

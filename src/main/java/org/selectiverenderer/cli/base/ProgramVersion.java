@@ -16,7 +16,7 @@ public final class ProgramVersion implements IVersionProvider {
     return new String[] {PROGRAM + " " + number()};
   }
 
-  /** The number alone. */
+  /** Returns the version number alone. */
   public static String number() throws IOException {
     Properties properties = new Properties();
     try (InputStream in =

@@ -4,14 +4,14 @@ import java.util.Locale;
 import java.util.Properties;
 
 /**
- * How a user types the program's name: with the launcher's folder among the sources; without it
- * where the program is installed, and on Windows, whose command line knows no such folder.
+ * The program's name as the user types it: {@code ./selective-renderer} in the source tree; without
+ * {@code ./} where the program is installed, and on Windows.
  */
 public final class TypedProgram {
-  /** Set by the launcher where it lies in a package. */
+  /** The system property that the launcher of an installed package sets. */
   private static final String INSTALLED = "selective-renderer.installed";
 
-  /** Set by the launchers of jpackage. */
+  /** The system property that the launchers of jpackage set. */
   private static final String BUNDLED = "jpackage.app-path";
 
   private static final String HERE = "./" + ProgramVersion.PROGRAM;
@@ -19,15 +19,14 @@ public final class TypedProgram {
   private TypedProgram() {}
 
   /**
-   * A text with commands as they are typed among the sources, for this process's user. A command
-   * that a backslash continues in the next line is one line on Windows, whose command line knows no
-   * such sign.
+   * Adapts a text with commands as typed in the source tree to this process's user. On Windows a
+   * command that a backslash continues in the next line becomes one line.
    */
   public static String in(String text) {
     return in(text, System.getProperties());
   }
 
-  /** The program's name, for this process's user. */
+  /** Returns the program's name as this process's user types it. */
   public static String name() {
     return in(HERE);
   }

@@ -1,6 +1,7 @@
 /**
- * What every command is made of: {@link org.selectiverenderer.cli.base.CliCommand}, the program's
- * name, how it is typed, its version, how its help is set out, the properties that libraries read.
+ * The common parts of the commands: the base class {@link
+ * org.selectiverenderer.cli.base.CliCommand}, the program's name and version, the layout of the
+ * help, the system properties of libraries.
  *
  * <p>May use {@code cli.output}.
  */

@@ -22,13 +22,13 @@ import org.selectiverenderer.cli.output.FailureSentence;
 import org.selectiverenderer.cli.output.Interruption;
 
 /**
- * Works on many files, as many at a time as there are processors. What a file's work prints is kept
- * until the files before it are done, and comes out whole; only so many files are begun ahead that
- * memory stays bounded. A file that cannot be read is reported and the others go on. On Ctrl-C no
- * more files are begun.
+ * Processes many files in parallel, one on each processor. The output of a file is buffered until
+ * the files before it are done, and is then printed as a whole; the number of files started ahead
+ * is limited to bound memory. A file that cannot be read is reported and the others continue. After
+ * Ctrl-C no more files are started.
  */
 public final class Batch {
-  /** Files begun for each processor before the first of them is done. */
+  /** The largest number of unfinished files per processor. */
   private static final int AHEAD = 4;
 
   private final int processors = Runtime.getRuntime().availableProcessors();
@@ -38,11 +38,11 @@ public final class Batch {
   private boolean begun;
   private ExitStatus worst = ExitStatus.DONE;
 
-  /** What is done with a file. Called on threads of the batch. */
+  /** The processing of one file; called on threads of the batch. */
   @FunctionalInterface
   public interface Work {
     /**
-     * @param console takes what is to be printed for the file
+     * @param console receives the output of the file
      */
     ExitStatus on(Path file, Console console) throws IOException, InterruptedException;
   }
@@ -50,7 +50,7 @@ public final class Batch {
   private record Result(String out, String err, ExitStatus status) {}
 
   /**
-   * @param console takes everything in the end
+   * @param console receives the output of all files, in their order
    */
   public Batch(Console console, BatchForm form) {
     this.console = console;
@@ -58,7 +58,7 @@ public final class Batch {
   }
 
   /**
-   * Works on the files.
+   * Processes the files.
    *
    * @return {@link ExitStatus#PROBLEMS} if there are problems with any of them
    */
@@ -116,7 +116,7 @@ public final class Batch {
     } catch (IOException | CommandFailure e) {
       own.message(named(file, FailureSentence.of(e)));
       status = ExitStatus.PROBLEMS;
-    } catch (RuntimeException | StackOverflowError e) { // The other files are not to blame.
+    } catch (RuntimeException | StackOverflowError e) { // The other files are processed.
       own.message(named(file, FailureSentence.of(e)));
       status = ExitStatus.FAILURE;
     }
@@ -141,7 +141,7 @@ public final class Batch {
     }
   }
 
-  /** At once: who reads it may wait for it. */
+  /** Prints and flushes a text, because a reading process may wait for it. */
   private void print(String text) {
     console.out().print(text);
     console.out().flush();

@@ -1,14 +1,15 @@
 package org.selectiverenderer.cli.batch;
 
 /**
- * How the texts of many files become one output.
+ * The format in which the texts of many files are joined into one output.
  *
- * @param begin before the first one
- * @param between two of them
- * @param end after the last one; where there is one, each text loses its own last line end
+ * @param begin printed before the first text
+ * @param between printed between two texts
+ * @param end printed after the last text; if it is not empty, each text loses its trailing line
+ *     feed
  */
 public record BatchForm(String begin, String between, String end) {
-  /** Lines that say themselves which file they are about. */
+  /** Lines that name their own file. */
   public static final BatchForm LINES = new BatchForm("", "", "");
 
   /** Texts with an empty line between them. */
@@ -17,17 +18,17 @@ public record BatchForm(String begin, String between, String end) {
   /** JSON values, as one array. */
   public static final BatchForm JSON_ARRAY = new BatchForm("[\n", ",\n", "\n]\n");
 
-  /** Rows of a table. */
+  /** Creates the format of a table with one header row. */
   public static BatchForm table(String header) {
     return new BatchForm(header, "", "");
   }
 
-  /** The output when there is no text at all. */
+  /** Returns the output when there is no text at all. */
   String ofNone() {
     return end.isEmpty() ? "" : begin + end.stripLeading();
   }
 
-  /** A text as it stands among the others. */
+  /** Returns a text as it is printed among the others. */
   String trimmed(String text) {
     return end.isEmpty() ? text : text.stripTrailing();
   }

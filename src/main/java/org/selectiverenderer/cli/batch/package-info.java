@@ -1,6 +1,5 @@
 /**
- * One command for many files: all processors work on them, and their results come out in the order
- * of the files.
+ * Runs a command on many files in parallel and prints the results in the order of the files.
  *
  * <p>In: files, and what a command does with one. Out: text on the standard streams, an exit
  * status. Uses {@code cli.output}; commands use it.

@@ -20,7 +20,10 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
-/** For {@code packaging/package}; not in the help, since a package's user has these files. */
+/**
+ * Writes files for {@code packaging/package}; hidden in the help, since users of a package have
+ * these files.
+ */
 @Command(
     name = BundleFilesCommand.NAME,
     hidden = true,
@@ -30,20 +33,20 @@ public final class BundleFilesCommand extends CliCommand {
   /** The command's name. */
   public static final String NAME = "bundle-files";
 
-  /** What the desktops of Linux ask for (Icon Theme Specification), in pixels. */
+  /** The icon sizes in pixels of the Icon Theme Specification for Linux desktops. */
   private static final List<Integer> PNG_SIZES = List.of(16, 24, 32, 48, 64, 128, 256, 512);
 
   private static final List<Integer> ICO_SIZES = List.of(16, 24, 32, 48, 64, 256);
 
-  @Parameters(paramLabel = "DIR", description = "folder that is written; it is made when missing")
+  @Parameters(paramLabel = "DIR", description = "output folder; created if it does not exist")
   private Path folder = Path.of("");
 
   private final Supplier<CommandLine> commands;
   private final IntFunction<BufferedImage> icon;
 
   /**
-   * @param commands the program's commands, all of them
-   * @param icon the program's icon, of so many pixels on each side
+   * @param commands all commands of the program
+   * @param icon draws the program's icon with a given side length in pixels
    */
   public BundleFilesCommand(
       Console console, Supplier<CommandLine> commands, IntFunction<BufferedImage> icon) {
@@ -65,7 +68,10 @@ public final class BundleFilesCommand extends CliCommand {
     return ExitStatus.DONE;
   }
 
-  /** Zsh finds a file by its first line, and runs bash's completions since its version 4.2. */
+  /**
+   * Returns a completion file for zsh, which recognises it by its first line and has run bash's
+   * completions since version 4.2.
+   */
   private static String zsh(String bash) {
     return "#compdef "
         + ProgramVersion.PROGRAM

@@ -8,7 +8,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 
-/** A program that shows the text of its standard input in a window until somebody closes it. */
+/** A program that shows the text of its standard input in a window until the user closes it. */
 public final class DesktopMessage {
   private static final int COLUMNS = 70;
   private static final int ROWS = 8;
@@ -22,7 +22,7 @@ public final class DesktopMessage {
     }
   }
 
-  /** Text that can be selected, for whoever asks others about it. */
+  /** Shows the text in a text area, so that the user can copy it. */
   private static void show(String text) {
     JTextArea area = new JTextArea(text, ROWS, COLUMNS);
     area.setEditable(false);

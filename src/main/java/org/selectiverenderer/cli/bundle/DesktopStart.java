@@ -11,11 +11,11 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.machine.ProgramCommand;
 
 /**
- * How the program was started: in a terminal, or from a desktop. There files are all that is given,
- * and nobody sees what is said; so what a failure says is shown in a window.
+ * Adapts the program to a start from a desktop instead of a terminal: the arguments are only files,
+ * and error messages are shown in a window, because standard error is invisible.
  */
 public final class DesktopStart {
-  /** Set by Linux's desktop entries, which give the whole command line. */
+  /** The environment variable that Linux desktop entries set, whose command lines are complete. */
   private static final String VARIABLE = "SELECTIVE_RENDERER_DESKTOP";
 
   private final @Nullable String command;
@@ -23,22 +23,22 @@ public final class DesktopStart {
   private final HeardOutput heard = new HeardOutput();
 
   /**
-   * @param command {@code run} or {@code enrich}, what is done with a file; null where the
-   *     arguments name their command
+   * @param command {@code run} or {@code enrich}, the command to execute with a file; null where
+   *     the arguments contain the command
    */
   DesktopStart(@Nullable String command, Map<String, String> environment) {
     this.command = command;
     this.unseen = command != null || environment.containsKey(VARIABLE);
   }
 
-  /** How this process was started. */
+  /** Detects how this process was started. */
   public static DesktopStart ofProcess() {
     return new DesktopStart(System.getProperty(ProgramCommand.DESKTOP), System.getenv());
   }
 
   /**
-   * The arguments of the program: a file is given to the command, and without one the enricher
-   * opens.
+   * Returns the program's arguments: the command is put before a file, and without a file the
+   * enricher opens.
    */
   public String[] arguments(String[] given) {
     if (command == null) {
@@ -50,22 +50,28 @@ public final class DesktopStart {
     return Stream.concat(Stream.of(command), Stream.of(given)).toArray(String[]::new);
   }
 
-  /** Where messages go: to the one given, and into memory where nobody sees that one. */
+  /**
+   * Returns the stream for messages: the given one, which is also recorded in memory where it is
+   * invisible.
+   */
   public OutputStream messages(OutputStream err) {
     return unseen ? heard.before(err) : err;
   }
 
-  /** What is to be shown of a program that ends with this status; empty for nothing. */
+  /** Returns the message to show when the program ends with a status; empty for none. */
   Optional<String> complaint(int status) {
     return Optional.of(heard.text().strip()).filter(text -> status != 0 && !text.isEmpty());
   }
 
-  /** Shows what went wrong, if anything did and nobody saw it; the window outlives this process. */
+  /**
+   * Shows the error messages of a failed program that were invisible; the window outlives this
+   * process.
+   */
   public void tell(int status) {
     complaint(status).ifPresent(DesktopStart::show);
   }
 
-  /** In a process of its own: in this one Java may have settled that there are no windows. */
+  /** Shows a text in a separate process, because this Java process may already be headless. */
   private static void show(String text) {
     try {
       Process window =
@@ -78,7 +84,7 @@ public final class DesktopStart {
         in.write(text.getBytes(StandardCharsets.UTF_8));
       }
     } catch (IOException e) {
-      // It went to standard error too, and there is nobody else to tell.
+      // The text went to standard error too; there is no other place to report it.
     }
   }
 }

@@ -5,13 +5,13 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
-/** Keeps the end of what is written to another stream. For any thread. */
+/** Records the last characters that are written to another stream. The class is thread-safe. */
 final class HeardOutput {
   private static final int KEPT = 4000;
 
   private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
 
-  /** A stream that is heard and passes on what it takes. */
+  /** Returns a stream that records its data and passes it on. */
   OutputStream before(OutputStream next) {
     return new OutputStream() {
       @Override
@@ -19,7 +19,7 @@ final class HeardOutput {
         write(new byte[] {(byte) one}, 0, 1);
       }
 
-      /** Heard first: the other one may be a console that is not there. */
+      /** Records the data first, because the other stream may be a missing console. */
       @Override
       public void write(byte[] from, int offset, int length) throws IOException {
         hear(from, offset, length);
@@ -42,7 +42,7 @@ final class HeardOutput {
     }
   }
 
-  /** The end of it, in whole lines if there was more. */
+  /** Returns the recorded text; if there was more, it starts at the beginning of a line. */
   synchronized String text() {
     String all = bytes.toString(StandardCharsets.UTF_8);
     return all.length() <= KEPT ? all : all.substring(all.indexOf('\n', all.length() - KEPT) + 1);

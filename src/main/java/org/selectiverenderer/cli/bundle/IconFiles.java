@@ -8,8 +8,8 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * Icons of Windows and macOS, which are PNG pictures of several sizes in one file: ICO since
- * Windows Vista, ICNS since Mac OS X 10.7.
+ * Writes icon files of Windows and macOS with PNG pictures of several sizes: ICO since Windows
+ * Vista, ICNS since Mac OS X 10.7.
  */
 final class IconFiles {
   private static final int ICO_HEADER = 6;
@@ -17,7 +17,7 @@ final class IconFiles {
   private static final int ICNS_HEADER = 8;
   private static final int TRUE_COLOUR = 32;
 
-  /** The types of ICNS whose data is a PNG, by the side of their picture in pixels. */
+  /** The ICNS types that hold PNG data, keyed by the side length of their picture in pixels. */
   private static final Map<Integer, String> ICNS_TYPES =
       Map.of(16, "icp4", 32, "icp5", 64, "icp6", 128, "ic07", 256, "ic08", 512, "ic09");
 

@@ -14,8 +14,8 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 
 /**
- * Manual pages in the macros of man(7), one for the program and one for each command, written from
- * picocli's model: what {@code --help} says, in the order and under the headings of a manual.
+ * Writes manual pages in the macros of man(7), one for the program and one for each command, from
+ * picocli's model: the content of {@code --help} in the order and under the headings of a manual.
  */
 final class ManPages {
   private static final String EXIT_STATUS =
@@ -35,7 +35,7 @@ final class ManPages {
 
   private ManPages() {}
 
-  /** The pages by their names, without the section; hidden commands have none. */
+  /** Returns the pages keyed by their names without the section; hidden commands have none. */
   static SortedMap<String, String> of(CommandSpec root, String version) {
     SortedMap<String, String> pages = new TreeMap<>();
     add(root, version, pages);
@@ -59,7 +59,7 @@ final class ManPages {
     String name = command.qualifiedName("-");
     page.append(".TH \"").append(roff(name)).append("\" 1 \"\" \"");
     page.append(roff(ProgramVersion.PROGRAM + " " + version)).append("\" \"User commands\"\n");
-    // The reader's window says where lines end: never within a word, such as an option's value.
+    // Lines are wrapped at the reader's window width: never within a word, such as an option value.
     page.append(".ad l\n.nh\n");
     String[] description = command.usageMessage().description();
     page.append(".SH NAME\n").append(roff(name)).append(" \\- ");
@@ -127,7 +127,7 @@ final class ManPages {
     return option.arity().max() == 0 ? names : names + " " + option.paramLabel();
   }
 
-  /** The first sentence of a description, as whatis(1) lists it. */
+  /** Returns the first sentence of a description, which whatis(1) lists. */
   private static String summary(String[] description) {
     String text = plain(String.join(" ", description));
     int end = text.indexOf(". ");
@@ -135,12 +135,12 @@ final class ManPages {
     return first.endsWith(".") ? first.substring(0, first.length() - 1) : first;
   }
 
-  /** Without picocli's marks for styles, and with its format's percent signs resolved. */
+  /** Returns a text without picocli's style markup and with its format specifiers resolved. */
   private static String plain(String text) {
     return Ansi.OFF.string(text).replace("%n", "\n").replace("%%", "%");
   }
 
-  /** Text as it is meant: no sign of it is an order to roff. */
+  /** Escapes the characters of a text that roff would interpret. */
   private static String roff(String text) {
     return text.replace("\\", "\\e").replace("-", "\\-").replaceAll("(?m)^(?=[.'])", "\\\\&");
   }

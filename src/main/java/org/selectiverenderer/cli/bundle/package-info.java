@@ -1,7 +1,7 @@
 /**
- * What a package of the program has beside the program: manual pages and completions for shells,
- * written from the commands themselves, icons for desktops, and the start without a console, after
- * which a failure is told in a window.
+ * The parts of an installation package beside the program itself: manual pages and shell
+ * completions generated from the commands, desktop icons, and the start without a console, which
+ * shows failures in a window.
  *
  * <p>In: picocli's model of the commands, the program's icon. Out: files in a folder that {@code
  * packaging/package} lays out. Used by the command line alone.

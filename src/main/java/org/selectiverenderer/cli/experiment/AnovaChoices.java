@@ -5,7 +5,9 @@ import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.statistics.anova.AnovaOptions;
 import picocli.CommandLine.Option;
 
-/** Options of every command that analyses variance. */
+/**
+ * The options for the bounds of equivalence tests, shared by the commands that compute an ANOVA.
+ */
 final class AnovaChoices {
   @Option(
       names = "--bounds",

@@ -2,12 +2,12 @@ package org.selectiverenderer.cli.experiment;
 
 import java.util.Optional;
 
-/** Asks whoever sits at the console. */
+/** Asks the user a question on the console. */
 final class ConsoleQuestion {
   private ConsoleQuestion() {}
 
   /**
-   * Asks.
+   * Asks a question.
    *
    * @return the answer; empty where input or output is no console, or it was closed
    */

@@ -60,8 +60,7 @@ final class ExperimentAnalyseCommand extends CliCommand {
 
   @Option(
       names = "--counterbalanced",
-      description =
-          "takes objects that are present for some participants and absent for others as meant")
+      description = "accepts that objects are present for some participants and absent for others")
   private boolean counterbalanced;
 
   @Mixin private ScoringChoices scoring = new ScoringChoices();

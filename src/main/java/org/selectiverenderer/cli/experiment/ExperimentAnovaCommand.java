@@ -41,7 +41,7 @@ import picocli.CommandLine.Parameters;
       "      --subject participant --within object_type --between condition"
     })
 final class ExperimentAnovaCommand extends CliCommand {
-  /** More have too many interactions for anyone to read. */
+  /** The largest number of factors; more have too many interactions to interpret. */
   private static final int MOST_FACTORS = 5;
 
   private enum Format {

@@ -87,7 +87,7 @@ final class ExperimentExportCommand extends CliCommand {
     return ExitStatus.of(problems);
   }
 
-  /** The analysis of memory, where somebody was asked about it. */
+  /** Returns the R script that analyses recognition answers, if there are any. */
   private static Map<String, String> scripts(CollectedAnswers answers) {
     return answers.responses().lines().count() > 1
         ? Map.of(RScripts.NAME, RScripts.analysis(StudyExport.RESPONSES))

@@ -58,7 +58,7 @@ final class ExperimentNewCommand extends CliCommand {
     return ExitStatus.DONE;
   }
 
-  /** The program's own scene, whatever folder the user is in. */
+  /** Returns the default scene: in the current folder, else in the program's folder. */
   private static Path usual() {
     Path here = Path.of(DEFAULT_SCENE);
     return Files.isRegularFile(here)

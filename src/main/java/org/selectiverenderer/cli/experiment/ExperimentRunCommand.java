@@ -98,8 +98,7 @@ final class ExperimentRunCommand extends CliCommand {
   @Option(
       names = "--unattended",
       description =
-          "runs with a simulated participant and asks nobody anything, for tests; "
-              + "this is recorded")
+          "runs with a simulated participant and without dialogs, for tests; " + "this is recorded")
   private boolean unattended;
 
   @Option(
@@ -154,7 +153,7 @@ final class ExperimentRunCommand extends CliCommand {
     if (presentation.isEmpty()) {
       return ExitStatus.PROBLEMS;
     }
-    List<Monitor> monitors = Monitors.all(); // With this JOGL begins; then Swing may.
+    List<Monitor> monitors = Monitors.all(); // This starts JOGL; Swing may start only afterwards.
     SessionStage stage = stage(material.study(), presentation.get(), monitors);
     SessionShow plain =
         new SessionShow(
@@ -190,7 +189,7 @@ final class ExperimentRunCommand extends CliCommand {
     }
   }
 
-  /** The study's headset, which is there before anything has begun; empty for other displays. */
+  /** Returns the study's headset, checked before the session begins; empty for other displays. */
   private Optional<SessionHeadset> headset(Presentation presentation, StudyMaterial material)
       throws IOException {
     if (presentation.headset().isEmpty()) {
@@ -236,7 +235,10 @@ final class ExperimentRunCommand extends CliCommand {
     return streams;
   }
 
-  /** The journal keeps it; what is not as asked for the experimenter reads at once. */
+  /**
+   * Records an event of the streams in the journal, and prints problems and new streams for the
+   * experimenter.
+   */
   private void told(Session session, String event, Map<String, ?> more) {
     session.journal().tell(event, more);
     if (event.equals("problem")) {
@@ -265,8 +267,8 @@ final class ExperimentRunCommand extends CliCommand {
   }
 
   /**
-   * Opens OpenGL once before anything has begun: else a participant has a condition and has filled
-   * in the form when the first window fails.
+   * Opens OpenGL once before the session begins: otherwise a participant would have a condition and
+   * would have filled in the form when the first window fails.
    */
   private static void requireGl(StudyMaterial material) {
     if (material.steps().stream().anyMatch(SessionStep::shows)) {
@@ -289,7 +291,7 @@ final class ExperimentRunCommand extends CliCommand {
     return false;
   }
 
-  /** Looks at the monitors, with which JOGL begins; then Swing may. */
+  /** Chooses the operator's monitors. JOGL has started with them, so Swing may start afterwards. */
   private SessionStage stage(Study study, Presentation presentation, List<Monitor> monitors) {
     try {
       return SessionStage.of(
@@ -312,7 +314,10 @@ final class ExperimentRunCommand extends CliCommand {
     }
   }
 
-  /** The session; the tracker has sent something before anybody is assigned. */
+  /**
+   * Opens the session. The tracker must have sent a sample before the participant is assigned a
+   * condition.
+   */
   private Session open(
       StudyMaterial material, SessionShow show, ChainTracker tracker, Problems problems)
       throws IOException, InterruptedException {
@@ -372,7 +377,7 @@ final class ExperimentRunCommand extends CliCommand {
               case ABORTED ->
                   "the session was aborted; --resume continues after its last finished step";
               case REFUSED ->
-                  "the participant does not take part; " + session.folder().path() + " says so";
+                  "the participant declined to take part; see " + session.folder().path();
             });
     return outcome == SessionRunner.Outcome.FINISHED ? ExitStatus.DONE : ExitStatus.PROBLEMS;
   }

@@ -99,7 +99,9 @@ final class ExperimentThresholdCommand extends CliCommand {
 
   private void check() {
     if (results && (participant != null || resume || unattended)) {
-      throw CommandFailure.usage("--results is about all participants and runs none");
+      throw CommandFailure.usage(
+          "--results prints the results of all participants; leave out --participant, --resume"
+              + " and --unattended");
     }
     if (commands != null && !results) {
       throw CommandFailure.usage("--commands needs --results");

@@ -11,7 +11,7 @@ import org.selectiverenderer.experiment.session.SessionFolder;
 import org.selectiverenderer.experiment.study.Study;
 import picocli.CommandLine.Option;
 
-/** Whose session it is. */
+/** The options that name the participant of a session. */
 final class ParticipantChoice {
   @Option(
       names = "--participant",
@@ -21,15 +21,16 @@ final class ParticipantChoice {
 
   @Option(
       names = "--new-participant",
-      description = "says that --participant is somebody new, though the ID looks like another")
+      description =
+          "confirms that --participant is a new person, although the ID resembles another one")
   private boolean somebodyNew;
 
-  /** The id as typed. */
+  /** Returns the ID as typed. */
   Optional<String> typed() {
     return Optional.ofNullable(participant);
   }
 
-  /** Refuses what is no id. */
+  /** Checks that the options are valid. */
   void check() {
     if (participant != null && !participant.matches(SessionFolder.LABEL)) {
       throw CommandFailure.usage("--participant must consist of letters and digits");
@@ -40,10 +41,9 @@ final class ParticipantChoice {
   }
 
   /**
-   * The id, once it is sure who is meant.
+   * Returns the participant's ID, after asking about an ID that resembles another one.
    *
-   * @param ask puts a question to whoever sits there and returns the answer; empty where nobody
-   *     does
+   * @param ask asks the user a question and returns the answer; empty where there is no console
    */
   String of(Study study, boolean resume, Function<String, Optional<String>> ask)
       throws IOException {
@@ -58,7 +58,7 @@ final class ParticipantChoice {
     Optional<String> alike = ids.alike(id);
     if (resume) {
       throw CommandFailure.usage(
-          "there is no participant %s to continue with%s"
+          "--resume: the study has no participant %s%s"
               .formatted(
                   id,
                   alike.map(other -> "; did you mean --participant " + other + "?").orElse("")));
@@ -66,9 +66,9 @@ final class ParticipantChoice {
     Optional<String> folder = ids.sameFolder(id);
     if (folder.isPresent()) {
       throw CommandFailure.usage(
-          "the participant %s differs from %s in capitals only, and on Windows and macOS both would be"
+          "the IDs %s and %s differ only in capitals, and would share one folder on Windows and"
                   .formatted(id, folder.get())
-              + " one folder; type %s, or another id".formatted(folder.get()));
+              + " macOS; use %s or another ID".formatted(folder.get()));
     }
     if (alike.isPresent() && !somebodyNew) {
       confirm(id, alike.get(), ask);
@@ -79,17 +79,17 @@ final class ParticipantChoice {
   private static void confirm(String id, String other, Function<String, Optional<String>> ask) {
     Optional<String> answer =
         ask.apply(
-            "The participant %s is new, but looks like %s, who is there already. Is %s somebody else? [y/n] "
+            "The ID %s is new but resembles %s of the same study. Is %s a new person? [y/n] "
                 .formatted(id, other, id));
     if (answer.isEmpty()) {
       throw CommandFailure.usage(
-          "the participant %s looks like %s, who is there already; type %s for the same person,"
+          "the ID %s resembles %s of the same study; use --participant %s for the same"
                   .formatted(id, other, other)
-              + " or add --new-participant for somebody else");
+              + " person, or add --new-participant for a new one");
     }
     if (!answer.get().strip().toLowerCase(Locale.ROOT).startsWith("y")) {
       throw CommandFailure.environment(
-          "no session was begun; --participant %s is the one who is there already"
+          "no session was started; use --participant %s for the participant of that ID"
               .formatted(other));
     }
   }

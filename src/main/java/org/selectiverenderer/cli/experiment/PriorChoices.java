@@ -5,7 +5,7 @@ import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.EffectPrior;
 import picocli.CommandLine.Option;
 
-/** The prior of the Bayes factors of effects. */
+/** The options for the prior of the effects' Bayes factors. */
 final class PriorChoices {
   private static final double LEAST = 0.01;
   private static final double MOST = 10;

@@ -9,7 +9,7 @@ import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.statistics.report.Provenance;
 import picocli.CommandLine.Option;
 
-/** The date that a report states, and what else it says of its origin. */
+/** The option for the date of a report, from which the report's provenance is made. */
 final class ReportDate {
   @Option(
       names = "--date",

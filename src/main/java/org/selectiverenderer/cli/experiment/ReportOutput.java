@@ -8,7 +8,7 @@ import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.OutputFile;
 import picocli.CommandLine.Option;
 
-/** A text that goes to a file or to the standard output. */
+/** The option for the output file of a report, instead of the standard output. */
 final class ReportOutput {
   @Option(
       names = "--output",
@@ -17,7 +17,7 @@ final class ReportOutput {
   private @Nullable Path output;
 
   /**
-   * @param files that the report is made of
+   * @param files the input files of the report
    */
   void check(CommandFiles files) throws IOException {
     OutputFile.check("--output", output, "");

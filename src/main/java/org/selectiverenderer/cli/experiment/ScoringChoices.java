@@ -5,7 +5,7 @@ import org.selectiverenderer.statistics.detection.Guessing;
 import org.selectiverenderer.statistics.detection.Scoring;
 import picocli.CommandLine.Option;
 
-/** How answers become d' and log beta. */
+/** The options for the computation of d' and log beta from answers. */
 final class ScoringChoices {
   private enum Rates {
     loglinear(Correction.LOG_LINEAR),

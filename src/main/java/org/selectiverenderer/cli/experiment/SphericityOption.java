@@ -6,9 +6,9 @@ import org.selectiverenderer.statistics.anova.AnovaOptions;
 import org.selectiverenderer.statistics.anova.SphericityChoice;
 import picocli.CommandLine.Option;
 
-/** What is done where sphericity is lacking. */
+/** The option for the correction of degrees of freedom where sphericity is violated. */
 final class SphericityOption {
-  /** As users write them. */
+  /** The values as users write them. */
   enum Words {
     auto,
     gg,
@@ -31,9 +31,9 @@ final class SphericityOption {
   }
 
   /**
-   * The options with the choice.
+   * Returns ANOVA options with the chosen correction.
    *
-   * @param other what another spelling of the option says, which then counts
+   * @param other the value of the option's other spelling, which takes precedence
    */
   AnovaOptions in(AnovaOptions options, Optional<Words> other) {
     String word = other.orElse(choice).name();

@@ -9,14 +9,14 @@ import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.StudyTemplate;
 import picocli.CommandLine.Parameters;
 
-/** The study that a command is about. */
+/** The parameter that names the study of a command. */
 final class StudyArgument {
   @Parameters(
       paramLabel = "STUDY.json",
       description = "study file, or the folder that contains study.json")
   private Path study = Path.of("");
 
-  /** Reads it; empty when it has faults, which are told then. */
+  /** Reads the study; empty when it has errors, which are reported to {@code problems}. */
   Optional<StudyMaterial> read(Problems problems) throws IOException {
     return StudyMaterial.read(
         Files.isDirectory(study) ? study.resolve(StudyTemplate.STUDY) : study, problems);

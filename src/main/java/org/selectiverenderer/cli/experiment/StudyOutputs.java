@@ -18,7 +18,7 @@ import org.selectiverenderer.statistics.script.RScripts;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 import picocli.CommandLine.Option;
 
-/** Folders that an analysis may also be written to, in parts. */
+/** The options for the folders into which the parts of an analysis are written. */
 final class StudyOutputs {
   private static final String ANSWERS = "usable-answers.csv";
 
@@ -44,7 +44,7 @@ final class StudyOutputs {
               + " adds the mixed probit of single answers")
   private @Nullable Path script;
 
-  /** Refuses what is no folder, before the work begins. */
+  /** Checks before the analysis that the outputs are folders. */
   void check() {
     check("--figures", figures);
     check("--tables", tables);
@@ -58,9 +58,9 @@ final class StudyOutputs {
   }
 
   /**
-   * Writes all of them or none.
+   * Writes all files or none.
    *
-   * @param files that the command reads, which are not written over
+   * @param files the command's input files, which must not be overwritten
    */
   void write(StudyAnalysis study, Provenance provenance, CommandFiles files, Console console)
       throws IOException {
@@ -81,7 +81,7 @@ final class StudyOutputs {
     FileTransaction writing = new FileTransaction();
     all.forEach((file, text) -> writing.add(file, text.getBytes(StandardCharsets.UTF_8)));
     for (Path left : writing.commit()) {
-      console.message("could not delete " + left + ", which holds what was there before");
+      console.message(left + ": the previous file could not be deleted; you can delete it");
     }
   }
 

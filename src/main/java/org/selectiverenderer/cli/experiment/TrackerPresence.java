@@ -14,20 +14,23 @@ import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.tracker.open.TrackerSearch;
 
 /**
- * Sees to it that a session's tracker works before anybody is assigned a condition.
+ * Checks that a session's tracker works before the participant is assigned a condition.
  *
- * @param tracker stays open for the session
+ * @param tracker the tracker, which stays open for the session
  */
 record TrackerPresence(ChainTracker tracker, SessionShow show) {
-  /** Milliseconds in which a tracker must say something: an InterTrax2's set-up takes most. */
+  /**
+   * The time in milliseconds within which a tracker must send a sample; most of it is the set-up of
+   * an InterTrax2.
+   */
   private static final long PATIENCE = 2_000;
 
   /**
-   * The tracker instead of the study's: none where a session is to do without it, or where one that
-   * is to be searched for does not answer; the one found by a search.
+   * Returns the tracker that replaces the study's: none where the session runs without a tracker or
+   * where a searched tracker does not answer; or the one that a search found.
    *
-   * @param without whether the session is to do without
-   * @param message hears that none answers
+   * @param without whether the session runs without a tracker
+   * @param message receives a message when no tracker answers
    */
   static Optional<TrackerSpec> instead(TrackerSpec study, boolean without, Consumer<String> message)
       throws InterruptedException {
@@ -47,14 +50,14 @@ record TrackerPresence(ChainTracker tracker, SessionShow show) {
   }
 
   /**
-   * Waits for the tracker's first record.
+   * Waits for the tracker's first sample.
    *
-   * @param left the steps of the session; without a scene among them no tracker is needed
-   * @throws CommandFailure if it cannot be used or is silent
+   * @param left the remaining steps of the session; without a scene among them no tracker is needed
+   * @throws CommandFailure if the tracker cannot be used or is silent
    */
   void require(SessionOptions options, TrackerSpec study, List<SessionStep> left)
       throws IOException, InterruptedException {
-    // A headset has no records before it shows something; that it is there was seen before.
+    // A headset sends no samples before it shows a picture; its presence was checked before.
     if (show.presentation().headset().isPresent()) {
       return;
     }

@@ -10,14 +10,16 @@ import org.selectiverenderer.x3d.files.HostPattern;
 import org.selectiverenderer.x3d.files.Network;
 import picocli.CommandLine.Option;
 
-/** What scenes may read besides the files of their own project, for all commands that open any. */
+/**
+ * The options for the files and hosts that scenes may load besides the files of their own project.
+ */
 public final class AccessOptions {
   @Option(
       names = "--allow",
       paramLabel = "DIR",
       description =
-          "folder whose files the scene may name, besides its own and those of its project; may be"
-              + " repeated")
+          "folder whose files the scene may load, besides those of its own folder and project; may"
+              + " be repeated")
   private List<Path> folders = List.of();
 
   @Option(
@@ -28,7 +30,9 @@ public final class AccessOptions {
               + " it; may be repeated (default: none)")
   private List<String> hosts = List.of();
 
-  /** One object for the whole command, so that nothing is fetched twice. */
+  /**
+   * Creates the permissions; one object for the whole command, so that nothing is fetched twice.
+   */
   public ContentAccess access() {
     for (Path folder : folders) {
       if (!Files.isDirectory(folder)) {

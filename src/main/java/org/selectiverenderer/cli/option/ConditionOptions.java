@@ -7,7 +7,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 
-/** The options that say how a scene is rendered, shared by several commands. */
+/** The options for the rendering condition of a scene. */
 public final class ConditionOptions {
   @Option(
       names = "--condition",
@@ -32,7 +32,7 @@ public final class ConditionOptions {
     return new SelectiveController.Settings(condition, seed);
   }
 
-  /** Reads a condition by the name that the thesis gives it. */
+  /** Converts the thesis's name of a condition. */
   public static final class Converter implements ITypeConverter<Condition> {
     @Override
     public Condition convert(String value) {

@@ -2,7 +2,7 @@ package org.selectiverenderer.cli.option;
 
 import picocli.CommandLine.Option;
 
-/** To see a change before it is made. */
+/** The option to print changes without making them. */
 public final class DryRunOption {
   @Option(names = "--dry-run", description = "prints what would change and writes nothing")
   private boolean asked;

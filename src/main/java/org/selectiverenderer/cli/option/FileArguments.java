@@ -8,25 +8,25 @@ import java.util.Set;
 import org.selectiverenderer.base.files.FileFinder;
 
 /**
- * The files that a command is about, as the user named them: one, or many.
+ * The input files of a command as the user named them.
  *
  * @param names of files, folders and patterns, at least one
  */
 public record FileArguments(List<String> names) {
-  /** Whether it is one file, named by itself. */
+  /** Returns whether the user named exactly one file. */
   public boolean one() {
     return names.size() == 1 && !FileFinder.meansSeveral(names.get(0));
   }
 
-  /** The only file. */
+  /** Returns the only file. */
   public Path file() {
     return Path.of(names.get(0));
   }
 
   /**
-   * All files, each once, in the order of the names.
+   * Returns all files, each once, in the order of the names.
    *
-   * @throws IOException if a name stands for no file
+   * @throws IOException if a name matches no file
    */
   public List<Path> files(FileFinder finder) throws IOException {
     Set<Path> files = new LinkedHashSet<>();

@@ -2,7 +2,7 @@ package org.selectiverenderer.cli.option;
 
 import picocli.CommandLine.Option;
 
-/** For people or for programs. */
+/** The option for the format of a command's output: text or JSON. */
 public final class FormatOption {
   private enum Format {
     text,
@@ -16,7 +16,7 @@ public final class FormatOption {
       description = "format of the output: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE})")
   private Format format = Format.text;
 
-  /** Whether JSON is wanted instead of text. */
+  /** Returns whether JSON is wanted instead of text. */
   public boolean json() {
     return format == Format.json;
   }

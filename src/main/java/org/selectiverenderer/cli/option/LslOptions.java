@@ -23,13 +23,13 @@ public final class LslOptions {
           "file of liblsl (default: the one that SELECTIVE_RENDERER_LSL names, else the system's)")
   private @Nullable Path library;
 
-  /** Whether the user asks for sending. */
+  /** Returns whether the user asks for sending. */
   public boolean asked() {
     return lsl;
   }
 
   /**
-   * The library, where it is wanted.
+   * Returns the library, if it is needed.
    *
    * @param wanted whether it is needed for another reason than {@code --lsl}
    */

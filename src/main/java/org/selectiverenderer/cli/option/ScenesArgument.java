@@ -3,7 +3,7 @@ package org.selectiverenderer.cli.option;
 import java.util.List;
 import picocli.CommandLine.Parameters;
 
-/** The scenes that a command is about. */
+/** The parameter that names the scenes of a command. */
 public final class ScenesArgument {
   @Parameters(
       paramLabel = "SCENE",

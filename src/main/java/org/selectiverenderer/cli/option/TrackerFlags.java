@@ -10,7 +10,7 @@ import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
 import picocli.CommandLine.Option;
 
-/** The options that say how a tracker's records are read, shared by several commands. */
+/** The options for the processing of a tracker's samples. */
 public final class TrackerFlags {
   @Option(
       names = "--invert",
@@ -33,7 +33,7 @@ public final class TrackerFlags {
       fallbackValue = "default",
       paramLabel = "HZ[,SPEED]",
       description =
-          "smooths trembling with a one-euro filter: cutoff at rest (1.5 Hz) and how "
+          "smooths jitter with a one-euro filter: cutoff at rest (1.5 Hz) and how "
               + "much it grows with the head's speed (8 Hz per rad/s); default: off")
   private @Nullable String smoothing;
 
@@ -46,13 +46,13 @@ public final class TrackerFlags {
               + "known delay of the display; default: off")
   private double predictionMs;
 
-  /** Refuses options that would do nothing. */
+  /** Rejects options that would have no effect. */
   public void check(TrackerSpec spec) {
     boolean none = spec instanceof TrackerSpec.None || spec instanceof TrackerSpec.Headset;
     if (none && options().change()) {
       throw CommandFailure.usage(
           "--invert, --swap, --smooth and --predict need --tracker"
-              + (spec instanceof TrackerSpec.Headset ? "; a headset does all that itself" : ""));
+              + (spec instanceof TrackerSpec.Headset ? "; a headset does this by itself" : ""));
     }
   }
 

@@ -1,6 +1,6 @@
 package org.selectiverenderer.cli.output;
 
-/** Ends a command with one sentence for the user. */
+/** Ends a command with a message of one sentence for the user. */
 public final class CommandFailure extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
@@ -11,12 +11,12 @@ public final class CommandFailure extends RuntimeException {
     this.wrongUsage = wrongUsage;
   }
 
-  /** Arguments that do not fit together; the user is pointed at {@code --help}. */
+  /** Creates a failure because of wrong arguments; the user is referred to {@code --help}. */
   public static CommandFailure usage(String sentence) {
     return new CommandFailure(sentence, true);
   }
 
-  /** Something outside that the command needs and cannot use, such as a display. */
+  /** Creates a failure because of something in the environment, such as a missing display. */
   public static CommandFailure environment(String sentence) {
     return new CommandFailure(sentence, false);
   }

@@ -10,8 +10,8 @@ import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.x3d.files.FilesNamed;
 
 /**
- * The files that a command reads and writes. Looked at before the work begins: none may be written
- * over one that is read, and no two over one another, whatever names lead to them.
+ * Checks before a command starts that no output file overwrites an input file or another output
+ * file, by whatever path they are named.
  */
 public final class CommandFiles {
   private record Named(String option, Path file) {
@@ -25,7 +25,7 @@ public final class CommandFiles {
   private final List<Named> written = new ArrayList<>();
 
   /**
-   * @param option by which the user named the file; empty for a parameter
+   * @param option the option that names the file; empty for a parameter
    * @param file null when there is none
    */
   public CommandFiles reads(String option, @Nullable Path file) {
@@ -36,7 +36,7 @@ public final class CommandFiles {
   }
 
   /**
-   * @param option by which the user named the file
+   * @param option the option that names the file
    * @param file null when there is none
    */
   public CommandFiles writes(String option, @Nullable Path file) {
@@ -46,7 +46,7 @@ public final class CommandFiles {
     return this;
   }
 
-  /** Refuses what would be written over something else. */
+  /** Rejects an output file that would overwrite another file of the command. */
   public void check() throws IOException {
     for (int i = 0; i < written.size(); i++) {
       Named output = written.get(i);
@@ -64,8 +64,8 @@ public final class CommandFiles {
   }
 
   /**
-   * Refuses what would be written over a file that a scene is made of: what it inlines, shows or
-   * plays. Asked when the scene has been read, before the work begins.
+   * Rejects an output file that would overwrite a file of the scene, such as an Inline, picture or
+   * sound. It is called when the scene has been read, before the work begins.
    *
    * @throws IOException with one line
    */
@@ -75,7 +75,7 @@ public final class CommandFiles {
         for (Path input : named.list()) {
           if (same(output.file(), input)) {
             throw new IOException(
-                output + ": the scene is made of this file, which would be lost; name another");
+                output + ": is a file of the scene and would be overwritten; name another one");
           }
         }
       }

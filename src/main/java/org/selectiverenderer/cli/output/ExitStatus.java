@@ -2,7 +2,7 @@ package org.selectiverenderer.cli.output;
 
 import org.selectiverenderer.base.problem.Problems;
 
-/** How a command ended. The only place that knows the process's exit statuses. */
+/** The exit statuses of a command. */
 public enum ExitStatus {
   /** Done, nothing to say about the input. */
   DONE(0),
@@ -17,17 +17,17 @@ public enum ExitStatus {
     this.code = code;
   }
 
-  /** What the process returns to its shell. */
+  /** Returns the exit code of the process. */
   public int code() {
     return code;
   }
 
-  /** The status of that code. */
+  /** Returns the status of an exit code. */
   public static ExitStatus of(int code) {
     return values()[code];
   }
 
-  /** {@link #PROBLEMS} if any error or warning was found, else {@link #DONE}. */
+  /** Returns {@link #PROBLEMS} if any error or warning was found, else {@link #DONE}. */
   public static ExitStatus of(Problems problems) {
     return problems.any() ? PROBLEMS : DONE;
   }

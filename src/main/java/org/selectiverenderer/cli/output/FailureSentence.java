@@ -10,11 +10,11 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 
-/** Says in one line what went wrong. */
+/** Formats an exception as one line for the user. */
 public final class FailureSentence {
   private FailureSentence() {}
 
-  /** The line, for the user. */
+  /** Returns the message of an exception in one line. */
   public static String of(Throwable failure) {
     return sentence(failure).strip().replaceAll("\\s*\\R\\s*", "; ");
   }

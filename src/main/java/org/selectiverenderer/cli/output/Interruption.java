@@ -6,22 +6,22 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * Lets a command end in good order when the user presses Ctrl-C: asks it to stop, and holds the
- * process until it has, or for two seconds.
+ * Lets a command end orderly when the user presses Ctrl-C: asks it to stop, and delays the end of
+ * the process until it has, or for two seconds.
  */
 public final class Interruption {
   private static final double PATIENCE = 2;
 
   private Interruption() {}
 
-  /** What a command does until it is asked to stop. */
+  /** The work of a command that can be asked to stop. */
   @FunctionalInterface
   public interface Work {
     void run() throws IOException;
   }
 
   /**
-   * Works.
+   * Runs the work.
    *
    * @param stop asks the work to end; called on another thread
    */
@@ -43,15 +43,15 @@ public final class Interruption {
     }
   }
 
-  /** What a command does until its thread is interrupted. */
+  /** The work of a command that ends when its thread is interrupted. */
   @FunctionalInterface
   public interface Waiting<T> {
     T run() throws IOException, InterruptedException;
   }
 
   /**
-   * Waits for what others do, such as processes that the work has started and ends in its turn when
-   * it is interrupted.
+   * Runs work that waits, for example for child processes, and that ends when its thread is
+   * interrupted.
    *
    * @throws CommandFailure if the work is interrupted
    */
@@ -75,11 +75,11 @@ public final class Interruption {
     try {
       Runtime.getRuntime().removeShutdownHook(hook);
     } catch (IllegalStateException e) {
-      // The process is ending: the hook has just been told that the work is done.
+      // The process is ending: the hook has been told that the work is done.
     }
   }
 
-  /** Waits until the latch is open, or so many seconds. */
+  /** Waits until the latch is open, or for a number of seconds. */
   public static void await(CountDownLatch latch, double seconds) {
     try {
       latch.await((long) Math.min(1e15, seconds * 1000), TimeUnit.MILLISECONDS);

@@ -5,8 +5,9 @@ import java.io.UncheckedIOException;
 import java.util.Locale;
 
 /**
- * Standard output no longer takes data. Unchecked, since {@link java.io.PrintStream} swallows the
- * checked exception and a command would go on working for nobody.
+ * Thrown when standard output cannot be written any more. It is unchecked, since {@link
+ * java.io.PrintStream} swallows the checked exception and the command would continue without a
+ * reader.
  */
 public final class OutputFailure extends UncheckedIOException {
   private static final long serialVersionUID = 1L;
@@ -16,9 +17,9 @@ public final class OutputFailure extends UncheckedIOException {
   }
 
   /**
-   * Whether the reader of a pipe has gone, as {@code head} does: no failure, it has what it wanted.
-   * Java gives only the operating system's text (POSIX "Broken pipe", Windows "The pipe is being
-   * closed"); another text means another cause, such as a full disk.
+   * Returns whether the reader of a pipe has closed it, as {@code head} does, which is not an
+   * error. Java gives only the operating system's text (POSIX "Broken pipe", Windows "The pipe is
+   * being closed"); another text means another cause, such as a full disk.
    */
   public boolean readerHasGone() {
     String message = getCause().getMessage();

@@ -13,13 +13,14 @@ import org.selectiverenderer.base.files.NotWritten;
 import org.selectiverenderer.base.files.WholeFile;
 
 /**
- * Looks at files to be written before the work begins, so that a slip in a name does not cost it.
+ * Writes output files, and checks before the work begins that they can be written, so that a typing
+ * error in a name does not cost the results.
  */
 public final class OutputFile {
   private OutputFile() {}
 
   /**
-   * Writes a text in place of whatever was there.
+   * Writes a text, replacing an existing file.
    *
    * @throws IOException with the file's name
    */
@@ -27,7 +28,7 @@ public final class OutputFile {
     write(file, text, FileActions.REAL);
   }
 
-  /** The same by other actions. */
+  /** Writes a text by given file operations. */
   static void write(Path file, String text, FileActions actions) throws IOException {
     try {
       WholeFile.write(file, text.getBytes(StandardCharsets.UTF_8), actions);
@@ -37,9 +38,10 @@ public final class OutputFile {
   }
 
   /**
-   * Writes a text into a file that somebody fills in afterwards: what is there is not written over.
+   * Writes a text into a file that a user fills in afterwards: existing other content is not
+   * overwritten.
    *
-   * @throws IOException if it is there with another text, or cannot be written
+   * @throws IOException if it exists with another text, or cannot be written
    */
   public static void writeOnce(String option, Path file, String text) throws IOException {
     if (Files.isRegularFile(file)
@@ -55,8 +57,8 @@ public final class OutputFile {
   }
 
   /**
-   * @param option by which the user named the file; null when there is none
-   * @param endings of which the name is to have one, such as {@code .png}; none for any
+   * @param option the option that names the file
+   * @param endings the allowed file name extensions, such as {@code .png}; none for any
    */
   public static void check(String option, @Nullable Path file, String... endings) {
     if (file == null) {

@@ -9,10 +9,10 @@ import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * Where a run's words go: what is wrong and what is printed to the messages.
+ * A run listener that prints problems and text to the console and passes on the time line.
  *
- * @param timeline takes the time line
- * @param samples hears of every frame
+ * @param timeline receives the time line
+ * @param samples receives the head log's sample of every frame
  * @param begun called when the scene has been read, before the first frame
  */
 public record RunOutput(
@@ -21,22 +21,22 @@ public record RunOutput(
     Optional<SampleListener> samples,
     Beginning begun)
     implements RunListener {
-  /** What is done before the first frame. */
+  /** An action before the first frame. */
   @FunctionalInterface
   public interface Beginning {
     /**
-     * @throws IOException with one line, if the scene is not to be run
+     * @throws IOException with a one-line message, to prevent the run
      */
     void begin() throws IOException;
   }
 
-  /** With nothing to do before the first frame. */
+  /** Creates a listener without an action before the first frame. */
   public RunOutput(
       Console console, Consumer<TimelineEvent> timeline, Optional<SampleListener> samples) {
     this(console, timeline, samples, () -> {});
   }
 
-  /** With nobody who hears of every frame. */
+  /** Creates a listener without a receiver of samples. */
   public RunOutput(Console console, Consumer<TimelineEvent> timeline) {
     this(console, timeline, Optional.empty());
   }

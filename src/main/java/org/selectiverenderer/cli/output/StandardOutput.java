@@ -5,8 +5,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 
 /**
- * The process's output, under a {@link java.io.PrintStream}: throws {@link OutputFailure} at the
- * first write that fails, then drops what follows so that closing up stays quiet.
+ * The process's standard output, wrapped by a {@link java.io.PrintStream}: throws {@link
+ * OutputFailure} at the first write that fails, and discards later data so that closing does not
+ * fail.
  */
 public final class StandardOutput extends FilterOutputStream {
   private boolean failed;

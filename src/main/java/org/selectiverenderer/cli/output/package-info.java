@@ -1,6 +1,6 @@
 /**
- * Where a command's words and files go, and how it ends: the console, files looked at before the
- * work begins, failures that say one sentence, exit statuses.
+ * The output of commands: the console, checks of output files before the work begins, failures with
+ * a message of one sentence, exit statuses.
  *
  * <p>In: the standard streams, file names. Out: text on them. Uses {@code app.run} and {@code
  * app.timeline} for what a run tells, {@code base.files} and {@code base.problem}; the rest of

@@ -17,7 +17,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 
-/** The options that say on what a scene is shown. */
+/** The options for the display on which a scene is shown. */
 final class DisplayOptions {
   @Option(
       names = "--display",
@@ -62,20 +62,20 @@ final class DisplayOptions {
 
   @Mixin private HeadsetOptions headset = new HeadsetOptions();
 
-  /** Whether the scene is shown in a headset. */
+  /** Returns whether the scene is shown in a headset. */
   boolean worn() {
     return mode == DisplayMode.OPENXR;
   }
 
-  /** The display's file, if it is named by one; else null. */
+  /** Returns the display profile's file, if the option names one; else null. */
   @Nullable Path file() {
     return hmd == null || DisplayProfiles.builtIn(hmd).isPresent() ? null : Path.of(hmd);
   }
 
   /**
-   * Looks at the options before any work begins.
+   * Checks the options before any work begins.
    *
-   * @param picture of the operator's window; null for none
+   * @param picture file for the picture of the operator's window; null for none
    */
   void check(boolean offscreen, @Nullable Path picture) {
     headset.check(worn());
@@ -86,8 +86,8 @@ final class DisplayOptions {
     }
     if (worn() && (hmd != null || ipd != null || check)) {
       throw CommandFailure.usage(
-          "--hmd, --ipd and --hmd-check are for other displays: a headset tells by itself what "
-              + "its eyes see; leave them out");
+          "--display openxr: a headset brings its own field of view and pupil distance; leave "
+              + "--hmd, --ipd and --hmd-check out");
     }
     if (offscreen && operator != null && operator) {
       throw CommandFailure.usage(
@@ -104,13 +104,14 @@ final class DisplayOptions {
     }
   }
 
-  /** Whether there is a window for the operator. */
+  /** Returns whether the operator has a window. */
   boolean operator() {
     return operator == null ? mode == DisplayMode.DUAL || mode == DisplayMode.QUAD : operator;
   }
 
   /**
-   * What was asked for; empty when the display's file has faults, which are told then.
+   * Returns the presentation; empty when the display profile's file has errors, which are reported
+   * to {@code problems}.
    *
    * @throws IOException if that file cannot be read
    */
@@ -153,7 +154,7 @@ final class DisplayOptions {
     return DisplayProfiles.read(file, problems);
   }
 
-  /** Reads a mode as the command line writes it. */
+  /** Converts the name of a display mode. */
   static final class ModeConverter implements ITypeConverter<DisplayMode> {
     @Override
     public DisplayMode convert(String value) {

@@ -25,9 +25,9 @@ import picocli.CommandLine.Option;
 @Command(
     name = "doctor",
     description = {
-      "Says what this machine has and lacks: Java, display, OpenGL and its speed, headset, serial ports,"
-          + " sound.",
-      "Put its lines into a report of a fault."
+      "Reports what this machine has and lacks: Java, display, OpenGL and its speed, headset,"
+          + " serial ports, sound.",
+      "Include its output in a bug report."
     },
     footer = {
       "  ./selective-renderer doctor",
@@ -41,8 +41,8 @@ public final class DoctorCommand extends CliCommand {
   @Option(
       names = "--ask-ports",
       description =
-          "sends the commands of an InterTrax2 to every serial port, to find one; what else hangs there"
-              + " gets them too")
+          "sends the commands of an InterTrax2 to every serial port to find one; other devices at"
+              + " these ports receive them too")
   private boolean askPorts;
 
   @Option(
@@ -54,7 +54,7 @@ public final class DoctorCommand extends CliCommand {
   private final String program;
 
   /**
-   * @param program the name of the class that probes in processes of their own run
+   * @param program the name of the main class that child processes of probes run
    */
   public DoctorCommand(Console console, String program) {
     super(console);
@@ -94,7 +94,7 @@ public final class DoctorCommand extends CliCommand {
     return ExitStatus.DONE;
   }
 
-  /** At once: the next thing that is asked may end the process. */
+  /** Prints and flushes a line, because the next part of a probe may end the process. */
   private void send(Diagnosis line) {
     console().out().println(ChildStarter.MARK + line.json());
     console().out().flush();

@@ -4,7 +4,7 @@ import org.selectiverenderer.app.clock.EvenFrames;
 import org.selectiverenderer.cli.output.CommandFailure;
 import org.selectiverenderer.runtime.viewer.CameraPath;
 
-/** Refuses paths and rates of more frames than anybody can mean. */
+/** Rejects paths and frame rates with an implausible number of frames. */
 final class FrameLimits {
   private FrameLimits() {}
 

@@ -18,7 +18,7 @@ import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
 import picocli.CommandLine.Option;
 
-/** The options about the head: its tracker and its log. */
+/** The options for the head tracker and the head log. */
 final class HeadOptions {
   private enum Lost {
     freeze,
@@ -53,8 +53,8 @@ final class HeadOptions {
       names = "--tracker-position",
       paramLabel = "on|off",
       description =
-          "use of the head's place, where the tracker tells it (opentrack, vrpn, fastrak, replay):"
-              + " on or off (default: off; a headset's is always used)")
+          "use of the head's position, if the tracker reports it (opentrack, vrpn, fastrak,"
+              + " replay): on or off (default: off; a headset's is always used)")
   private @Nullable Placed placed;
 
   @Option(
@@ -72,16 +72,16 @@ final class HeadOptions {
       names = "--cone",
       paramLabel = "DEG",
       description =
-          "width of the cone about the middle of the view in which the head log names objects"
+          "width of the cone about the middle of the view in which the head log lists objects"
               + " (default: "
               + HeadLogSettings.CONE
               + ")")
   private @Nullable Double cone;
 
   /**
-   * Looks at the options before any work begins.
+   * Checks the options before any work begins.
    *
-   * @param files takes those that are written
+   * @param files receives the output files
    */
   void check(TrackerSpec spec, CommandFiles files) {
     if (cone != null && !(cone >= 0 && cone <= 90)) {
@@ -107,7 +107,7 @@ final class HeadOptions {
     HeadLogFiles.of(log).forEach(file -> files.writes("--head-log", file));
   }
 
-  /** Whether the head's place is asked for. */
+  /** Returns whether the head's position is used. */
   boolean placed() {
     return placed == Placed.on;
   }
@@ -115,8 +115,8 @@ final class HeadOptions {
   private void checkPlaced(TrackerSpec spec) {
     if (spec instanceof TrackerSpec.Headset) {
       throw CommandFailure.usage(
-          "--tracker-position is for other trackers: a headset's place is always used; leave it "
-              + "out");
+          "--tracker-position: the position of a headset is always used; leave it out with "
+              + "--display openxr");
     }
     if (placed()
         && !(spec instanceof TrackerSpec.OpenTrack
@@ -124,12 +124,12 @@ final class HeadOptions {
             || spec instanceof TrackerSpec.Fastrak
             || spec instanceof TrackerSpec.Replay)) {
       throw CommandFailure.usage(
-          "--tracker-position on needs a tracker that tells the head's place: opentrack, vrpn, "
+          "--tracker-position on needs a tracker that reports positions: opentrack, vrpn, "
               + "fastrak or a replay of one");
     }
   }
 
-  /** Refuses to replace a log unless asked to. */
+  /** Rejects an existing log unless it may be replaced. */
   void checkNew() {
     for (Path file : log == null || force ? List.<Path>of() : HeadLogFiles.of(log)) {
       if (Files.exists(file)) {
@@ -140,7 +140,7 @@ final class HeadOptions {
   }
 
   /**
-   * The tracker that was asked for.
+   * Returns the tracker that the options ask for.
    *
    * @param worn whether the scene is shown in a headset, which is a tracker itself
    */
@@ -158,7 +158,7 @@ final class HeadOptions {
   }
 
   /**
-   * The settings of a tracker.
+   * Returns the settings of a tracker.
    *
    * @param options how its angles are taken
    */
@@ -170,7 +170,7 @@ final class HeadOptions {
         placed());
   }
 
-  /** What is recorded of the head. */
+  /** Returns the settings of the head log. */
   Optional<HeadLogSettings> recorded() {
     return Optional.ofNullable(log)
         .map(file -> new HeadLogSettings(file, cone == null ? HeadLogSettings.CONE : cone, force));

@@ -55,7 +55,7 @@ final class HeadsetOptions {
               + "(default: both)")
   private @Nullable Side mirror;
 
-  /** Refuses options that would do nothing. */
+  /** Rejects options that would have no effect. */
   void check(boolean worn) {
     if (!worn && (posture != null || scale != null || turn != null || mirror != null)) {
       throw CommandFailure.usage(

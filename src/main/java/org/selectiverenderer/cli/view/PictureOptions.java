@@ -9,7 +9,7 @@ import org.selectiverenderer.cli.output.Console;
 import org.selectiverenderer.cli.output.OutputFile;
 import picocli.CommandLine.Option;
 
-/** The options that say which pictures are kept of a run. */
+/** The options for the screenshots of a run. */
 final class PictureOptions {
   @Option(
       names = "--screenshot",
@@ -23,23 +23,23 @@ final class PictureOptions {
       description = "writes the last picture of the operator's window to a file")
   private @Nullable Path operatorScreenshot;
 
-  /** Looks at the options before any work begins. */
+  /** Checks the options before any work begins. */
   void check() {
     OutputFile.check("--screenshot", screenshot, ".png");
     OutputFile.check("--operator-screenshot", operatorScreenshot, ".png");
   }
 
-  /** Names the files that are written. */
+  /** Registers the output files. */
   void writes(CommandFiles files) {
     files.writes("--screenshot", screenshot).writes("--operator-screenshot", operatorScreenshot);
   }
 
-  /** The file of the operator's picture; null for none. */
+  /** Returns the file of the operator's picture; null for none. */
   @Nullable Path ofOperator() {
     return operatorScreenshot;
   }
 
-  /** Writes what there is at the end of a run. */
+  /** Writes the screenshots at the end of a run. */
   void write(RunResult result, Console console) throws IOException {
     if (screenshot != null && result.screenshot().isPresent()) {
       result.screenshot().get().writePng(screenshot);

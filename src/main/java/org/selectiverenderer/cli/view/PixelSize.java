@@ -10,13 +10,16 @@ record PixelSize(int width, int height) {
   private static final int MOST = 16384;
   private static final Pattern FORM = Pattern.compile("([0-9]{1,5})[xX]([0-9]{1,5})");
 
-  /** As on the command line; a record's own text is made by code that is made at its first use. */
+  /**
+   * Returns the size as on the command line; the generated method of a record would slow down the
+   * start.
+   */
   @Override
   public String toString() {
     return width + "x" + height;
   }
 
-  /** Reads a size. */
+  /** Converts a size. */
   static final class Converter implements ITypeConverter<PixelSize> {
     @Override
     public PixelSize convert(String value) {

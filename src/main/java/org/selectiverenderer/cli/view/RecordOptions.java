@@ -11,7 +11,7 @@ import org.selectiverenderer.cli.output.OutputFile;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** The options that say what is kept of a run: pictures, time line, figures. */
+/** The options for the output files of a run: screenshots, time line, measurements. */
 final class RecordOptions {
   @Mixin private PictureOptions pictures = new PictureOptions();
 
@@ -25,14 +25,14 @@ final class RecordOptions {
   @Option(names = "--stats", paramLabel = "F.json", description = "writes the figures of the run")
   private @Nullable Path stats;
 
-  /** Looks at the options before any work begins. */
+  /** Checks the options before any work begins. */
   void check() {
     pictures.check();
     OutputFile.check("--timeline", timeline, "");
     OutputFile.check("--stats", stats, "");
   }
 
-  /** Names the files that are written. */
+  /** Registers the output files. */
   void writes(CommandFiles files) {
     pictures.writes(files);
     files.writes("--timeline", timeline).writes("--stats", stats);
@@ -42,12 +42,12 @@ final class RecordOptions {
     return pictures;
   }
 
-  /** The time line's file, not open yet; empty for none. */
+  /** Returns the time line's file, not opened yet; empty for none. */
   Optional<TimelineFile> timeline() {
     return timeline == null ? Optional.empty() : Optional.of(new TimelineFile(timeline));
   }
 
-  /** Writes what is known at the end of a run. */
+  /** Writes the files at the end of a run. */
   void write(RunResult result, Console console) throws IOException {
     if (stats != null) {
       OutputFile.write(stats, result.figures().json());

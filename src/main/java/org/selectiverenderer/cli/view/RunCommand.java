@@ -142,7 +142,7 @@ public final class RunCommand extends CliCommand {
 
   @Override
   public ExitStatus run() throws IOException {
-    // The enricher's runs end with it, as by Ctrl-C: with whole files.
+    // A run that the enricher started ends with it, as by Ctrl-C, with complete files.
     ParentProcess.whenItEnds(() -> System.exit(ExitStatus.FAILURE.code()));
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
@@ -180,7 +180,7 @@ public final class RunCommand extends CliCommand {
         stop::stop,
         () -> {
           RunResult result = show(settings, () -> files.check(allowed.named()), stop);
-          files.check(allowed.named()); // A running scene may have come to name more.
+          files.check(allowed.named()); // A running scene may have loaded more files.
           records.write(result, console());
           if (result.problems() || pathProblems.any()) {
             ended.set(ExitStatus.PROBLEMS);
@@ -227,7 +227,10 @@ public final class RunCommand extends CliCommand {
     }
   }
 
-  /** What there is without a window has neither monitors nor buffers of its own. */
+  /**
+   * Returns the presentation: off-screen rendering has neither monitors nor quad buffers, so it
+   * shows both eyes side by side.
+   */
   private Presentation shown(Presentation wanted) {
     boolean windows = wanted.mode() == DisplayMode.DUAL || wanted.mode() == DisplayMode.QUAD;
     if (!offscreen || !windows) {
@@ -237,7 +240,7 @@ public final class RunCommand extends CliCommand {
     return wanted.as(DisplayMode.SIDE_BY_SIDE);
   }
 
-  /** Looks at the options, and returns what is read and written. */
+  /** Checks the options, and returns the input and output files. */
   private CommandFiles check(TrackerSpec tracker) throws IOException {
     if (duration != null && !(duration > 0)) {
       throw CommandFailure.usage("--duration must be a number of seconds above 0");

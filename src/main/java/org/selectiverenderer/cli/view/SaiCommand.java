@@ -28,7 +28,10 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** For docs/xj3d.md; not in the help, since {@code run} does more with the browser inside. */
+/**
+ * Runs other browsers, see docs/xj3d.md; hidden in the help, since {@code run} offers more with the
+ * embedded browser.
+ */
 @Command(
     name = "sai",
     hidden = true,
@@ -69,7 +72,7 @@ public final class SaiCommand extends CliCommand {
   private final InputStream in;
 
   /**
-   * @param in without a window, its end is the end of the run
+   * @param in standard input; without a window, the run ends at its end
    */
   public SaiCommand(Console console, InputStream in) {
     super(console);

@@ -38,7 +38,7 @@ import picocli.CommandLine.Option;
     name = "simulate",
     description = {
       "Walks a recorded path through a scene without a display and prints what happens.",
-      "Of several scenes it works on as many at a time as there are processors."
+      "Processes several scenes in parallel, one on each processor."
     },
     footer = {
       "  ./selective-renderer simulate scenes/trashcan.x3d \\",

@@ -11,8 +11,8 @@ import org.selectiverenderer.app.timeline.TimelineEvent;
 import org.selectiverenderer.app.timeline.TimelineJson;
 
 /**
- * A time line on its way into a file, line by line as it happens. What the file held stays until it
- * is opened.
+ * Writes a time line into a file, line by line as events happen. An existing file keeps its content
+ * until it is opened.
  */
 final class TimelineFile implements Consumer<TimelineEvent>, AutoCloseable {
   private final Path file;
@@ -24,7 +24,7 @@ final class TimelineFile implements Consumer<TimelineEvent>, AutoCloseable {
   }
 
   /**
-   * Begins the file anew.
+   * Opens the file and deletes its previous content.
    *
    * @throws IOException when it cannot be written
    */

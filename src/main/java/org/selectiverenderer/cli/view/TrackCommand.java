@@ -147,7 +147,7 @@ public final class TrackCommand extends CliCommand {
       if (!problems.any()) {
         throw e;
       }
-      console().message(e.getMessage()); // A log with faults: they have been listed.
+      console().message(e.getMessage()); // The log has errors, which have been listed.
     }
     return ExitStatus.of(problems);
   }

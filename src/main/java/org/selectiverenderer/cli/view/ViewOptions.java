@@ -15,7 +15,7 @@ import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.Shading;
 import picocli.CommandLine.Option;
 
-/** The options that say from where a scene is seen, and how it is drawn. */
+/** The options for the viewpoint, the collisions and the drawing style of a scene. */
 final class ViewOptions {
   private enum Switched {
     on,
@@ -71,7 +71,7 @@ final class ViewOptions {
     return !noCollisions;
   }
 
-  /** Whether nothing is to be shown but the list of viewpoints. */
+  /** Returns whether the viewpoints are listed instead of a run. */
   boolean listed() {
     return list;
   }

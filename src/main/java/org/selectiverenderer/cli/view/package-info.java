@@ -1,9 +1,9 @@
 /**
- * The commands that show scenes and set up what they are shown with: {@code run}, {@code simulate},
+ * The commands that show scenes and set up displays and trackers: {@code run}, {@code simulate},
  * {@code sai}, {@code track}, {@code bench}.
  *
  * <p>May use {@code cli.base}, {@code cli.batch}, {@code cli.option}, {@code cli.output} and the
- * packages that do the work.
+ * packages that implement the commands.
  */
 @NullMarked
 package org.selectiverenderer.cli.view;

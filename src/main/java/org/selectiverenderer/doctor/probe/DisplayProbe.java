@@ -9,7 +9,7 @@ import org.selectiverenderer.runtime.render.context.GlAvailability;
 import org.selectiverenderer.runtime.render.window.MonitorMode;
 import org.selectiverenderer.runtime.render.window.Monitors;
 
-/** Monitors, as the windows of the program see them. */
+/** Checks the monitors. */
 final class DisplayProbe {
   private DisplayProbe() {}
 
@@ -21,7 +21,7 @@ final class DisplayProbe {
     }
     List<MonitorMode> modes = Monitors.modes();
     if (modes.isEmpty()) {
-      found.accept(Diagnosis.lacking("display", "there is no monitor", "connect one"));
+      found.accept(Diagnosis.lacking("display", "no monitor found", "connect a monitor"));
     }
     for (int index = 0; index < modes.size(); index++) {
       found.accept(
@@ -44,6 +44,6 @@ final class DisplayProbe {
     String wayland = System.getenv().getOrDefault("WAYLAND_DISPLAY", "");
     return wayland.isEmpty()
         ? Optional.empty()
-        : Optional.of(Diagnosis.ok("desktop", "Wayland, drawn on by way of X (XWayland)"));
+        : Optional.of(Diagnosis.ok("desktop", "Wayland, used through XWayland"));
   }
 }

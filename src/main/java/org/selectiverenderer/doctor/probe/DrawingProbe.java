@@ -11,7 +11,7 @@ import org.selectiverenderer.runtime.render.context.OffscreenContext;
 import org.selectiverenderer.runtime.render.show.DriverSpeed;
 import org.selectiverenderer.runtime.render.window.QuadBuffers;
 
-/** OpenGL: the library that calls it, its driver, how fast that is. */
+/** Checks OpenGL: the Java binding, the driver and its speed. */
 final class DrawingProbe {
   private DrawingProbe() {}
 
@@ -30,7 +30,7 @@ final class DrawingProbe {
               ? Diagnosis.warning(
                   "OpenGL",
                   driver,
-                  "the processor draws: if there is a graphics card, install its driver")
+                  "software rendering: if there is a graphics card, install its driver")
               : Diagnosis.ok("OpenGL", driver));
     } catch (GlUnavailableException e) {
       found.accept(Diagnosis.lacking("OpenGL", String.valueOf(e.getMessage()), ""));
@@ -48,7 +48,7 @@ final class DrawingProbe {
                       millions(speed.triangles()),
                       millions(speed.pixels()),
                       speed.info().software() ? "the processor" : "a graphics card",
-                      busy() ? "; beside other work, so alone it may be faster" : "")));
+                      busy() ? "; measured under other load, so it may be faster alone" : "")));
     } catch (GlUnavailableException e) {
       found.accept(Diagnosis.lacking("drawing speed", "nothing can be drawn", "see OpenGL"));
     }
@@ -59,29 +59,29 @@ final class DrawingProbe {
     try (OffscreenContext context = OffscreenContext.open()) {
       found.accept(
           QuadBuffers.available()
-              ? Diagnosis.ok("stereo buffers", "a left and a right one (run --display quad)")
+              ? Diagnosis.ok("stereo buffers", "left and right (for run --display quad)")
               : Diagnosis.missing(
                   "stereo buffers",
                   context.info().renderer() + " has none",
-                  "for --display quad take a professional graphics card and switch on stereo in its"
-                      + " driver; the other displays need none"));
+                  "--display quad needs a professional graphics card with stereo switched on in its"
+                      + " driver; the other displays do not"));
     } catch (GlUnavailableException e) {
       found.accept(Diagnosis.missing("stereo buffers", "nothing can be drawn", "see OpenGL"));
     }
   }
 
-  /** Whether more wants to be computed than there are processors, over the last minute. */
+  /** Returns whether the load of the last minute exceeds the number of processors. */
   private static boolean busy() {
     return ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage()
         > Runtime.getRuntime().availableProcessors();
   }
 
-  /** As a run begins: with native parts that are unpacked once. */
+  /** Starts OpenGL as a run does, with native libraries that are unpacked once. */
   private static void begin() {
     GlStart.begin(true).await();
   }
 
-  /** Of three digits at least. */
+  /** Formats millions with at least three digits. */
   static String millions(double number) {
     double millions = number / 1e6;
     return String.format(

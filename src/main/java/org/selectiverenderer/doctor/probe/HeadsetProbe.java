@@ -10,7 +10,7 @@ import org.selectiverenderer.openxr.HeadsetUnavailableException;
 import org.selectiverenderer.openxr.RuntimeManifest;
 import org.selectiverenderer.openxr.XrSearch;
 
-/** The OpenXR runtime and its headset. */
+/** Checks the OpenXR runtime and its headset. */
 final class HeadsetProbe {
   private HeadsetProbe() {}
 
@@ -34,10 +34,13 @@ final class HeadsetProbe {
   static String text(Path manifest) {
     return Files.exists(manifest)
         ? "; set up by " + manifest
-        : "; XR_RUNTIME_JSON names " + manifest + ", which is not there";
+        : "; XR_RUNTIME_JSON names " + manifest + ", which does not exist";
   }
 
-  /** On Windows the registry names it, on macOS there is none. */
+  /**
+   * Returns the runtime manifest on Linux; on Windows it is in the registry, on macOS there is
+   * none.
+   */
   private static Optional<Path> manifest() {
     String system = System.getProperty("os.name", "").toLowerCase(Locale.ROOT);
     return system.startsWith("linux")

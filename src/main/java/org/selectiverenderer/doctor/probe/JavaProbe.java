@@ -8,9 +8,9 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.selectiverenderer.doctor.Diagnosis;
 
-/** The Java that runs the program. */
+/** Checks the Java that runs the program. */
 final class JavaProbe {
-  /** Of the heap: the thesis's apartment and the enricher fit in. */
+  /** The size of the heap in MB that is enough for the thesis's apartment and the enricher. */
   private static final long ENOUGH_MB = 500;
 
   private static final String ARCHIVE = "-XX:SharedArchiveFile=";
@@ -37,7 +37,7 @@ final class JavaProbe {
             : Diagnosis.ok("Java's memory", memory));
   }
 
-  /** The archive of classes that the launcher makes. */
+  /** Checks the class data sharing archive that the launcher makes. */
   static void archive(Consumer<Diagnosis> found) {
     Optional<Path> archive =
         ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
@@ -59,7 +59,10 @@ final class JavaProbe {
     }
   }
 
-  /** Only the script for Linux and macOS does: not that for Windows, nor a bundle's. */
+  /**
+   * Returns whether the launcher makes an archive: only the script for Linux and macOS does, not
+   * that for Windows or a package's.
+   */
   private static boolean launcherMakesOne() {
     return System.getProperty("jpackage.app-path") == null
         && !System.getProperty("os.name", "").toLowerCase(Locale.ROOT).startsWith("windows");

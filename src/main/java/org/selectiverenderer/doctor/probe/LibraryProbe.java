@@ -9,7 +9,7 @@ import org.selectiverenderer.lsl.LslLibrary;
 import org.selectiverenderer.runtime.sound.DeviceLine;
 import org.selectiverenderer.runtime.sound.SoundDevices;
 
-/** The Lab Streaming Layer and sound. */
+/** Checks the Lab Streaming Layer and the sound devices. */
 final class LibraryProbe {
   private LibraryProbe() {}
 

@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 import org.selectiverenderer.base.files.SettingsFolder;
 import org.selectiverenderer.doctor.Diagnosis;
 
-/** Where the program keeps settings and copies for a crash. */
+/** Checks the folders for settings, recovery copies and temporary files. */
 final class PlacesProbe {
   private static final long ENOUGH_MB = 200;
 
@@ -24,7 +24,7 @@ final class PlacesProbe {
     found.accept(place("temporary files", Path.of(System.getProperty("java.io.tmpdir", "."))));
   }
 
-  /** A folder, which need not be there yet. Something is written into it if it is. */
+  /** Checks that a folder can be written; it need not exist yet. */
   static Diagnosis place(String subject, Path folder) throws IOException {
     Path there =
         Stream.iterate(folder.toAbsolutePath(), up -> up != null, Path::getParent)
@@ -50,7 +50,7 @@ final class PlacesProbe {
     long free = Files.getFileStore(there).getUsableSpace() >> 20;
     String found = "%s, %,d MB free".formatted(folder, free);
     return free < ENOUGH_MB
-        ? Diagnosis.warning(subject, found, "make room: sessions and copies for a crash need it")
+        ? Diagnosis.warning(subject, found, "free disk space: sessions and recovery copies need it")
         : Diagnosis.ok(subject, found);
   }
 }

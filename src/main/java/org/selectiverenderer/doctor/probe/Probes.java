@@ -5,18 +5,21 @@ import java.util.List;
 import org.selectiverenderer.doctor.Probe;
 import org.selectiverenderer.doctor.Probe.Place;
 
-/** All probes, in the order of the report. */
+/** Lists all probes, in the order of the report. */
 public final class Probes {
   private static final Duration SHORT = Duration.ofSeconds(20);
 
-  /** Java and a driver begin within seconds; on a busy machine within more. */
+  /**
+   * The timeout of probes in child processes: Java and a driver start within seconds, on a busy
+   * machine more slowly.
+   */
   private static final Duration LONG = Duration.ofSeconds(60);
 
   private Probes() {}
 
   /**
-   * @param askPorts whether serial ports are asked for a tracker, by commands that other devices
-   *     get too
+   * @param askPorts whether a tracker is searched at the serial ports, by commands that other
+   *     devices receive too
    */
   public static List<Probe> all(boolean askPorts) {
     return List.of(

@@ -14,9 +14,9 @@ import java.util.stream.Stream;
 import org.selectiverenderer.base.machine.Processor;
 import org.selectiverenderer.doctor.Diagnosis;
 
-/** The computer, its system, and the letters that it can write. */
+/** Checks the computer, the operating system and the character encoding. */
 final class SystemProbe {
-  /** By which Linux systems name themselves (os-release(5)). */
+  /** The file that names a Linux distribution (os-release(5)). */
   private static final Path RELEASE = Path.of("/etc/os-release");
 
   private static final String NAME = "PRETTY_NAME=";
@@ -35,7 +35,7 @@ final class SystemProbe {
     found.accept(
         Diagnosis.ok(
             "processor",
-            "%s, %d of it for this program%s"
+            "%s, %d cores for this program%s"
                 .formatted(
                     Processor.name(), Runtime.getRuntime().availableProcessors(), memory())));
   }
@@ -77,7 +77,7 @@ final class SystemProbe {
                     + " UTF-8"));
   }
 
-  /** Whether names in that charset may be Greek; one that Java does not know may. */
+  /** Returns whether a charset can encode Greek; true for a charset unknown to Java. */
   static boolean encodesGreek(String charset) {
     try {
       return Charset.forName(charset).newEncoder().canEncode("Σκηνή");

@@ -8,7 +8,7 @@ import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.tracker.open.TrackerSearch;
 import org.selectiverenderer.tracker.serial.SerialPorts;
 
-/** Serial ports and who may use them, and the tracker of the thesis. */
+/** Checks the serial ports, their permissions, and the tracker of the thesis. */
 final class TrackerProbe {
   private static final String PORTS = "serial ports";
   private static final String TRACKER = "InterTrax2";
@@ -27,7 +27,7 @@ final class TrackerProbe {
       found.accept(
           denied.isPresent()
               ? Diagnosis.warning(PORTS, denied.get(), "")
-              : Diagnosis.ok(PORTS, name + ", and you may use it"));
+              : Diagnosis.ok(PORTS, name + ", accessible"));
     }
   }
 
@@ -35,7 +35,7 @@ final class TrackerProbe {
     found.accept(
         Diagnosis.ok(
             TRACKER,
-            "not looked for; doctor --ask-ports does, and sends its commands to all ports"));
+            "not searched; doctor --ask-ports does, by sending its commands to all ports"));
   }
 
   static void search(Consumer<Diagnosis> found) throws InterruptedException {
@@ -46,6 +46,6 @@ final class TrackerProbe {
             : Diagnosis.missing(
                 TRACKER,
                 "no serial port answers",
-                "connect it and its power, or name its port: track intertrax2:PORT"));
+                "connect the tracker and its power, or name its port: track intertrax2:PORT"));
   }
 }

@@ -15,7 +15,9 @@ import java.util.function.Consumer;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.runtime.render.context.GlAvailability;
 
-/** What the enricher and the questionnaires need: Java's own windows and their letters. */
+/**
+ * Checks what the enricher and the questionnaires need: AWT windows and fonts with Greek letters.
+ */
 final class WindowsProbe {
   private static final String SUBJECT = "Java's windows";
   private static final String GREEK = "Σχήμα μνήμης ΐΰάέήίόύώ";
@@ -25,10 +27,10 @@ final class WindowsProbe {
   static void run(Consumer<Diagnosis> found) {
     Optional<String> reason = GlAvailability.check();
     if (reason.isPresent()) {
-      found.accept(Diagnosis.lacking(SUBJECT, "there is no display", "see display"));
+      found.accept(Diagnosis.lacking(SUBJECT, "there is no display", "see the line display"));
       return;
     }
-    System.clearProperty("java.awt.headless"); // As the enricher does, before AWT begins.
+    System.clearProperty("java.awt.headless"); // As the enricher does, before AWT starts.
     try {
       Toolkit.getDefaultToolkit();
       List<String> screens = new ArrayList<>();
@@ -41,8 +43,8 @@ final class WindowsProbe {
       found.accept(
           Diagnosis.lacking(
               SUBJECT,
-              "this Java opens no windows (" + e.getMessage() + ")",
-              "install a whole Java, not a headless one: openjdk-17-jdk instead of"
+              "this Java cannot open windows (" + e.getMessage() + ")",
+              "install a Java that is not headless: openjdk-17-jdk instead of"
                   + " openjdk-17-jdk-headless"));
     }
   }
@@ -67,7 +69,7 @@ final class WindowsProbe {
                   "fonts",
                   font.getFamily(Locale.ROOT) + " has no Greek letters",
                   "install a font that has, such as DejaVu (Debian: fonts-dejavu-core)"));
-    } catch (RuntimeException | LinkageError e) { // Java's words where fontconfig knows no font.
+    } catch (RuntimeException | LinkageError e) { // Thrown where fontconfig has no font.
       found.accept(
           Diagnosis.lacking(
               "fonts",

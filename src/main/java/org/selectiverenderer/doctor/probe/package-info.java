@@ -1,11 +1,11 @@
 /**
- * What is looked at: Java, the system, places to write; displays, OpenGL and its speed, headsets;
+ * The checks: Java, the system, folders to write to; displays, OpenGL and its speed, headsets;
  * serial ports, liblsl, sound, fonts.
  *
  * <p>In: the machine. Out: {@link org.selectiverenderer.doctor.Probe}s, listed by {@link
- * org.selectiverenderer.doctor.probe.Probes}. Libraries are asked through the packages that are
- * their doors ({@code runtime.render}, {@code openxr}, {@code tracker}, {@code lsl}, {@code
- * runtime.sound}). To add one: a class with a method that sends lines, and its entry in {@code
+ * org.selectiverenderer.doctor.probe.Probes}. Libraries are called through the packages that wrap
+ * them ({@code runtime.render}, {@code openxr}, {@code tracker}, {@code lsl}, {@code
+ * runtime.sound}). To add one: a class with a method that sends results, and its entry in {@code
  * Probes}.
  */
 @NullMarked

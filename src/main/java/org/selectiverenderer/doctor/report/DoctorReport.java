@@ -8,18 +8,18 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.doctor.Diagnosis;
 
 /**
- * All lines about a machine.
+ * The report of all results about a machine.
  *
- * @param version of the program
- * @param lines in their order
+ * @param version version of the program
+ * @param lines results in their order
  */
 public record DoctorReport(String version, List<Diagnosis> lines) {
-  /** Whether the program can do its work: nothing that everybody needs is missing. */
+  /** Returns whether the program can work: nothing that every user needs is missing. */
   public boolean healthy() {
     return lines.stream().noneMatch(Diagnosis::fatal);
   }
 
-  /** A line for each, in columns; what to do stands behind an arrow. */
+  /** Returns one line per result, in columns; what to do follows after an arrow. */
   public String text() {
     int width = lines.stream().mapToInt(line -> line.subject().length()).max().orElse(0);
     StringBuilder text = new StringBuilder();
@@ -37,7 +37,7 @@ public record DoctorReport(String version, List<Diagnosis> lines) {
     return text.toString();
   }
 
-  /** By {@code doctor.schema.json}. */
+  /** Returns the report as JSON by {@code doctor.schema.json}. */
   public String json() {
     ObjectNode root = JsonTree.object();
     root.put("version", version);
@@ -51,7 +51,7 @@ public record DoctorReport(String version, List<Diagnosis> lines) {
     return JsonText.of(root);
   }
 
-  /** One line for the end. */
+  /** Returns the summary in one line. */
   public String summary() {
     return "%d ok, %d warning, %d missing; %s"
         .formatted(

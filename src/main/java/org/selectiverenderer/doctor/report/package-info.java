@@ -1,5 +1,5 @@
 /**
- * What a doctor says, for people and for programs.
+ * The report of the command {@code doctor}, for people and for programs.
  *
  * <p>In: {@link org.selectiverenderer.doctor.Diagnosis}. Out: lines of text, or JSON by {@code
  * doctor.schema.json}, which lies beside this package's classes.

@@ -17,15 +17,15 @@ import org.selectiverenderer.base.machine.ProgramCommand;
 import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.doctor.Probe;
 
-/** Makes a probe in a child process, and tells of its death if it comes to that. */
+/** Runs a probe in a child process, and reports a crash or timeout of the process. */
 public final class ChildStarter {
-  /** What a child's own lines begin with; all others are a library's. */
+  /** The prefix of a child's own lines; all other lines are output of libraries. */
   public static final String MARK = "doctor-line ";
 
-  /** Lines of libraries that are kept; a driver may print without end. */
+  /** The largest number of library lines that are kept; a driver may print endlessly. */
   private static final int MOST_LINES = 200;
 
-  /** How the JVM heads the function that crashed. */
+  /** The JVM's heading of the function that crashed. */
   private static final String FRAME = "Problematic frame:";
 
   private static final long LAST_WORDS_MS = 2000;
@@ -37,10 +37,10 @@ public final class ChildStarter {
   }
 
   /**
-   * Children are this program again.
+   * Creates a starter whose children run this program.
    *
-   * @param mainClass of the program
-   * @param arguments by which it makes one probe; the probe's name follows
+   * @param mainClass main class of the program
+   * @param arguments arguments to run one probe; the probe's name follows
    */
   public static ChildStarter of(String mainClass, List<String> arguments) {
     return new ChildStarter(
@@ -49,7 +49,7 @@ public final class ChildStarter {
                 mainClass, flags, Stream.concat(arguments.stream(), Stream.of(probe)).toList()));
   }
 
-  /** The lines of a probe; where it fails the last one says so. */
+  /** Runs a probe and returns its results; a failure is the last one. */
   List<Diagnosis> run(Probe probe) throws InterruptedException {
     Path folder = Path.of(System.getProperty("java.io.tmpdir", "."));
     String crashes = "selective-renderer-doctor-" + probe.name() + "-";
@@ -93,13 +93,13 @@ public final class ChildStarter {
   private static Diagnosis dead(Probe probe, int status, Output output, Path log) {
     return Doctor.failed(
         probe,
-        "the process that asked ended with status %d%s".formatted(status, output.reason()),
+        "the process of this check ended with status %d%s".formatted(status, output.reason()),
         Files.exists(log)
             ? "install another version of this driver or library; attach " + log + " to a report"
             : "install another version of this driver or library");
   }
 
-  /** What a child prints; written by one thread, read by another. */
+  /** The output of a child process; written by one thread, read by another. */
   private static final class Output {
     private final List<Diagnosis> lines = new ArrayList<>();
     private final List<String> others = new ArrayList<>();
@@ -129,7 +129,7 @@ public final class ChildStarter {
       return new ArrayList<>(lines);
     }
 
-    /** The function that crashed, else the last words; with a colon before them. */
+    /** Returns the function that crashed, else the last line, after a colon. */
     synchronized String reason() {
       for (int at = 0; at + 1 < others.size(); at++) {
         if (others.get(at).contains(FRAME)) {

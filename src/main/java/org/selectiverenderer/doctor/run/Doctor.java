@@ -14,18 +14,18 @@ import org.selectiverenderer.doctor.Diagnosis;
 import org.selectiverenderer.doctor.Probe;
 
 /**
- * Examines a machine. As many probes are made at a time as there are processors, but those that
- * measure follow alone.
+ * Runs the probes of a machine. As many run in parallel as there are processors; those that measure
+ * run alone at the end.
  */
 public final class Doctor {
-  /** For what is cancelled: it ends a process, and no more. */
+  /** The time for a cancelled probe to end its process, in milliseconds. */
   private static final long LAST_ACTS_MS = 1000;
 
   private final ChildStarter children;
   private final String home;
 
   /**
-   * @param home the user's folder, which is written as {@code ~}
+   * @param home the user's home folder, which reports replace by {@code ~}
    */
   public Doctor(ChildStarter children, String home) {
     this.children = children;
@@ -33,9 +33,9 @@ public final class Doctor {
   }
 
   /**
-   * Makes all probes. None is left behind, nor a process that makes one, however this ends.
+   * Runs all probes. No probe or child process is left behind, however this ends.
    *
-   * @return their lines, in the order of the probes
+   * @return their results, in the order of the probes
    * @throws InterruptedException if the waiting thread is interrupted
    */
   public List<Diagnosis> examine(List<Probe> probes) throws InterruptedException {
@@ -58,7 +58,7 @@ public final class Doctor {
     }
   }
 
-  /** Waits for the tasks, those that are to be alone at the end. */
+  /** Waits for the tasks; those that must run alone come last. */
   private List<Diagnosis> lines(List<Probe> probes, List<FutureTask<List<Diagnosis>>> tasks)
       throws InterruptedException {
     for (boolean alone : new boolean[] {false, true}) {
@@ -79,8 +79,8 @@ public final class Doctor {
   }
 
   /**
-   * Makes one probe on this thread. Whatever goes wrong with it becomes its line: a library that is
-   * not what it should be may throw anything.
+   * Runs one probe on this thread. Any failure becomes a result, because a wrong version of a
+   * library may throw anything.
    */
   public static void look(Probe probe, Consumer<Diagnosis> found) throws InterruptedException {
     try {
@@ -100,7 +100,10 @@ public final class Doctor {
     }
   }
 
-  /** On a thread of its own, which is left to itself if it hangs: a network folder may. */
+  /**
+   * Runs a probe on a thread of its own, which is abandoned if it hangs, for example on a network
+   * folder.
+   */
   private static List<Diagnosis> here(Probe probe) throws InterruptedException {
     List<Diagnosis> lines = Collections.synchronizedList(new ArrayList<>());
     FutureTask<Void> task =
@@ -120,22 +123,22 @@ public final class Doctor {
     return List.copyOf(lines);
   }
 
-  /** For a probe that has not ended in its time. */
+  /** Returns the result of a probe that has timed out. */
   static Diagnosis late(Probe probe) {
     return failed(
         probe,
         "no answer in %d s".formatted(probe.limit().toSeconds()),
-        "what is asked hangs, or the machine is very busy: try again when less runs");
+        "the library or device hangs, or the machine is very busy: try again under less load");
   }
 
-  /** For a probe that could not be made. */
+  /** Returns the result of a probe that has failed. */
   static Diagnosis failed(Probe probe, String reason, String todo) {
     return new Diagnosis(Diagnosis.Status.MISSING, probe.subject(), reason, todo, probe.needed());
   }
 
   private static Thread start(String name, Runnable task) {
     Thread thread = new Thread(task, name);
-    thread.setDaemon(true); // One that hangs keeps nobody waiting.
+    thread.setDaemon(true); // A hanging thread does not block the exit.
     thread.start();
     return thread;
   }
@@ -148,7 +151,7 @@ public final class Doctor {
       if (e.getCause() instanceof InterruptedException interrupted) {
         throw interrupted; // The task ran on this thread.
       }
-      throw new IllegalStateException(e.getCause()); // Of our own: probes' failures are lines.
+      throw new IllegalStateException(e.getCause()); // Failures of probes are results.
     }
   }
 }

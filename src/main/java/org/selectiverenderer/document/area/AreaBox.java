@@ -5,10 +5,11 @@ import org.joml.Vector3dc;
 import org.selectiverenderer.geometry.Bounds;
 
 /**
- * The box of an area as its author thinks of it: in the scene's frame and unit, Y up.
+ * The box of an area in the coordinates and the unit of the scene, Y up.
  *
- * @param centre in the scene
- * @param size along X, Y and Z; of a turned area along its own sides nearest to these. Above 0
+ * @param centre centre in scene coordinates
+ * @param size size along X, Y and Z, above 0; for a rotated area along its own axes nearest to
+ *     these
  */
 public record AreaBox(Vector3dc centre, Vector3dc size) {
   public AreaBox {
@@ -16,23 +17,23 @@ public record AreaBox(Vector3dc centre, Vector3dc size) {
     size = new Vector3d(size);
   }
 
-  /** The box of bounds. */
+  /** Creates the box of a bounding box. */
   public static AreaBox of(Bounds bounds) {
     return new AreaBox(bounds.min().add(bounds.max()).mul(0.5), bounds.max().sub(bounds.min()));
   }
 
-  /** The bounds of the box, if it is not turned. */
+  /** Returns the bounding box, if the box is not rotated. */
   public Bounds bounds() {
     Vector3d half = new Vector3d(size).mul(0.5);
     return Bounds.of(centre.sub(half, new Vector3d()), centre.add(half, new Vector3d()));
   }
 
-  /** The same box elsewhere. */
+  /** Returns the box translated by a vector. */
   public AreaBox movedBy(Vector3dc shift) {
     return new AreaBox(centre.add(shift, new Vector3d()), size);
   }
 
-  /** Whether it has an inside that can be written. */
+  /** Returns whether centre and size are finite and the size is positive. */
   public boolean sound() {
     return centre.isFinite() && size.isFinite() && size.x() > 0 && size.y() > 0 && size.z() > 0;
   }

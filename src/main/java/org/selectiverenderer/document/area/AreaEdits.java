@@ -17,9 +17,10 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * Makes edits of where a document's areas are. Each is for the document as it is now and is made by
- * {@link SceneDocument#perform}; an edit that would change nothing is empty. All throw {@link
- * EditRefused} with a sentence for the author where an edit cannot be made.
+ * Creates edits that add, move and copy the areas of a document. Each edit is for the document's
+ * present state and is performed by {@link SceneDocument#perform}; an edit that would change
+ * nothing is empty. All throw {@link EditRefused} with a sentence for the author where an edit
+ * cannot be made.
  */
 public final class AreaEdits {
   private static final List<String> STATEMENTS = List.of("ROUTE", "IMPORT", "EXPORT");
@@ -36,9 +37,9 @@ public final class AreaEdits {
   }
 
   /**
-   * Adds an area: a ProximitySensor in the scene's own frame, behind the areas that are there.
+   * Adds an area: a ProximitySensor in scene coordinates, after the existing areas.
    *
-   * @param name its DEF, which no other node has
+   * @param name its unused DEF name
    */
   public Edit add(String name, AreaBox box) {
     sound(box);
@@ -55,15 +56,14 @@ public final class AreaEdits {
     return new Edit("Add the area " + name, List.of(inserted(scene, line)));
   }
 
-  /** What stands where the viewer walks: the Scene, or the Layer of it that is active. */
+  /** Returns the element to which areas are added: the Scene, or its active Layer. */
   private DocumentElement scene() {
     DocumentElement scene =
         document
             .tree()
             .orElseThrow(this::broken)
             .scene()
-            .orElseThrow(
-                () -> new EditRefused("the file has no Scene, in which an area could stand"));
+            .orElseThrow(() -> new EditRefused("the file has no Scene, so no area can be added"));
     for (DocumentElement set : scene.children()) {
       if (set.name().equals("LayerSet")) {
         return activeLayer(set).orElse(scene);
@@ -95,7 +95,10 @@ public final class AreaEdits {
     return Optional.empty();
   }
 
-  /** Behind the last child with an area in it, else behind all nodes, in front of the routes. */
+  /**
+   * Inserts a line after the last child that contains an area, else after all nodes and before the
+   * routes.
+   */
   private TextChange inserted(DocumentElement scene, String line) {
     Layout layout = document.layout();
     Optional<DocumentElement> after = Optional.empty();
@@ -123,10 +126,9 @@ public final class AreaEdits {
   }
 
   /**
-   * Puts an area's box elsewhere: changes {@code center} and {@code size} of its sensor, nothing
-   * else.
+   * Moves or resizes an area: changes only {@code center} and {@code size} of its sensor.
    *
-   * @param name of the step, such as {@code Move Desk}
+   * @param name name of the undo step, such as {@code Move Desk}
    */
   public Edit place(PlacedArea area, AreaBox box, String name) {
     sound(box);
@@ -145,7 +147,7 @@ public final class AreaEdits {
     return new Edit(name, changes);
   }
 
-  /** Puts a copy of an area with its schemas beside it: another part of the same area. */
+  /** Adds a translated copy of an area with its schemas, as another part of the same area. */
   public Edit copy(PlacedArea area, String name, Vector3dc shift) {
     List<TextChange> moved = place(area, area.box().movedBy(shift), "").changes();
     return new Edit("Copy " + area.name(), List.of(nodes.copied(area.element(), name, moved)));
@@ -157,7 +159,7 @@ public final class AreaEdits {
 
   private static void sound(AreaBox box) {
     if (!box.sound()) {
-      throw new EditRefused("an area is larger than 0 in width, height and depth");
+      throw new EditRefused("the width, height and depth of an area must be greater than 0");
     }
   }
 
@@ -170,15 +172,17 @@ public final class AreaEdits {
     return false;
   }
 
-  /** Whether a number is what is written already, given how large the area is. */
+  /**
+   * Returns whether a number equals the written one within a tolerance relative to the area's size.
+   */
   private static boolean same(double wanted, float old, Vector3dc size) {
     double unit = Math.min(size.x(), Math.min(size.y(), size.z()));
     return Math.abs(wanted - old) <= SAME * Math.max(unit, Math.abs((double) old));
   }
 
   /**
-   * Numbers as an author writes them: to a thousandth of the smallest side or better; what has not
-   * changed as it was.
+   * Formats numbers to a thousandth of the smallest side or better; unchanged numbers stay as they
+   * were.
    */
   private static String text(Vector3dc wanted, float[] old, Vector3dc size) {
     double least = Math.min(size.x(), Math.min(size.y(), size.z()));

@@ -13,13 +13,15 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The coordinate system that a node stands in, and the way from it to the scene's.
+ * The local coordinate system of a node, and its transformation to scene coordinates.
  *
- * @param world from the node's coordinates to the scene's
- * @param axis for each axis of the scene, X, Y, Z, the node's own axis nearest to it: 0, 1 or 2
- * @param scale for each axis of the scene, how long in the scene 1 along that own axis is
- * @param turned whether own axes are not those of the scene
- * @param transforms around the node that move, turn or scale it, the nearest first
+ * @param world transformation from node to scene coordinates
+ * @param axis for each axis X, Y, Z of the scene the node's nearest axis: 0, 1 or 2
+ * @param scale for each axis of the scene the length in the scene of a unit along the node's
+ *     nearest axis
+ * @param turned whether the node's axes are not parallel to those of the scene
+ * @param transforms the enclosing Transforms that translate, rotate or scale the node, the
+ *     innermost first
  */
 public record AreaFrame(
     Matrix4dc world,
@@ -27,7 +29,7 @@ public record AreaFrame(
     Vector3dc scale,
     boolean turned,
     List<DocumentElement> transforms) {
-  /** How far from parallel axes may be. */
+  /** The tolerance for parallel axes. */
   private static final double PARALLEL = 1e-6;
 
   private static final int[][] ORDERS = {
@@ -35,10 +37,10 @@ public record AreaFrame(
   };
 
   /**
-   * The frame of a node, as the text gives it.
+   * Computes the frame of a node from the text.
    *
-   * @return empty where the text does not say where that is: in the body of a prototype, under a
-   *     node that turns to the viewer or lies on a globe, under a Transform that makes all flat
+   * @return empty where the text does not determine it: in a ProtoBody, under a Billboard or
+   *     geospatial node, under a Transform with a zero scale
    */
   public static Optional<AreaFrame> of(DocumentElement node) {
     List<DocumentElement> transforms = new ArrayList<>();
@@ -80,7 +82,7 @@ public record AreaFrame(
         numbers(transform, "scaleOrientation", FieldType.SFRotation, 0, 0, 1, 0));
   }
 
-  /** The numbers of an attribute; what stands there if the text gives none that can be read. */
+  /** Returns the numbers of an attribute, or default values if there are none that can be read. */
   static float[] numbers(
       DocumentElement element, String attribute, FieldType type, float... otherwise) {
     Object value =
@@ -126,19 +128,19 @@ public record AreaFrame(
             List.copyOf(transforms)));
   }
 
-  /** A sensor's box in the scene. */
+  /** Transforms a sensor's box to scene coordinates. */
   AreaBox toScene(float[] centre, float[] size) {
     return new AreaBox(
         world.transformPosition(new Vector3d(centre[0], centre[1], centre[2])),
         new Vector3d(size[axis.get(0)], size[axis.get(1)], size[axis.get(2)]).mul(scale));
   }
 
-  /** The centre of a box of the scene in the node's own coordinates: x, y, z. */
+  /** Returns the centre of a box in node coordinates: x, y, z. */
   public float[] ownCentre(AreaBox box) {
     return floats(world.invert(new Matrix4d()).transformPosition(new Vector3d(box.centre())));
   }
 
-  /** The size of a box of the scene along the node's own axes: x, y, z. */
+  /** Returns the size of a box along the node's axes: x, y, z. */
   public float[] ownSize(AreaBox box) {
     Vector3d own = new Vector3d();
     for (int k = 0; k < 3; k++) {
@@ -151,7 +153,10 @@ public record AreaFrame(
     return new float[] {(float) of.x(), (float) of.y(), (float) of.z()};
   }
 
-  /** The direction in the scene, of length 1, of the side that is counted to an axis. */
+  /**
+   * Returns the unit vector in scene coordinates of the node's axis nearest to an axis of the
+   * scene.
+   */
   public Vector3d direction(int k) {
     Vector3d own = world.getColumn(axis.get(k), new Vector3d()).normalize();
     return own.get(k) < 0 ? own.negate() : own;

@@ -1,15 +1,15 @@
 package org.selectiverenderer.document.area;
 
 /**
- * A grid that lengths and places keep to.
+ * A grid to which lengths and positions are snapped.
  *
- * @param step between its lines in the scene's unit; 0 for none
+ * @param step the grid spacing in the scene's unit; 0 for no grid
  */
 public record GridStep(double step) {
   /** No grid. */
   public static final GridStep NONE = new GridStep(0);
 
-  /** The place on the grid that is nearest. */
+  /** Returns the nearest position on the grid. */
   public double nearest(double place) {
     return step > 0 ? Math.rint(place / step) * step : place;
   }

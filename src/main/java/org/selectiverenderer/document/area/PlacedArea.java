@@ -7,15 +7,15 @@ import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * An area of a document where it is in the scene.
+ * An area of a document with its position in the scene.
  *
  * @param element its ProximitySensor
- * @param name as the author calls it
- * @param frame that it stands in
- * @param box in the scene
- * @param solid the same as what may be turned; empty for one that nobody can enter
- * @param elsewhere names of groups around it that also stand at other places by USE, and take it
- *     along
+ * @param name the area's name
+ * @param frame its local coordinate system
+ * @param box its box in scene coordinates
+ * @param solid the same as an oriented box; empty for an area that cannot be entered
+ * @param elsewhere names of enclosing groups that are also used elsewhere by USE, so that the area
+ *     has other instances
  */
 public record PlacedArea(
     DocumentElement element,
@@ -29,7 +29,7 @@ public record PlacedArea(
     elsewhere = List.copyOf(elsewhere);
   }
 
-  /** Whether entering it means something. */
+  /** Returns whether the area activates any schemas. */
   public boolean enriched() {
     return !schemas.enter().isEmpty() || !schemas.exit().isEmpty();
   }

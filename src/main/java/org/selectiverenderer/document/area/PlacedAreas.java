@@ -12,21 +12,21 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 
-/** The areas of a document as it is now. */
+/** Finds the areas of a document, their parts and their overlaps. */
 public final class PlacedAreas {
-  /** Places on each side of a box at which it is asked whether a turned one is there too. */
+  /** The number of samples along each side of a box for the overlap with a rotated box. */
   private static final int SAMPLES = 48;
 
   private PlacedAreas() {}
 
-  /** All areas whose place the text gives, in document order. */
+  /** Returns all areas whose position the text determines, in document order. */
   public static List<PlacedArea> of(Enrichment enrichment) {
     List<PlacedArea> areas = new ArrayList<>();
     enrichment.sensors().forEach(sensor -> of(enrichment, sensor).ifPresent(areas::add));
     return areas;
   }
 
-  /** The area that a sensor is; empty where the text does not give its place. */
+  /** Returns the area of a sensor; empty if the text does not determine its position. */
   public static Optional<PlacedArea> of(Enrichment enrichment, EnrichedSensor sensor) {
     DocumentElement element = sensor.element();
     ElementTree tree = enrichment.document().tree().orElseThrow();
@@ -64,7 +64,7 @@ public final class PlacedAreas {
     return names;
   }
 
-  /** The other sensors that activate just the same: parts of one area. */
+  /** Returns the other sensors that activate the same schemas: parts of one area. */
   public static List<PlacedArea> parts(PlacedArea area, List<PlacedArea> all) {
     return all.stream()
         .filter(other -> other.element() != area.element())
@@ -73,15 +73,15 @@ public final class PlacedAreas {
   }
 
   /**
-   * What two areas share.
+   * The overlap of two areas.
    *
-   * @param volume in cubic units of the scene; of turned areas about right
-   * @param within whether all of the area lies in the other one
-   * @param around whether all of the other one lies in the area
+   * @param volume volume in cubic units of the scene; approximate for rotated areas
+   * @param within whether the area lies completely in the other one
+   * @param around whether the other one lies completely in the area
    */
   public record Overlap(PlacedArea other, double volume, boolean within, boolean around) {}
 
-  /** The areas that lie over an area, parts of the same area left out. */
+  /** Returns the overlaps of an area with other areas, except for parts of the same area. */
   public static List<Overlap> overlaps(PlacedArea area, List<PlacedArea> all) {
     List<PlacedArea> parts = parts(area, all);
     List<Overlap> found = new ArrayList<>();

@@ -7,13 +7,13 @@ import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
 
 /**
- * What is said of one choice of a Switch: a row of its form.
+ * The schema metadata of one choice of a Switch: consistency type, degree and schemas.
  *
- * @param schemas it belongs to, in order
+ * @param schemas the schemas to which the choice belongs, in order
  */
 public record ChoiceValues(
     Optional<ConsistencyType> type, Optional<Degree> degree, List<String> schemas) {
-  /** Nothing is said. */
+  /** No metadata. */
   public static final ChoiceValues NONE =
       new ChoiceValues(Optional.empty(), Optional.empty(), List.of());
 

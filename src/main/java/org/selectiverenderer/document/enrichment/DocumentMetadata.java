@@ -12,8 +12,8 @@ import org.selectiverenderer.x3d.source.StartTag;
 import org.selectiverenderer.x3d.source.WrittenAttribute;
 
 /**
- * A metadata element of a document as the vocabulary sees it. One that stands for another by USE is
- * that other one, but {@link #written} is itself.
+ * Adapts a metadata element of a document to the schema reader. A USE reference is resolved to the
+ * original element; {@link #written} is the reference itself.
  */
 final class DocumentMetadata implements MetadataSource {
   private static final String SET = "MetadataSet";
@@ -34,7 +34,7 @@ final class DocumentMetadata implements MetadataSource {
             .orElse(written);
   }
 
-  /** The metadata of a node, if it has any. */
+  /** Returns the metadata of a node, if it has any. */
   static Optional<DocumentMetadata> of(SceneDocument document, DocumentElement owner) {
     return owner.children().stream()
         .filter(DocumentMetadata::isMetadata)
@@ -55,12 +55,12 @@ final class DocumentMetadata implements MetadataSource {
     };
   }
 
-  /** The element that stands in the owner. */
+  /** Returns the child element of the owner, which may be a USE reference. */
   DocumentElement written() {
     return written;
   }
 
-  /** The element that says it; another one where USE stands. */
+  /** Returns the element with the content: the original of a USE reference. */
   DocumentElement meant() {
     return meant;
   }
@@ -79,7 +79,7 @@ final class DocumentMetadata implements MetadataSource {
     return attribute("name").orElse("");
   }
 
-  /** An attribute of the element that says it; its tag is read once. */
+  /** Returns an attribute of the element with the content; its tag is read once. */
   private Optional<String> attribute(String name) {
     if (tag == null) {
       tag = document.tag(meant);
@@ -105,7 +105,7 @@ final class DocumentMetadata implements MetadataSource {
     }
     List<DocumentMetadata> children = new ArrayList<>();
     for (DocumentElement child : meant.children()) {
-      // A set's field metadata is about the set itself.
+      // The field "metadata" of a set describes the set itself.
       if (isMetadata(child)) {
         DocumentMetadata metadata = new DocumentMetadata(document, child);
         Optional<String> field =

@@ -6,12 +6,12 @@ import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * A ProximitySensor of a document: an area.
+ * A ProximitySensor of a document with its schema metadata: an area.
  *
  * @param name its DEF, or {@code ProximitySensor#3} for the third one if it has none
- * @param schemas none where the metadata has no words of the vocabulary
- * @param enriched whether it has
- * @param findings what is wrong with its metadata
+ * @param schemas its schemas; none where it has no schema metadata
+ * @param enriched whether it has schema metadata
+ * @param findings the findings about its metadata
  */
 public record EnrichedSensor(
     DocumentElement element,

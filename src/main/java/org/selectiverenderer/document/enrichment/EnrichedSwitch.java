@@ -5,14 +5,14 @@ import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * A Switch of a document: an object in versions.
+ * A Switch of a document with its schema metadata: an object with versions.
  *
  * @param name its DEF, or {@code Switch#3} for the third Switch if it has none
  * @param object the object's own name, without {@code Switch_}
  * @param choices its children in order
- * @param whichChoice index of the choice that shows at the start; -1 for none
- * @param enriched whether its metadata has words of the vocabulary
- * @param findings what is wrong with its metadata
+ * @param whichChoice index of the initially shown choice; -1 for none
+ * @param enriched whether it has schema metadata
+ * @param findings the findings about its metadata
  */
 public record EnrichedSwitch(
     DocumentElement element,
@@ -28,14 +28,14 @@ public record EnrichedSwitch(
   }
 
   /**
-   * A child: a version of the object.
+   * A child of the Switch: a version of the object.
    *
    * @param index from 0
-   * @param url of the first file that an Inline names; empty for others
+   * @param url first URL of an Inline; empty for other nodes
    */
   public record ChoiceNode(int index, DocumentElement element, String url, ChoiceValues values) {}
 
-  /** What is said of all choices, in order. */
+  /** Returns the metadata of all choices in order. */
   public List<ChoiceValues> values() {
     return choices.stream().map(ChoiceNode::values).toList();
   }

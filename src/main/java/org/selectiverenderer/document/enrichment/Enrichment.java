@@ -21,8 +21,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 
 /**
- * What the Switches and ProximitySensors of a document say. Always up to date; nodes that no edit
- * has touched since are not read again. As the document, for one thread at a time.
+ * The schema metadata of the Switches and ProximitySensors of a document. It is always up to date;
+ * nodes that no edit has touched are not read again. It belongs to the thread of the document.
  */
 public final class Enrichment {
   private record Read(long revision, boolean shared, Object node) {}
@@ -49,7 +49,10 @@ public final class Enrichment {
     return document;
   }
 
-  /** All Switches in document order, those in prototypes too; none while there is a fault. */
+  /**
+   * Returns all Switches in document order, including those in prototypes; none while the text is
+   * not well-formed.
+   */
   public List<EnrichedSwitch> switches() {
     list();
     if (switchNodes == null) {
@@ -62,7 +65,7 @@ public final class Enrichment {
     return switchNodes;
   }
 
-  /** All ProximitySensors in document order, likewise. */
+  /** Returns all ProximitySensors in document order, likewise. */
   public List<EnrichedSensor> sensors() {
     list();
     if (sensorNodes == null) {
@@ -75,14 +78,14 @@ public final class Enrichment {
     return sensorNodes;
   }
 
-  /** The Switch that an element is; empty for others. */
+  /** Returns the Switch of an element; empty for other elements. */
   public Optional<EnrichedSwitch> switchNode(DocumentElement element) {
     list();
     int index = element.attached() ? indexOf(switches, element) : -1;
     return index < 0 ? Optional.empty() : Optional.of(switchNode(element, index));
   }
 
-  /** The ProximitySensor that an element is; empty for others. */
+  /** Returns the ProximitySensor of an element; empty for other elements. */
   public Optional<EnrichedSensor> sensorNode(DocumentElement element) {
     list();
     int index = element.attached() ? indexOf(sensors, element) : -1;
@@ -107,21 +110,21 @@ public final class Enrichment {
     return -1;
   }
 
-  /** The Switches by name; of several of one name the first. */
+  /** Returns the Switches by name; the first one of equal names. */
   public Map<String, EnrichedSwitch> switchesByName() {
     Map<String, EnrichedSwitch> named = new HashMap<>();
     switches().forEach(node -> named.putIfAbsent(node.name(), node));
     return named;
   }
 
-  /** The ProximitySensors by name; of several of one name the first. */
+  /** Returns the ProximitySensors by name; the first one of equal names. */
   public Map<String, EnrichedSensor> sensorsByName() {
     Map<String, EnrichedSensor> named = new HashMap<>();
     sensors().forEach(node -> named.putIfAbsent(node.name(), node));
     return named;
   }
 
-  /** Which schemas areas activate and objects belong to. */
+  /** Returns which schemas are activated by areas and which contain objects. */
   public SchemaUse<DocumentElement> use() {
     list();
     if (use == null) {
@@ -138,14 +141,14 @@ public final class Enrichment {
     return use;
   }
 
-  /** All schemas that are named somewhere, in alphabetical order: what a form proposes. */
+  /** Returns all schema names in alphabetical order, which forms propose. */
   public List<String> schemas() {
     TreeSet<String> all = new TreeSet<>(use().known());
     all.addAll(use().activated());
     return List.copyOf(all);
   }
 
-  /** What is wrong with the metadata, in document order. */
+  /** Returns the findings about the metadata in document order. */
   public List<ElementFinding> findings() {
     list();
     if (findings == null) {
@@ -159,7 +162,7 @@ public final class Enrichment {
     return findings;
   }
 
-  /** What is wrong with schemas, by schema: those that no area or no object has. */
+  /** Returns the findings about schemas, by schema: those without an area or without an object. */
   public Map<String, ElementFinding> schemaFindings() {
     SchemaUse<DocumentElement> now = use();
     if (judged == null || judged != now && !judged.sameAs(now)) {
@@ -210,7 +213,7 @@ public final class Enrichment {
     return node;
   }
 
-  /** Finds the nodes again if the document has changed. */
+  /** Lists the nodes again if the document has changed. */
   private void list() {
     if (listed == document.revision()) {
       return;

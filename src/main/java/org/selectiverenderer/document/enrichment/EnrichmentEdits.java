@@ -13,12 +13,12 @@ import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.write.ValueText;
 
 /**
- * Makes edits of what a document's Switches and ProximitySensors say. Each is for the document as
- * it is now, and is done by {@link SceneDocument#perform}; an edit that would change nothing is
- * empty.
+ * Creates edits of the schema metadata of a document's Switches and ProximitySensors. Each edit is
+ * for the document's present state and is performed by {@link SceneDocument#perform}; an edit that
+ * would change nothing is empty.
  *
  * <p>All throw {@link EditRefused}, with a sentence for the author, where metadata is shared
- * between nodes in a way that the edit would break, or the text is not well formed.
+ * between nodes in a way that the edit would break, or the text is not well-formed.
  */
 public final class EnrichmentEdits {
   private final Enrichment enrichment;
@@ -29,7 +29,7 @@ public final class EnrichmentEdits {
     this.document = enrichment.document();
   }
 
-  /** What is wanted of a Switch: for each choice in order. */
+  /** The wanted metadata of a Switch: that of each choice in order. */
   public record SwitchWish(EnrichedSwitch node, List<ChoiceValues> choices) {
     public SwitchWish {
       choices = List.copyOf(choices);
@@ -40,10 +40,10 @@ public final class EnrichmentEdits {
     }
   }
 
-  /** What is wanted of a sensor. */
+  /** The wanted metadata of a sensor. */
   public record SensorWish(EnrichedSensor node, SensorSchemas schemas) {}
 
-  /** Says something of one choice of a Switch. */
+  /** Sets the metadata of one choice of a Switch. */
   public Edit choice(EnrichedSwitch node, int index, ChoiceValues values) {
     List<ChoiceValues> wanted = new ArrayList<>(node.values());
     wanted.set(index, values);
@@ -53,12 +53,12 @@ public final class EnrichmentEdits {
         List.of());
   }
 
-  /** Gives an area its schemas. */
+  /** Sets the schemas of an area. */
   public Edit sensor(EnrichedSensor node, SensorSchemas schemas) {
     return all("Set schemas of " + node.name(), List.of(), List.of(new SensorWish(node, schemas)));
   }
 
-  /** Many at once, as one step. */
+  /** Sets the metadata of many nodes as one undo step. */
   public Edit all(String name, List<SwitchWish> switches, List<SensorWish> sensors) {
     wellFormed();
     NodeWriter writer = new NodeWriter(document);
@@ -79,21 +79,21 @@ public final class EnrichmentEdits {
   }
 
   /**
-   * What a further choice behind all others needs of metadata: a part that says nothing, where the
-   * others have one each.
+   * Returns the metadata changes for a choice that is appended to a Switch: an empty MetadataSet,
+   * if each existing choice has a MetadataSet of its own.
    */
   public List<TextChange> choiceAdded(EnrichedSwitch node) {
     wellFormed();
     return new NodeWriter(document).partAdded(node);
   }
 
-  /** What goes of the metadata when a choice goes. */
+  /** Returns the metadata changes for a choice that is removed. */
   public List<TextChange> choiceRemoved(EnrichedSwitch node, int index) {
     wellFormed();
     return new NodeWriter(document).partRemoved(node, index);
   }
 
-  /** Gives a schema another name wherever it is named; that of another schema joins the two. */
+  /** Renames a schema wherever it occurs; the name of another schema merges the two. */
   public Edit renameSchema(String from, String to) {
     wellFormed();
     String name = to.strip();
@@ -140,7 +140,7 @@ public final class EnrichmentEdits {
     };
   }
 
-  /** Takes a schema out wherever it is named. */
+  /** Removes a schema wherever it occurs. */
   public Edit removeSchema(String schema) {
     List<SwitchWish> switches = new ArrayList<>();
     for (EnrichedSwitch node : enrichment.switches()) {
@@ -161,7 +161,8 @@ public final class EnrichmentEdits {
   }
 
   /**
-   * A choice that belonged to that schema only says nothing any more, as when a cell is emptied.
+   * Returns the metadata of a choice without a schema; a choice that belonged to no other schema
+   * loses all its metadata, as when a cell of the table is cleared.
    */
   private static ChoiceValues without(ChoiceValues values, String schema) {
     List<String> rest = without(values.schemas(), schema);

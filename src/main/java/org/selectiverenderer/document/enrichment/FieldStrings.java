@@ -8,7 +8,10 @@ import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SensorSchemas;
 
-/** Values by field, in the order in which the fields are written. */
+/**
+ * Converts metadata to string values keyed by schema field, in the order in which the fields are
+ * written.
+ */
 final class FieldStrings {
   private FieldStrings() {}
 
@@ -30,7 +33,7 @@ final class FieldStrings {
     return values;
   }
 
-  /** Those that differ from others; these are the ones to write. */
+  /** Returns the fields whose values differ and must be written. */
   static Map<SchemaField, List<String>> changed(
       Map<SchemaField, List<String>> wanted, Map<SchemaField, List<String>> before) {
     Map<SchemaField, List<String>> changed = new EnumMap<>(SchemaField.class);

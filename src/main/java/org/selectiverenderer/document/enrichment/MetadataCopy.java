@@ -13,9 +13,9 @@ import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.x3d.write.ValueText;
 
 /**
- * The whole metadata of an object or an area as a text, for a clipboard, and such a text as an edit
- * of others. A line is one version, or the entering or leaving of an area: fields with tabs between
- * them, schemas as an MFString has them.
+ * Converts the metadata of an object or an area to a clipboard text, and such a text to an edit.
+ * Each line describes one version, or the entry or exit of an area: fields separated by tabs,
+ * schemas as in an MFString.
  */
 public final class MetadataCopy {
   private static final String OBJECT = "object metadata";
@@ -23,12 +23,12 @@ public final class MetadataCopy {
   private static final String TAB = "\t";
   private static final int FIELDS = 3;
 
-  /** What a text says. */
+  /** The parsed content of a text. */
   private record Copied(List<ChoiceValues> object, Optional<SensorSchemas> area) {}
 
   private MetadataCopy() {}
 
-  /** An object's metadata. */
+  /** Returns the text of an object's metadata. */
   public static String of(EnrichedSwitch node) {
     StringBuilder text = new StringBuilder(OBJECT).append(TAB).append(node.object()).append('\n');
     for (ChoiceValues values : node.values()) {
@@ -42,7 +42,7 @@ public final class MetadataCopy {
     return text.toString();
   }
 
-  /** An area's metadata. */
+  /** Returns the text of an area's metadata. */
   public static String of(EnrichedSensor node) {
     return AREA
         + TAB
@@ -54,16 +54,16 @@ public final class MetadataCopy {
         + "\n";
   }
 
-  /** Whether a text is such metadata. */
+  /** Returns whether a text is metadata in this format. */
   public static boolean recognises(String text) {
     return text.startsWith(OBJECT + TAB) || text.startsWith(AREA + TAB);
   }
 
   /**
-   * Gives objects or areas the metadata of a text, in place of what they have. An object with
-   * another number of versions gets them by degree, as when a cell of the table is filled.
+   * Replaces the metadata of objects or areas by that of a text. For an object with another number
+   * of versions the metadata is mapped by degree, as when a cell of the table is filled.
    *
-   * @throws EditRefused with a sentence, if the text is no metadata, or of the other kind
+   * @throws EditRefused with a sentence, if the text is not metadata, or of the other kind
    */
   public static Edit paste(
       Enrichment enrichment,
@@ -80,8 +80,8 @@ public final class MetadataCopy {
     if (ofArea ? areas.isEmpty() : objects.isEmpty()) {
       throw new EditRefused(
           ofArea
-              ? "the metadata of an area is for areas; choose a ProximitySensor"
-              : "the metadata of an object is for objects; choose a Switch");
+              ? "the clipboard has the metadata of an area; select a ProximitySensor to paste it"
+              : "the clipboard has the metadata of an object; select a Switch to paste it");
     }
     List<EnrichmentEdits.SwitchWish> switches = new ArrayList<>();
     List<EnrichmentEdits.SensorWish> sensors = new ArrayList<>();
@@ -102,7 +102,7 @@ public final class MetadataCopy {
     return new EnrichmentEdits(enrichment).all("Paste Metadata to " + onto, switches, sensors);
   }
 
-  /** What is said of so many versions. */
+  /** Maps metadata to a number of versions. */
   private static List<ChoiceValues> fitted(List<ChoiceValues> from, int count) {
     if (from.size() == count) {
       return from;

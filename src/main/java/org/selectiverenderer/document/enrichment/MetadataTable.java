@@ -22,10 +22,10 @@ import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.x3d.source.EncodedText;
 
 /**
- * Metadata as a table with the columns {@code node,choice,field,value}: node a DEF, choice the
- * index of a Switch's child from 0 and empty for a sensor. Several rows of one field are several
- * values; what is there before of a field that the table names is replaced, all else stays; an
- * empty value clears the field.
+ * Reads schema metadata from a table with the columns {@code node,choice,field,value}: {@code node}
+ * is a DEF name, {@code choice} the index of a Switch's child from 0, empty for a sensor. Several
+ * rows of one field are several values. Existing values of a field in the table are replaced, all
+ * other metadata stays; an empty value clears the field.
  */
 public final class MetadataTable {
   private static final List<String> COLUMNS = List.of("node", "choice", "field", "value");
@@ -47,11 +47,11 @@ public final class MetadataTable {
   }
 
   /**
-   * The edit that a table stands for.
+   * Creates the edit of a table.
    *
-   * @param name of its file, for messages
-   * @return empty if a row cannot be understood: all or nothing is applied, and the problems say
-   *     why
+   * @param name name of the file, for messages
+   * @return empty if a row is invalid, which is reported to {@code problems}: all rows are applied
+   *     or none
    */
   public static Optional<Edit> edit(
       Enrichment enrichment, String name, byte[] table, Problems problems) {
@@ -118,7 +118,7 @@ public final class MetadataTable {
         return Optional.of(index);
       }
     } catch (NumberFormatException e) {
-      // said below, with what would be right
+      // reported below, with the valid range
     }
     error(
         row,

@@ -9,15 +9,15 @@ import org.selectiverenderer.schema.MetadataNames;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.x3d.write.ValueText;
 
-/** Metadata elements as lines of text, laid out as thesis Figs 52, 77 and 78 are. */
+/** Writes metadata elements as lines of XML, laid out as in thesis Figs 52, 77 and 78. */
 final class MetadataText {
   private final FreeNames names;
   private final char quote;
   private final String step;
 
   /**
-   * @param quote around values
-   * @param step of indentation
+   * @param quote quote character around values
+   * @param step one step of indentation
    */
   MetadataText(FreeNames names, char quote, String step) {
     this.names = names;
@@ -25,7 +25,7 @@ final class MetadataText {
     this.step = step;
   }
 
-  /** A set with all metadata of an object: a set for each version. */
+  /** Returns a MetadataSet with all metadata of an object: a MetadataSet for each version. */
   List<String> object(String object, List<ChoiceValues> choices) {
     List<List<String>> parts = new ArrayList<>();
     for (int i = 0; i < choices.size(); i++) {
@@ -35,9 +35,9 @@ final class MetadataText {
   }
 
   /**
-   * The same with metadata of another kind behind it.
+   * Returns a MetadataSet of an object that also contains other metadata.
    *
-   * @param kept lines of other metadata, as they are
+   * @param kept unchanged lines of other metadata
    */
   List<String> object(String object, List<List<String>> parts, List<String> kept) {
     List<List<String>> all = new ArrayList<>(parts);
@@ -45,7 +45,7 @@ final class MetadataText {
     return set("metadata", MetadataNames.set(object), object, all);
   }
 
-  /** The set about one version. */
+  /** Returns the MetadataSet of one version. */
   List<String> part(String object, int index, ChoiceValues values) {
     String about = MetadataNames.ofPart(object, index);
     List<List<String>> strings = new ArrayList<>();
@@ -53,7 +53,7 @@ final class MetadataText {
     return set("value", MetadataNames.part(object, index), object + "_v" + (index + 1), strings);
   }
 
-  /** A set with all metadata of an area. */
+  /** Returns a MetadataSet with all metadata of an area. */
   List<String> sensor(String sensor, Map<SchemaField, List<String>> fields, List<String> kept) {
     List<List<String>> all = new ArrayList<>();
     fields.forEach((field, words) -> all.add(string(field, sensor, words)));
@@ -61,7 +61,7 @@ final class MetadataText {
     return set("metadata", MetadataNames.set(sensor), sensor, all);
   }
 
-  /** A string in a set; no line for no words. */
+  /** Returns a MetadataString; no line for no values. */
   List<String> string(SchemaField field, String about, List<String> words) {
     if (words.isEmpty()) {
       return List.of();
@@ -71,7 +71,7 @@ final class MetadataText {
             + Layout.written("containerField", "value", quote)
             + Layout.written("DEF", names.free(MetadataNames.string(field, about)), quote)
             + Layout.written("name", field.spelling(), quote)
-            // Strings of an MFString are in double quotes, so these would all be references.
+            // Strings of an MFString are in double quotes, which would have to be escaped.
             + Layout.written("value", ValueText.strings(words), '\'')
             + "/>");
   }

@@ -17,7 +17,7 @@ import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Reads single nodes of a document. */
+/** Reads the schema metadata of single Switches and ProximitySensors of a document. */
 final class NodeReading {
   private final SceneDocument document;
   private final NodeCatalogue catalogue;
@@ -57,7 +57,7 @@ final class NodeReading {
         findings);
   }
 
-  /** As the reader of scenes counts them: what is no node of a scene has no index. */
+  /** Returns whether a child has an index, as the scene reader counts choices. */
   private boolean isChoice(DocumentElement element) {
     return element.name().equals("ProtoInstance")
         || catalogue.find(element.name()).filter(type -> type.is("X3DChildNode")).isPresent();
@@ -78,7 +78,7 @@ final class NodeReading {
     try {
       return Integer.parseInt(text);
     } catch (NumberFormatException e) {
-      return -1; // the reader of scenes reports it, and shows nothing
+      return -1; // the scene reader reports it, and shows nothing
     }
   }
 
@@ -106,7 +106,7 @@ final class NodeReading {
         Optional.empty());
   }
 
-  /** Whether some of what is read of a node is said elsewhere, by USE. */
+  /** Returns whether some metadata of a node is in another node, by USE. */
   boolean shares(DocumentElement element) {
     for (DocumentElement child : element.children()) {
       boolean metadata = child.name().startsWith("Metadata");

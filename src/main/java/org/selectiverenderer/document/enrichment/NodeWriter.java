@@ -16,7 +16,9 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.source.WrittenAttribute;
 
-/** Changes the metadata of Switches and ProximitySensors. For one edit. */
+/**
+ * Creates the text changes that set the metadata of Switches and ProximitySensors, for one edit.
+ */
 final class NodeWriter {
   private final SceneDocument document;
   private final Layout layout;
@@ -34,7 +36,7 @@ final class NodeWriter {
     return new MetadataText(names, layout.quote(owner), layout.step(near(owner)));
   }
 
-  /** What shows best how far the author indents what stands in an element. */
+  /** Returns the element that shows the author's indentation inside an element. */
   private static DocumentElement near(DocumentElement owner) {
     return owner.children().isEmpty() ? owner : owner.children().get(0);
   }
@@ -61,7 +63,7 @@ final class NodeWriter {
     boolean own = !metadata.shared() && metadata.isSet();
     boolean firstOnly = wanted.subList(1, wanted.size()).stream().allMatch(ChoiceValues::isEmpty);
     if (own && sets.isEmpty() && node.enriched() && firstOnly) {
-      return set(metadata, text, node, 0, wanted.get(0)); // says something of the first choice only
+      return set(metadata, text, node, 0, wanted.get(0)); // it describes the first choice only
     }
     boolean beside = node.enriched() && sets.isEmpty();
     boolean occupied = !node.enriched() && !sets.isEmpty();
@@ -108,7 +110,7 @@ final class NodeWriter {
     return changes;
   }
 
-  /** A part for one more choice, if there is one for each of the choices now. */
+  /** Adds a MetadataSet for one more choice, if each existing choice has one. */
   List<TextChange> partAdded(EnrichedSwitch node) {
     Optional<DocumentMetadata> found = DocumentMetadata.of(document, node.element());
     if (found.isEmpty() || !node.enriched()) {
@@ -121,7 +123,7 @@ final class NodeWriter {
     }
     if (sets.size() > size) {
       throw new EditRefused(
-          "the metadata of %s describes more choices than there are; take what is too many out first"
+          "the metadata of %s describes more choices than the Switch has; remove the surplus first"
               .formatted(node.name()));
     }
     sharing.free(found.get().written());
@@ -131,7 +133,7 @@ final class NodeWriter {
             text(node.element()).part(node.object(), size, ChoiceValues.NONE)));
   }
 
-  /** Takes the part of a choice out; all of it if it says nothing of the others. */
+  /** Removes the MetadataSet of a choice; all metadata if the other choices have none. */
   List<TextChange> partRemoved(EnrichedSwitch node, int index) {
     Optional<DocumentMetadata> found = DocumentMetadata.of(document, node.element());
     if (found.isEmpty() || !node.enriched()) {
@@ -148,7 +150,7 @@ final class NodeWriter {
       return List.of(layout.remove(metadata.written()));
     }
     if (sets.isEmpty() && index > 0 || !sets.isEmpty() && index >= sets.size()) {
-      return List.of(); // says nothing of that choice
+      return List.of(); // it does not describe that choice
     }
     if (sets.isEmpty() || metadata.shared()) {
       throw new EditRefused(
@@ -199,7 +201,7 @@ final class NodeWriter {
     return wrapped(metadata, kept -> text.sensor(name, fields, kept));
   }
 
-  /** Whether metadata is of the vocabulary, and nothing else is in it, not even a comment. */
+  /** Returns whether metadata is schema metadata and contains nothing else, not even a comment. */
   private boolean ours(DocumentMetadata metadata) {
     return speaks(metadata) && nothingElse(metadata);
   }
@@ -218,7 +220,7 @@ final class NodeWriter {
         && metadata.children().stream().allMatch(this::nothingElse);
   }
 
-  /** Refuses to put something else in the place of USE that brings metadata of other kinds. */
+  /** Rejects the replacement of a USE reference to metadata that also contains other metadata. */
   private void foreign(DocumentMetadata shared) {
     if (!ours(shared)) {
       throw new EditRefused(
@@ -230,8 +232,8 @@ final class NodeWriter {
   }
 
   /**
-   * Puts a new set in the place of metadata that cannot hold ours; what is of other kinds stands in
-   * it.
+   * Replaces metadata that cannot contain schema metadata by a new MetadataSet, into which other
+   * metadata is moved.
    */
   private List<TextChange> wrapped(
       DocumentMetadata metadata, Function<List<String>, List<String>> block) {
@@ -247,7 +249,10 @@ final class NodeWriter {
     return List.of(layout.replace(old, block.apply(inside(old))));
   }
 
-  /** An element's lines as they stand in a set: only what belongs to its line's start changes. */
+  /**
+   * Returns an element's lines as a child of a MetadataSet: only {@code containerField} and the
+   * indentation change.
+   */
   private List<String> inside(DocumentElement element) {
     String source = document.text(element);
     Optional<WrittenAttribute> field = document.tag(element).attribute("containerField");

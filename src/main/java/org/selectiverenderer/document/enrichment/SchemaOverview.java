@@ -12,8 +12,8 @@ import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The table of objects by schemas, as of now: in each cell the degree to which the object is
- * consistent with the schema. Cells are read when they are asked for. An edit makes it outdated.
+ * The table of objects by schemas: each cell contains the degree to which the object is consistent
+ * with the schema. Cells are read on demand. An edit makes the table outdated.
  */
 public final class SchemaOverview {
   private final Enrichment enrichment;
@@ -21,15 +21,15 @@ public final class SchemaOverview {
   private final List<String> schemas;
 
   /**
-   * A cell that is filled.
+   * A filled cell.
    *
-   * @param choice the version that the schema shows
+   * @param choice index of the version that is shown when the schema is active
    */
   public record Cell(int choice, Optional<ConsistencyType> type, Optional<Degree> degree) {}
 
-  /** A cell by its row and column. */
+  /** The row and column of a cell. */
   public record Place(EnrichedSwitch object, String schema) {
-    /** Compares elements: what a node says in full is long, and there are many places. */
+    /** Compares elements by identity, because comparing all metadata of nodes would be slow. */
     @Override
     public boolean equals(Object other) {
       return other instanceof Place place
@@ -44,7 +44,7 @@ public final class SchemaOverview {
   }
 
   /**
-   * @param more schemas that get a column though nothing names them yet
+   * @param more schemas that get a column although they are not used yet
    */
   public SchemaOverview(Enrichment enrichment, List<String> more) {
     this.enrichment = enrichment;
@@ -54,17 +54,20 @@ public final class SchemaOverview {
     this.schemas = List.copyOf(columns);
   }
 
-  /** The rows: Switches with children, in document order. */
+  /** Returns the rows: Switches with children, in document order. */
   public List<EnrichedSwitch> objects() {
     return objects;
   }
 
-  /** The columns. */
+  /** Returns the columns. */
   public List<String> schemas() {
     return schemas;
   }
 
-  /** A cell; of several choices that name the schema the last one counts, as for the controller. */
+  /**
+   * Returns a cell; if several choices belong to the schema the last one counts, as for the
+   * controller.
+   */
   public Optional<Cell> cell(EnrichedSwitch object, String schema) {
     for (int i = object.choices().size() - 1; i >= 0; i--) {
       ChoiceValues values = object.choices().get(i).values();
@@ -75,7 +78,10 @@ public final class SchemaOverview {
     return Optional.empty();
   }
 
-  /** Fills cells with a degree: each object's version for that degree belongs to the schema. */
+  /**
+   * Fills cells with a degree: each object's version for that degree becomes a member of the
+   * schema.
+   */
   public Edit fill(Collection<Place> places, Degree degree) {
     return edit(
         places.size() == 1
@@ -84,7 +90,7 @@ public final class SchemaOverview {
         same(places, Optional.of(degree)));
   }
 
-  /** Empties cells: the objects do not belong to the schemas any more. */
+  /** Clears cells: the objects do not belong to the schemas any more. */
   public Edit clear(Collection<Place> places) {
     return edit(
         places.size() == 1 ? "Clear " + label(places) : "Clear %d cells".formatted(places.size()),
@@ -103,7 +109,7 @@ public final class SchemaOverview {
     return place.schema() + " of " + place.object().name();
   }
 
-  /** Fills cells with a degree each; those without one are emptied. */
+  /** Fills each cell with its own degree; cells without one are cleared. */
   public Edit edit(String name, Map<Place, Optional<Degree>> cells) {
     Map<DocumentElement, EnrichedSwitch> nodes = new LinkedHashMap<>();
     Map<DocumentElement, List<ChoiceValues>> wanted = new LinkedHashMap<>();
@@ -123,7 +129,7 @@ public final class SchemaOverview {
     return new EnrichmentEdits(enrichment).all(name, wishes, List.of());
   }
 
-  /** Choices of which the one for the degree, and no other, belongs to a schema. */
+  /** Returns choices of which only the one for the degree belongs to a schema. */
   static List<ChoiceValues> put(
       List<ChoiceValues> choices, String schema, Optional<Degree> degree) {
     int version = degree.map(d -> VersionLadder.version(d, choices)).orElse(-1);

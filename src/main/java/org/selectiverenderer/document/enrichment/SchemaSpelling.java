@@ -7,27 +7,29 @@ import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.x3d.field.Tokens;
 
 /**
- * Which names a schema may have: all that a scene gives back as they were written. Quotation marks,
- * commas and backslashes are written so that they are; line ends and other control characters XML
- * alters or forbids (XML 1.0, 2.2 and 3.3.3).
+ * Validates schema names: allowed are all names that survive writing and reading a scene. Quotation
+ * marks, commas and backslashes are escaped; line ends and other control characters are altered or
+ * forbidden by XML (XML 1.0, 2.2 and 3.3.3).
  */
 public final class SchemaSpelling {
   private SchemaSpelling() {}
 
-  /** Why a name cannot be written, in words that follow the place; empty if it can. */
+  /**
+   * Returns why a name is invalid, as a message that follows its location; empty if it is valid.
+   */
   public static Optional<String> complaint(String name) {
     return name.codePoints().anyMatch(c -> Character.isISOControl(c) || c == 0xFFFE || c == 0xFFFF)
         ? Optional.of(
             "the schema name "
                 + Tokens.quote(name)
-                + " cannot stand in a scene: names are one line without control characters")
+                + " cannot be written: a schema name is one line without control characters")
         : Optional.empty();
   }
 
   /**
-   * Refuses names that cannot be written.
+   * Rejects invalid names.
    *
-   * @param there names that the scene has already, which stay as they are
+   * @param there names that the scene contains already, which are not checked
    */
   static void require(Collection<String> names, List<String> there) {
     names.stream()

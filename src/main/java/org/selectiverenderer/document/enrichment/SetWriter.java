@@ -12,9 +12,9 @@ import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.write.ValueText;
 
 /**
- * Changes what a MetadataSet says, string by string: those that say what is wanted stay, those of
- * other kinds too. Several values stand in one string, unless the author has given each its own
- * (thesis Fig 47).
+ * Changes a MetadataSet string by string: strings that already have the wanted values stay, as does
+ * other metadata. Several values are written in one MetadataString, unless the author has given
+ * each its own (thesis Fig 47).
  */
 final class SetWriter {
   private final SceneDocument document;
@@ -30,8 +30,8 @@ final class SetWriter {
   }
 
   /**
-   * @param about what new strings are named after
-   * @param wanted values of the fields to change; none to clear one
+   * @param about the name from which the DEF names of new strings are made
+   * @param wanted the values of the fields to change; an empty list clears a field
    */
   List<TextChange> changes(
       DocumentMetadata set, String about, Map<SchemaField, List<String>> wanted) {
@@ -76,7 +76,7 @@ final class SetWriter {
     }
   }
 
-  /** Changes the strings of a field; returns the lines of new ones. */
+  /** Changes the strings of a field and returns the lines of new strings. */
   private List<String> field(
       List<DocumentMetadata> strings,
       SchemaField field,
@@ -108,8 +108,8 @@ final class SetWriter {
   }
 
   /**
-   * Which string says which of the wanted values; strings beyond those that are there are new.
-   * Where each value had its own string each keeps or gets one, if their order comes out right.
+   * Distributes the wanted values over the existing strings; further lists are new strings. Where
+   * each value had a string of its own, this is kept if it preserves the order of the values.
    */
   private static List<List<String>> spread(List<DocumentMetadata> strings, List<String> wanted) {
     List<List<String>> spread = new ArrayList<>();

@@ -5,7 +5,7 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 
-/** Refuses edits of metadata that stands for other nodes' too, by USE. */
+/** Rejects edits of metadata that other nodes share by USE. */
 final class Sharing {
   private final SceneDocument document;
 
@@ -14,7 +14,7 @@ final class Sharing {
   }
 
   /**
-   * @throws EditRefused if the element or one in it is USEd somewhere
+   * @throws EditRefused if the element or a descendant is referenced by USE
    */
   void free(DocumentElement element) {
     ElementTree tree = document.tree().orElseThrow();

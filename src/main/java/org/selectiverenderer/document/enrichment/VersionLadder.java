@@ -7,19 +7,19 @@ import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
 
 /**
- * Which version of an object stands for which degree of consistency: the first, with all polygons,
- * for the lowest; the last, with the fewest, for the highest; those between them for the steps
- * between (thesis 4.2.1, 7.2). Degrees that the author has given count first.
+ * Maps the versions of an object to degrees of consistency: the first version, with all polygons,
+ * has the lowest degree, the last one, with the fewest polygons, the highest, and those between are
+ * spaced evenly (thesis 4.2.1, 7.2). Degrees in the metadata take precedence.
  */
 public final class VersionLadder {
   private VersionLadder() {}
 
-  /** The degree of a version of which nothing is said. */
+  /** Returns the degree of a version without metadata. */
   public static Degree degree(int index, int versions) {
     return versions < 2 ? Degree.LOW : new Degree((double) index / (versions - 1));
   }
 
-  /** The version for a degree: the nearest one, the more detailed of two as near. */
+  /** Returns the version whose degree is nearest; of two equally near the more detailed one. */
   public static int version(Degree wanted, List<ChoiceValues> choices) {
     int best = 0;
     double distance = Double.MAX_VALUE;
@@ -34,9 +34,7 @@ public final class VersionLadder {
     return best;
   }
 
-  /**
-   * A choice that belongs to one schema more; type and degree are filled in where there are none.
-   */
+  /** Adds a schema to the metadata of a choice; missing type and degree are filled in. */
   static ChoiceValues joined(ChoiceValues choice, String schema, Degree degree) {
     List<String> schemas = new ArrayList<>(choice.schemas());
     schemas.add(schema);

@@ -7,7 +7,10 @@ import java.util.Arrays;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
 
-/** What somebody else has made of a document's file. A value, read by any thread. */
+/**
+ * The content of a document's file after another program has changed it. It is immutable and may be
+ * read by any thread.
+ */
 public final class DiskCopy {
   private final byte[] bytes;
   private final FileStamp stamp;
@@ -22,9 +25,10 @@ public final class DiskCopy {
   }
 
   /**
-   * Reads it.
+   * Reads the file.
    *
-   * @throws IOException if it cannot be read or has no text in it, with one line that names it
+   * @throws IOException if it cannot be read or contains no text, with a one-line message that
+   *     names it
    */
   public static DiskCopy read(Path file) throws IOException {
     byte[] bytes = Files.readAllBytes(file);
@@ -37,7 +41,7 @@ public final class DiskCopy {
     return text;
   }
 
-  /** Whether a document that took over the text would be saved as these very bytes. */
+  /** Returns whether a document with this text would be saved as exactly these bytes. */
   public boolean sameForm(Snapshot document) {
     return Arrays.equals(document.encoder().apply(text), bytes);
   }

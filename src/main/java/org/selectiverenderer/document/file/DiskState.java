@@ -1,9 +1,9 @@
 package org.selectiverenderer.document.file;
 
-/** What has become of a file since it was opened or saved last. */
+/** The state of a file compared to when it was opened or saved last. */
 public enum DiskState {
   SAME,
-  /** Somebody else has written it. */
+  /** Another program has written it. */
   CHANGED,
   GONE
 }

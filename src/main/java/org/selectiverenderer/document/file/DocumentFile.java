@@ -13,10 +13,10 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.document.SceneDocument;
 
 /**
- * A document and the file that it comes from. Saving keeps the file as it was before in a backup
- * beside it (one that was not well formed in a backup of its own, so that the last good copy
- * stays), replaces it in one moment, and refuses to overwrite what somebody else has written
- * meanwhile. Whatever fails, document and file are as they were.
+ * A document and its file. Saving first copies the previous file to a backup beside it (a file that
+ * was not well-formed to a separate backup, so that the last good copy stays), replaces the file
+ * atomically, and does not overwrite changes that another program has made since. After a failure,
+ * document and file are unchanged.
  */
 public final class DocumentFile {
   private final FileActions actions;
@@ -24,10 +24,10 @@ public final class DocumentFile {
   private Path path;
   private @Nullable FileStamp stamp;
 
-  /** Whether the file's text, as it was opened or saved last, is well formed. */
+  /** Whether the file's text, as opened or saved last, is well-formed. */
   private boolean sound;
 
-  /** The text that file and document had in common last; null for none. */
+  /** The last text that file and document had in common; null for none. */
   private @Nullable String common;
 
   private DocumentFile(
@@ -48,7 +48,7 @@ public final class DocumentFile {
   /**
    * Opens a file.
    *
-   * @throws IOException if it cannot be read, with one line that names it
+   * @throws IOException if it cannot be read, with a one-line message that names it
    */
   public static DocumentFile open(Path path, FileActions actions) throws IOException {
     if (Files.isDirectory(path)) {
@@ -67,16 +67,19 @@ public final class DocumentFile {
     return new DocumentFile(actions, SceneDocument.of(path.toString(), bytes), path, stamp);
   }
 
-  /** A document that is in no file yet, such as one that was recovered and whose file is gone. */
+  /**
+   * Creates a document that has no file yet, such as one that was recovered after its file was
+   * deleted.
+   */
   static DocumentFile unsaved(Path path, SceneDocument document) {
     document.markUnsaved();
     return new DocumentFile(FileActions.REAL, document, path, null);
   }
 
   /**
-   * Opens a text that has been made of another file.
+   * Opens a text that was converted from another file.
    *
-   * @param path where it is to be saved
+   * @param path the file into which it will be saved
    */
   public static DocumentFile made(Path path, String text) throws IOException {
     return unsaved(path, SceneDocument.of(path.toString(), text.getBytes(StandardCharsets.UTF_8)));
@@ -86,17 +89,19 @@ public final class DocumentFile {
     return document;
   }
 
-  /** Where it was saved last, or opened. */
+  /** Returns the file from which it was opened or to which it was saved last. */
   public Path path() {
     return path;
   }
 
-  /** Where the file as it was before the last saving is kept, the last that was well formed. */
+  /** Returns the backup of the last well-formed file before saving. */
   public Path backup() {
     return backup(path, true);
   }
 
-  /** Where a file that was not well formed is kept, so that it never takes the other's place. */
+  /**
+   * Returns the backup of a file that was not well-formed, which never replaces {@link #backup()}.
+   */
   public Path faultyBackup() {
     return backup(path, false);
   }
@@ -111,14 +116,14 @@ public final class DocumentFile {
         : stamp.compare(file);
   }
 
-  /** What file and document were when they were the same last; empty if they never were. */
+  /** Returns the last text that file and document had in common; empty if there is none. */
   public Optional<String> common() {
     return Optional.ofNullable(common);
   }
 
   /**
-   * Takes what somebody else has made of the file into the document, as one step; from now on it is
-   * what saving replaces.
+   * Merges another program's changes of the file into the document as one undo step; the changed
+   * file becomes the one that saving replaces.
    *
    * @throws org.selectiverenderer.document.EditRefused if the document is locked
    */
@@ -134,25 +139,28 @@ public final class DocumentFile {
     }
   }
 
-  /** Tells whether somebody else has written a file; any thread may ask. */
+  /** Detects changes of a file by other programs; may be called on any thread. */
   @FunctionalInterface
   public interface Guard {
     DiskState state() throws IOException;
   }
 
-  /** Tells what becomes of the file from now on. */
+  /** Returns a guard that detects changes of the file from now on. */
   public Guard guard() {
     Path file = path;
     FileStamp expected = stamp;
     return () -> state(file, expected);
   }
 
-  /** The document as it is now, to be written to its file by any thread. */
+  /** Creates the operation that writes the present document to its file, on any thread. */
   public Writing writing() {
     return new Writing(actions, path, text(), new Writing.Before(guard(), sound));
   }
 
-  /** The same, to another file, which is the document's from {@link #written} on. */
+  /**
+   * Creates the operation that writes the present document to another file, which becomes the
+   * document's file by {@link #written}.
+   */
   public Writing writing(Path other) {
     return new Writing(actions, other, text(), null);
   }
@@ -161,7 +169,7 @@ public final class DocumentFile {
     return new Writing.Text(document.snapshot(), document.fault().isEmpty());
   }
 
-  /** The writing is done; on the document's thread. */
+  /** Reports that an operation has been completed; to be called on the document's thread. */
   public void written(Writing done) {
     path = done.target();
     stamp = done.stamp();
@@ -173,15 +181,15 @@ public final class DocumentFile {
   /**
    * Writes the document to its file.
    *
-   * @throws FileChanged if somebody else has written the file; {@link Writing#over} does it all the
-   *     same
-   * @throws IOException if it cannot be written, with one line that names it and says what to do
+   * @throws FileChanged if another program has written the file; {@link Writing#over} overwrites it
+   * @throws IOException if it cannot be written, with a one-line message that names it and says
+   *     what to do
    */
   public void save() throws IOException {
     save(writing());
   }
 
-  /** Writes the document to another file, which is its file from now on. */
+  /** Writes the document to another file, which becomes its file. */
   public void saveAs(Path other) throws IOException {
     save(writing(other));
   }

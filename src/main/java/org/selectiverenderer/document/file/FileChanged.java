@@ -2,7 +2,7 @@ package org.selectiverenderer.document.file;
 
 import java.io.IOException;
 
-/** A file is not what was opened or saved last: somebody else has written it. */
+/** Thrown when another program has written a file since it was opened or saved last. */
 public final class FileChanged extends IOException {
   private static final long serialVersionUID = 1L;
 

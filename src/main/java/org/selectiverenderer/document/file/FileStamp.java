@@ -8,14 +8,14 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
 import org.selectiverenderer.base.files.Sha256;
 
-/** How to tell that a file is still the one that was read or written. */
+/** Size, time and digest of a file, by which later changes are detected. */
 record FileStamp(long size, FileTime time, String digest) {
   static FileStamp of(Path file, byte[] content) throws IOException {
     BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);
     return new FileStamp(found.size(), found.lastModifiedTime(), Sha256.of(content));
   }
 
-  /** Compares; the content decides where the time alone has changed. */
+  /** Compares the stamp with a file; the content decides where only the time has changed. */
   DiskState compare(Path file) throws IOException {
     try {
       BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);

@@ -15,8 +15,8 @@ import org.selectiverenderer.x3d.source.XmlDocument;
 import org.selectiverenderer.x3d.write.SceneFormat;
 
 /**
- * A scene in another encoding than X3D XML. Only XML is edited, since only there what an edit
- * leaves alone keeps every byte; such a scene is converted first, with its comments.
+ * A scene in another encoding than X3D XML. Only XML documents can be edited without changing any
+ * other byte, so such a scene is first converted to XML, with its comments.
  */
 public final class ForeignScene {
   private final Path file;
@@ -28,14 +28,14 @@ public final class ForeignScene {
   }
 
   /**
-   * Looks at a file's first characters.
+   * Detects the encoding of a file from its first characters.
    *
-   * @return empty for XML, and for what is no scene at all
+   * @return empty for XML, and for a file that is not a scene
    * @throws IOException if it cannot be read
    */
   public static Optional<ForeignScene> of(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
-      return Optional.empty(); // Who opens it says why it cannot be.
+      return Optional.empty(); // Opening it reports why it cannot be read.
     }
     try (InputStream in = Files.newInputStream(file)) {
       return Encoding.of(SourceLines.read(in, Files.size(file)).head())
@@ -44,12 +44,12 @@ public final class ForeignScene {
     }
   }
 
-  /** What users call its encoding. */
+  /** Returns the encoding's name for users. */
   public String encoding() {
     return encoding.title();
   }
 
-  /** The file beside it that its conversion goes into by default. */
+  /** Returns the default file of its conversion, in the same folder. */
   public Path beside() {
     String name = String.valueOf(file.getFileName());
     int dot = name.indexOf('.', 1);
@@ -57,10 +57,10 @@ public final class ForeignScene {
   }
 
   /**
-   * The scene in X3D XML.
+   * Converts the scene to X3D XML.
    *
-   * @param problems takes what is left out
-   * @return empty if it is broken, which is told: nothing may be lost without notice
+   * @param problems receives problems about parts that are left out
+   * @return empty if the scene is broken, which is reported, because nothing may be lost silently
    * @throws IOException if it cannot be read
    */
   public Optional<String> xml(NodeCatalogue catalogue, Problems problems) throws IOException {

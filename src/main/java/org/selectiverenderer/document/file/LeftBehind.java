@@ -12,13 +12,11 @@ import org.selectiverenderer.document.XmlValues;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * What a scene would lose when it is saved into another folder: relative urls count from the folder
- * of the file that they stand in (X3D 4.0, 9.2.1).
+ * Finds the files that a scene cannot find any more when it is saved into another folder: relative
+ * URLs are resolved against the folder of the file that contains them (X3D 4.0, 9.2.1).
  */
 public final class LeftBehind {
-  /**
-   * Elements with a field url that names a file; others are not looked into, as they may be big.
-   */
+  /** The elements with a field {@code url}; other elements are skipped, as they may be large. */
   private static final Set<String> WITH_URL =
       Set.of(
           "Inline",
@@ -37,11 +35,11 @@ public final class LeftBehind {
   private LeftBehind() {}
 
   /**
-   * The files, as the scene names them, that are found from one folder and not from another; each
-   * once, in document order. None of a text that is not well formed.
+   * Returns the URLs of files that are found from one folder but not from another, each once, in
+   * document order; none if the text is not well-formed.
    *
    * @param from the folder of the scene now
-   * @param to the folder that it is to be saved in
+   * @param to the folder into which it will be saved
    */
   public static List<String> in(SceneDocument document, Path from, Path to) {
     List<DocumentElement> elements = new ArrayList<>();
@@ -49,7 +47,7 @@ public final class LeftBehind {
     return in(elements, from, to);
   }
 
-  /** The same of the elements of a scene in whatever encoding. */
+  /** Returns the same for the elements of a scene in any encoding. */
   public static List<String> in(List<DocumentElement> elements, Path from, Path to) {
     if (from.normalize().equals(to.normalize())) {
       return List.of();
@@ -64,7 +62,10 @@ public final class LeftBehind {
         .toList();
   }
 
-  /** Whether a relative url names a file that is there; absolute ones do not depend on folders. */
+  /**
+   * Returns whether a relative URL refers to an existing file; absolute URLs do not depend on
+   * folders.
+   */
   private static boolean found(Path folder, String url) {
     try {
       URI uri = new URI(url.strip().replace(" ", "%20"));

@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Which lines of two texts are the same ones: patience diff (B. Cohen). Lines that occur once in
- * both are matched first, in the longest run that keeps their order, then what lies between them;
- * small parts without such lines by their longest common subsequence.
+ * Matches the lines of two texts by patience diff (B. Cohen): lines that occur once in both texts
+ * are matched first, in their longest increasing subsequence, then the parts between them
+ * recursively; small parts without such lines are matched by their longest common subsequence.
  */
 final class LineMatching {
   private static final long SMALL = 1_000_000;
@@ -25,7 +25,7 @@ final class LineMatching {
     Arrays.fill(partner, -1);
   }
 
-  /** For each line of the first text the index of its partner in the second, or -1. */
+  /** Returns for each line of the first text the index of its match in the second, or -1. */
   static int[] of(List<String> before, List<String> after) {
     Map<String, Integer> numbers = new HashMap<>();
     LineMatching matching = new LineMatching(numbered(before, numbers), numbered(after, numbers));
@@ -68,7 +68,10 @@ final class LineMatching {
     match(a, aEnd, b, bEnd);
   }
 
-  /** Pairs of lines that occur once in both parts, the longest run in order. */
+  /**
+   * Returns the pairs of lines that occur once in both parts, in their longest increasing
+   * subsequence.
+   */
   private List<int[]> anchors(int a, int aEnd, int b, int bEnd) {
     Map<Integer, int[]> seen = new HashMap<>();
     for (int i = a; i < aEnd; i++) {
@@ -93,7 +96,7 @@ final class LineMatching {
     return longestRise(pairs);
   }
 
-  /** The longest part of pairs, which rise in the first number, that rises in the second too. */
+  /** Returns the longest increasing subsequence of pairs that are sorted by their first number. */
   private static List<int[]> longestRise(List<int[]> pairs) {
     int[] tails = new int[pairs.size()];
     int[] previous = new int[pairs.size()];

@@ -7,22 +7,22 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * Two texts that were made of one, put together line by line (the three-way merge of diff3): what
- * one of them alone has changed is taken, what both have changed differently is a conflict, which
- * somebody decides. Without the common text all differences are conflicts. Immutable.
+ * The three-way merge of two texts line by line, as by diff3: changes of one side are taken,
+ * different changes of both sides are conflicts that the user resolves. Without the common ancestor
+ * all differences are conflicts. Immutable.
  */
 public final class LineMerge {
-  /** What a part of the texts is. */
+  /** The kind of a part of the texts. */
   public enum Kind {
     SAME,
-    /** Changed here alone, or on both sides in the same way. */
+    /** Changed only in the own text, or in both texts alike. */
     MINE,
-    /** Changed by the other alone. */
+    /** Changed only in the other text. */
     THEIRS,
     CONFLICT
   }
 
-  /** What becomes of a conflict. */
+  /** The resolution of a conflict. */
   public enum Choice {
     MINE,
     THEIRS,
@@ -31,9 +31,9 @@ public final class LineMerge {
   }
 
   /**
-   * Lines with their ends, on both sides.
+   * A part of both texts: lines with their line ends.
    *
-   * @param from where the part begins in the text here
+   * @param from offset of the part in the own text
    */
   public record Part(Kind kind, int from, String mine, String theirs) {
     String result(Choice choice) {
@@ -50,7 +50,7 @@ public final class LineMerge {
       };
     }
 
-    /** The last line of a text may have no end; before others it gets one. */
+    /** Adds a line end to the last line of a text, if more text follows. */
     private static String ended(String first, String then) {
       boolean open = !first.isEmpty() && !then.isEmpty() && !first.endsWith("\n");
       return open ? first + (then.endsWith("\r\n") ? "\r\n" : "\n") : first;
@@ -64,10 +64,10 @@ public final class LineMerge {
   }
 
   /**
-   * Compares.
+   * Merges two texts.
    *
-   * @param base what both were made of, as far as it is known
-   * @param theirs with the ends of lines of {@code mine}, whatever it has
+   * @param base the common ancestor, if it is known
+   * @param theirs the other text; its line ends are converted to those of {@code mine}
    */
   public static LineMerge of(Optional<String> base, String mine, String theirs) {
     List<String> here = LinesWithEnds.of(mine);
@@ -143,17 +143,17 @@ public final class LineMerge {
     return known && theirs.equals(before) ? Kind.MINE : Kind.CONFLICT;
   }
 
-  /** All parts, in order. */
+  /** Returns all parts in order. */
   public List<Part> parts() {
     return parts;
   }
 
-  /** How many parts are of a kind. */
+  /** Returns the number of parts of a kind. */
   public int count(Kind kind) {
     return (int) parts.stream().filter(part -> part.kind() == kind).count();
   }
 
-  /** The text with the conflicts decided, in their order. */
+  /** Returns the merged text with the conflicts resolved in order. */
   public String text(List<Choice> choices) {
     StringBuilder text = new StringBuilder();
     int conflict = 0;
@@ -164,7 +164,7 @@ public final class LineMerge {
     return text.toString();
   }
 
-  /** The same as an edit of the text here: what stays keeps every byte. */
+  /** Returns the merge as an edit of the own text, which leaves unchanged parts untouched. */
   public Edit edit(String name, List<Choice> choices) {
     List<TextChange> changes = new ArrayList<>();
     int conflict = 0;

@@ -3,11 +3,11 @@ package org.selectiverenderer.document.file;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A text's lines. */
+/** Splits a text into lines. */
 final class LinesWithEnds {
   private LinesWithEnds() {}
 
-  /** With their ends; the last one may have none. */
+  /** Returns the lines with their line ends; the last line may have none. */
   static List<String> of(String text) {
     List<String> lines = new ArrayList<>();
     for (int from = 0; from < text.length(); ) {

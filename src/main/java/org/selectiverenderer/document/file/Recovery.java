@@ -21,9 +21,9 @@ import org.selectiverenderer.document.Snapshot;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * Keeps unsaved documents in a folder of the user's, so that a crash costs a few seconds of work at
- * most. What one session keeps, no other overwrites; documents of programs that still run are
- * theirs, and are not found.
+ * Saves copies of unsaved documents in a folder of the user, so that a crash loses only a few
+ * seconds of work. A session never overwrites the copies of another one; copies of programs that
+ * are still running are not found.
  */
 public final class Recovery {
   private static final String CONTENT = ".scene";
@@ -34,22 +34,22 @@ public final class Recovery {
   private final String session = UUID.randomUUID().toString().substring(0, 8);
 
   /**
-   * A document that was kept.
+   * A recovery copy of a document.
    *
-   * @param file that it is of
-   * @param when it was kept
-   * @param content where
+   * @param file file of the document
+   * @param when time of the copy
+   * @param content file of the copy
    */
   public record Kept(Path file, Instant when, Path content) {}
 
   /**
-   * @param folder made when something is to be kept
+   * @param folder created with the first copy
    */
   public Recovery(Path folder) {
     this.folder = folder;
   }
 
-  /** Keeps a document as it is now in place of what this session kept of it before. */
+  /** Saves a copy of a document, which replaces this session's previous one. */
   public void keep(Path file, Snapshot snapshot) throws IOException {
     Files.createDirectories(folder);
     String key = key(file);
@@ -63,7 +63,7 @@ public final class Recovery {
     WholeFile.replace(folder.resolve(key + ABOUT), about.getBytes(StandardCharsets.ISO_8859_1));
   }
 
-  /** As java.util.Properties reads it, without the time that it would write. */
+  /** Escapes a value for java.util.Properties, which would also write the time. */
   private static String escaped(String value) {
     StringBuilder escaped = new StringBuilder();
     for (char c : value.toCharArray()) {
@@ -78,12 +78,12 @@ public final class Recovery {
     return escaped.toString();
   }
 
-  /** Forgets this session's document: it has been saved, or its changes are not wanted. */
+  /** Deletes this session's copy of a document that was saved or discarded. */
   public void forget(Path file) throws IOException {
     forget(key(file));
   }
 
-  /** Forgets what an earlier session has left. */
+  /** Deletes the copy of an earlier session. */
   public void forget(Kept kept) throws IOException {
     String name = String.valueOf(kept.content().getFileName());
     forget(name.substring(0, name.length() - CONTENT.length()));
@@ -99,7 +99,10 @@ public final class Recovery {
     return Sha256.of(name).substring(0, 16) + "-" + session;
   }
 
-  /** What sessions that have ended left, the latest first. What cannot be read is left alone. */
+  /**
+   * Returns the copies of sessions that have ended, the latest first. Unreadable copies are
+   * skipped.
+   */
   public List<Kept> found() throws IOException {
     List<Kept> found = new ArrayList<>();
     if (!Files.isDirectory(folder)) {
@@ -149,8 +152,8 @@ public final class Recovery {
   }
 
   /**
-   * Opens what was kept: the file with the unsaved changes as one step that can be undone, or the
-   * changed scene alone if the file is gone. From now on it is this session that keeps it.
+   * Opens a recovery copy: the file with the unsaved changes as one undo step, or the changed scene
+   * alone if the file was deleted. The copy is taken over by this session.
    */
   public DocumentFile open(Kept kept) throws IOException {
     DocumentFile opened = restored(kept);

@@ -9,13 +9,13 @@ import java.util.List;
 public final class UnifiedDiff {
   private static final int CONTEXT = 3;
 
-  /** A line of the output: both texts have it, or one. */
+  /** A line of the output, which is in both texts or in one. */
   private record Line(char kind, String text, int before, int after) {}
 
   private UnifiedDiff() {}
 
   /**
-   * @param name of the file before, and of the one after
+   * @param name name of the old file
    * @return empty when the texts are the same; lines end with LF
    */
   public static String of(String name, String nameAfter, String before, String after) {

@@ -11,8 +11,8 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.document.Snapshot;
 
 /**
- * A document on its way to a file: what is to be written is settled, so any one thread may write
- * it. {@link DocumentFile#written} tells the document afterwards.
+ * The operation that saves a document to a file. Its content is fixed, so that any thread may
+ * execute it; afterwards the document is informed by {@link DocumentFile#written}.
  */
 public final class Writing {
   private final FileActions actions;
@@ -22,21 +22,21 @@ public final class Writing {
   private @Nullable FileStamp stamp;
 
   /**
-   * What is written.
+   * The text to be written.
    *
-   * @param sound whether it is well formed
+   * @param sound whether it is well-formed
    */
   record Text(Snapshot snapshot, boolean sound) {}
 
   /**
-   * The file that is expected there.
+   * The existing file that is expected.
    *
-   * @param sound whether it is well formed
+   * @param sound whether it is well-formed
    */
   record Before(DocumentFile.Guard guard, boolean sound) {}
 
   /**
-   * @param before null where it is replaced whatever it is
+   * @param before null to replace any existing file
    */
   Writing(FileActions actions, Path target, Text text, @Nullable Before before) {
     this.actions = actions;
@@ -45,7 +45,7 @@ public final class Writing {
     this.before = before;
   }
 
-  /** The file. */
+  /** Returns the target file. */
   public Path target() {
     return target;
   }
@@ -58,7 +58,9 @@ public final class Writing {
     return stamp;
   }
 
-  /** The same, whatever somebody else has written into the file; that goes to the backup. */
+  /**
+   * Returns an operation that overwrites changes of other programs, which are kept in the backup.
+   */
   public Writing over() {
     return new Writing(actions, target, text, null);
   }
@@ -66,8 +68,9 @@ public final class Writing {
   /**
    * Writes the file and its backup.
    *
-   * @throws FileChanged if somebody else has written the file
-   * @throws IOException if it cannot be written, with one line that names it and says what to do
+   * @throws FileChanged if another program has written the file
+   * @throws IOException if it cannot be written, with a one-line message that names it and says
+   *     what to do
    */
   public void write() throws IOException {
     if (before != null && before.guard().state() == DiskState.CHANGED) {
@@ -102,12 +105,12 @@ public final class Writing {
     }
   }
 
-  /** Whether bytes are a text that is well formed. */
+  /** Returns whether bytes are a well-formed text. */
   private static boolean sound(byte[] bytes) {
     try {
       return SceneDocument.of("", bytes).fault().isEmpty();
     } catch (IOException e) {
-      return false; // no text at all; it is kept all the same
+      return false; // not a text; it is backed up nevertheless
     }
   }
 }

@@ -1,6 +1,6 @@
 /**
- * Documents and the file system: opening, saving without ever losing what was there, noticing what
- * others do to the file, keeping unsaved work for the next start, telling two texts apart.
+ * Documents and the file system: opening, saving with backups, detecting changes by other programs,
+ * recovery of unsaved work after a crash, comparing and merging texts.
  *
  * <p>In: paths, documents. Out: files, differences as text. Uses {@code document}, {@code
  * x3d.source} and {@code base.files}.

@@ -6,34 +6,35 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Where in XML a caret stands, told by the characters before it, which need not be well formed.
+ * The XML context of a caret, determined from the characters before it, which need not be
+ * well-formed.
  *
- * @param kind what may be typed there
- * @param from where the word begins that the caret stands in or behind
- * @param element the tag's name; of {@link Kind#CONTENT}, {@link Kind#NAME} and {@link Kind#END}
- *     that of the innermost element that is open, empty for none
- * @param attribute the attribute whose value it is; else empty
- * @param quote around that value
+ * @param kind kind of the text that may be typed
+ * @param from offset of the word at the caret
+ * @param element the tag's name; for {@link Kind#CONTENT}, {@link Kind#NAME} and {@link Kind#END}
+ *     that of the innermost open element, empty for none
+ * @param attribute the attribute whose value contains the caret; else empty
+ * @param quote the quote character around that value
  * @param given values of the tag's attributes before the caret
  */
 record CaretPlace(
     Kind kind, int from, String element, String attribute, char quote, Map<String, String> given) {
-  /** Tags further away than this are not looked at. */
+  /** The largest distance in characters at which tags are searched. */
   private static final int FAR = 2_000_000;
 
-  /** What may be typed. */
+  /** The kind of text that may be typed. */
   enum Kind {
     /** Text or a tag. */
     CONTENT,
-    /** The name of a tag, behind its {@code <}. */
+    /** The name of a tag, after its {@code <}. */
     NAME,
-    /** The name of an end tag, behind {@code </}. */
+    /** The name of an end tag, after {@code </}. */
     END,
     /** An attribute. */
     ATTRIBUTE,
     /** An attribute's value. */
     VALUE,
-    /** Nothing that is proposed: in a comment, a declaration, behind a slash. */
+    /** No proposals: in a comment, in a declaration, after a slash. */
     NOTHING
   }
 
@@ -145,7 +146,7 @@ record CaretPlace(
     return Character.isLetterOrDigit(c) || c == '_' || c == '-' || c == '.' || c == ':';
   }
 
-  /** The innermost element that is open before an offset; empty for none. */
+  /** Returns the innermost element that is open at an offset; empty for none. */
   private static String around(CharSequence text, int offset) {
     Deque<String> closed = new ArrayDeque<>();
     int at = offset;
@@ -189,7 +190,7 @@ record CaretPlace(
     return text.subSequence(from, at).toString();
   }
 
-  /** Whether the last tag of a range ends with a slash. */
+  /** Returns whether the tag of a range is an empty-element tag. */
   private static boolean empty(CharSequence text, int open, int to) {
     char quote = 0;
     for (int i = open; i < to; i++) {

@@ -7,8 +7,8 @@ import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * Takes a part of the text out of the scene by a comment, and back. Comments within become {@code
- * <!~~ ~~>} meanwhile, since comments do not nest (XML 1.0, 2.5).
+ * Comments out a part of a scene's text, and uncomments it. Nested comments become {@code <!~~
+ * ~~>}, since comments do not nest (XML 1.0, 2.5).
  */
 public final class Commenting {
   private static final String OPEN = "<!--";
@@ -17,13 +17,13 @@ public final class Commenting {
   private Commenting() {}
 
   /**
-   * Makes a comment of a range, or text of the comment that it stands in.
+   * Comments out a range, or uncomments the comment that contains it.
    *
-   * @param from offset of the first character; white space at both ends stays outside
-   * @param to offset behind the last one
-   * @param name of the step
-   * @throws EditRefused if there is nothing to comment, or two hyphens stand in it, which a comment
-   *     may not have
+   * @param from offset of the first character; white space at both ends stays outside the comment
+   * @param to offset after the last one
+   * @param name name of the undo step
+   * @throws EditRefused if there is nothing to comment out, or the range contains two hyphens,
+   *     which are not allowed in a comment
    */
   public static Edit toggle(CharSequence text, int from, int to, String name) {
     int start = from;
@@ -39,12 +39,12 @@ public final class Commenting {
       return opened(text, open, name);
     }
     if (start == end) {
-      throw new EditRefused("There is nothing to make a comment of on this line");
+      throw new EditRefused("There is nothing to comment out on this line");
     }
     return new Edit(name, closed(text, start, end));
   }
 
-  /** Where the comment begins that a place stands in; -1 for none. */
+  /** Returns the start of the comment that contains an offset; -1 for none. */
   static int openBefore(CharSequence text, int at) {
     for (int i = Math.min(at, text.length() - OPEN.length()); i >= 0; i--) {
       if (stands(text, i, OPEN)) {
@@ -72,7 +72,7 @@ public final class Commenting {
       close++;
     }
     if (close == text.length()) {
-      throw new EditRefused("The comment does not end; put --> behind it");
+      throw new EditRefused("The comment is not closed; add --> at its end");
     }
     int from = open + OPEN.length();
     int to = close;
@@ -103,7 +103,7 @@ public final class Commenting {
         i += 2;
       } else if (stands(text, i, "--")) {
         throw new EditRefused(
-            "Two hyphens in a row stand here, which a comment may not have; write them otherwise");
+            "A comment must not contain two hyphens in a row (--); change them first");
       }
     }
     changes.add(TextChange.insert(end, " " + CLOSE));

@@ -14,11 +14,11 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * What may be typed at a place of a text: elements that fit where it is, attributes that the
- * element has not yet, values of a field, names given by DEF.
+ * Code completion for X3D XML: proposes elements that are allowed at the caret, missing attributes,
+ * values of a field, and DEF names.
  */
 public final class Completion {
-  /** The statements that may stand in an element that is no node (ISO/IEC 19776-1, 4.3). */
+  /** The statements allowed in elements that are not nodes (ISO/IEC 19776-1, 4.3). */
   private static final Map<String, List<String>> STATEMENTS =
       Map.of(
           "X3D", List.of("head", "Scene"),
@@ -60,10 +60,10 @@ public final class Completion {
   private final int caret;
 
   /**
-   * What may be typed at a place.
+   * The proposals for a caret.
    *
-   * @param from offset of what a proposal replaces, up to the place
-   * @param proposals those that begin as the word there, then those that have it within
+   * @param from offset of the text that a proposal replaces, up to the caret
+   * @param proposals first those that begin with the word at the caret, then those that contain it
    */
   public record Proposals(int from, List<Proposal> proposals) {}
 
@@ -74,7 +74,7 @@ public final class Completion {
     this.place = CaretPlace.at(text, caret);
   }
 
-  /** What may be typed at an offset. */
+  /** Returns the proposals at an offset. */
   public static Proposals at(CharSequence text, int caret, NodeCatalogue catalogue) {
     return new Completion(text, caret, catalogue).proposals();
   }
@@ -104,7 +104,10 @@ public final class Completion {
     return new Proposals(from, first);
   }
 
-  /** Values of lists are proposed one by one; a string of an MFString with its quotation marks. */
+  /**
+   * Returns the start of the value at the caret: in a list only the present element, a string of an
+   * MFString with its quotation marks.
+   */
   private int wordInValue() {
     boolean list = field().map(FieldDefinition::type).filter(FieldType::multiple).isPresent();
     int from = caret;
@@ -202,13 +205,16 @@ public final class Completion {
     return field.values().stream().map(this::allowed).toList();
   }
 
-  /** The catalogue has strings of a list with their quotation marks. */
+  /**
+   * Returns the proposal of an allowed value; the catalogue has strings of a list with their
+   * quotation marks.
+   */
   private Proposal allowed(String value) {
     String written = place.quote() == '"' ? value.replace("\"", "&quot;") : value;
     return new Proposal(value.replace("\"", ""), written, written.length(), "");
   }
 
-  /** The names given to elements of a type; all names for an empty one. */
+  /** Returns the DEF names of elements of a type; all names for an empty type. */
   private List<Proposal> names(String element) {
     return DefList.of(text).entrySet().stream()
         .filter(each -> element.isEmpty() || each.getValue().equals(element))

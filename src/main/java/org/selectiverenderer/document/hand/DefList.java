@@ -5,13 +5,13 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The names that a text gives by DEF, well formed or not. */
+/** Finds the DEF names of a text, which need not be well-formed. */
 final class DefList {
   private static final Pattern DEF = Pattern.compile("\\sDEF\\s*=\\s*(?:\"([^\"<]*)\"|'([^'<]*)')");
 
   private DefList() {}
 
-  /** Names with the elements that they are given to, in the order of the text. */
+  /** Returns the DEF names with the names of their elements, in the order of the text. */
   static Map<String, String> of(CharSequence text) {
     Map<String, String> names = new LinkedHashMap<>();
     Matcher matcher = DEF.matcher(text);

@@ -17,9 +17,7 @@ import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.source.WrittenAttribute;
 
-/**
- * Takes elements out of a document and puts others in: what cut, paste and delete of a node mean.
- */
+/** Creates the edits of cutting, pasting and deleting elements. */
 public final class ElementEdits {
   private static final Set<String> ROUTED = Set.of("fromNode", "toNode");
   private static final Set<String> KEPT = Set.of("X3D", "Scene");
@@ -31,10 +29,10 @@ public final class ElementEdits {
   }
 
   /**
-   * Takes just an element out, and what speaks of it or of anything in it: ROUTE, IMPORT, EXPORT.
+   * Removes an element and all references to it or to its descendants: ROUTE, IMPORT, EXPORT.
    *
-   * @param name of the step
-   * @throws EditRefused if a node elsewhere stands for one in it by USE, or every scene has it
+   * @param name name of the undo step
+   * @throws EditRefused if a node in it is referenced by USE, or the element is mandatory
    */
   public Edit remove(DocumentElement element, String name) {
     return new Edit(name, new NodeEdits(document).removal(element));
@@ -47,13 +45,13 @@ public final class ElementEdits {
   }
 
   /**
-   * Puts an element behind another one, or into the scene behind all others. Names that are taken
-   * are given a number.
+   * Inserts an element after another one, or at the end of the scene. A number is appended to DEF
+   * names that are taken.
    *
-   * @param where the element that it comes behind; into it where it is one that every scene has
-   * @param text of the element
-   * @param name of the step
-   * @throws EditRefused if the text is no well formed element
+   * @param where the preceding element; X3D or Scene to insert at the end of the scene
+   * @param text text of the element
+   * @param name name of the undo step
+   * @throws EditRefused if the text is not a well-formed element
    */
   public Edit paste(DocumentElement where, String text, String name) {
     List<String> lines = lines(renamed(text.strip()));
@@ -71,7 +69,7 @@ public final class ElementEdits {
     try {
       pasted = SceneDocument.of("clipboard", text.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
-      throw new EditRefused("The clipboard holds no element: " + e.getMessage());
+      throw new EditRefused("The clipboard contains no element: " + e.getMessage());
     }
     ElementTree tree =
         pasted
@@ -79,7 +77,7 @@ public final class ElementEdits {
             .orElseThrow(
                 () ->
                     new EditRefused(
-                        "The clipboard holds no well formed element"
+                        "The clipboard contains no well-formed element"
                             + pasted.fault().map(fault -> ": " + fault.message()).orElse("")));
     FreeNames free = new FreeNames(tree());
     Map<String, String> names = new HashMap<>();
@@ -102,7 +100,7 @@ public final class ElementEdits {
     return TextChange.applied(changes, text).toString();
   }
 
-  /** Lines without the indentation that those behind the first have in common. */
+  /** Returns the lines without the common indentation of the lines after the first. */
   private static List<String> lines(String text) {
     String[] lines = text.split("\r\n|\r|\n", -1);
     int common = Integer.MAX_VALUE;

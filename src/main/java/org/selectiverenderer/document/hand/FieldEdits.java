@@ -16,8 +16,8 @@ import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.source.WrittenAttribute;
 
 /**
- * Writes single fields of elements: each edit changes the bytes of one attribute, and that of a
- * name those of all that speak of it.
+ * Creates edits of single fields: each edit changes one attribute; an edit of a DEF name also
+ * changes all references to it.
  */
 public final class FieldEdits {
   private final SceneDocument document;
@@ -27,9 +27,9 @@ public final class FieldEdits {
   }
 
   /**
-   * What is wrong with a value: a sentence; empty if it may be written.
+   * Validates a value: returns a sentence about its error; empty if it is valid.
    *
-   * @param text the value as an attribute means it, references replaced
+   * @param text the attribute's value, with character references replaced
    */
   public Optional<String> wrong(DocumentElement element, NodeField field, String text) {
     if (field.readOnly().isPresent()) {
@@ -51,7 +51,7 @@ public final class FieldEdits {
             .map(each -> sentence(each.message()));
     Object value = parsed.value();
     if (flaw.isPresent() || value == null) {
-      return flaw.or(() -> Optional.of("This is no value of type " + field.type() + "."));
+      return flaw.or(() -> Optional.of("This is not a value of type " + field.type() + "."));
     }
     Optional<FieldLimits.Beyond> beyond =
         field.type().kind() == FieldType.Kind.STRING
@@ -78,11 +78,11 @@ public final class FieldEdits {
         .map(
             word ->
                 word
-                    + " is none of the words that may stand here: "
+                    + " is not allowed here; choose one of "
                     + String.join(", ", FieldLimits.words(field)));
   }
 
-  /** What the parser says, which goes on with what a reader does about it. */
+  /** Returns the parser's message without its second part about the consequences. */
   private static String sentence(String message) {
     int semicolon = message.indexOf(';');
     String first = semicolon < 0 ? message : message.substring(0, semicolon);
@@ -99,7 +99,7 @@ public final class FieldEdits {
           .reference(element)
           .map(
               by ->
-                  "Line %d speaks of this node by its name; give it another one instead."
+                  "Line %d refers to this node by its name; change the name instead of removing it."
                       .formatted(document.location(by.start()).line()));
     }
     try {
@@ -121,9 +121,9 @@ public final class FieldEdits {
   }
 
   /**
-   * Gives a field another value. A name is changed with all that speak of it.
+   * Sets the value of a field. A DEF name is changed together with all references.
    *
-   * @param value as the attribute is to mean it
+   * @param value the unescaped value
    */
   public Edit set(DocumentElement element, String name, String value) {
     if (name.equals("DEF")) {
@@ -135,14 +135,14 @@ public final class FieldEdits {
         same ? List.of() : List.of(document.layout().attribute(element, name, value)));
   }
 
-  /** Takes an attribute out, so that the default holds; nothing if it is not there. */
+  /** Removes an attribute, so that the default applies; an empty edit if it is missing. */
   public Edit unset(DocumentElement element, String name) {
     List<TextChange> changes =
         document.tag(element).attribute(name).stream().map(this::removed).toList();
     return new Edit("Reset " + name + " of " + element, changes);
   }
 
-  /** The attribute with the white space before it. */
+  /** Returns the removal of an attribute with its preceding white space. */
   private TextChange removed(WrittenAttribute written) {
     CharSequence text = document.text();
     int from = written.from();

@@ -5,13 +5,14 @@ import java.util.Optional;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
 /**
- * A field of a node as an author sees it: what it may be, and what is written.
+ * A field of a node for editing: its definition and its written value.
  *
- * @param definition of the catalogue; empty for DEF, USE, the attributes of statements, and those
- *     that the node does not have
- * @param written the value in the text, references replaced; empty where the default holds
- * @param choices words that may stand there, to choose from; empty for any
- * @param readOnly why it cannot be changed in a form: a sentence; empty if it can
+ * @param definition the definition in the node catalogue; empty for DEF, USE, attributes of
+ *     statements, and unknown attributes
+ * @param written the value in the text, with character references replaced; empty where the default
+ *     applies
+ * @param choices the allowed values; empty for any
+ * @param readOnly why it cannot be changed in a form, as a sentence; empty if it can
  */
 public record NodeField(
     String name,
@@ -20,21 +21,21 @@ public record NodeField(
     Optional<String> written,
     List<String> choices,
     Optional<String> readOnly) {
-  /** How a value is edited. */
+  /** The kind of editor for a value. */
   public enum Kind {
     TEXT,
     BOOLEAN,
     COLOR,
-    /** One of the choices; others may be typed where the standard leaves the list open. */
+    /** One of the choices; other values may be typed where the standard leaves the list open. */
     CHOICE
   }
 
-  /** The default as X3D text; empty for none. */
+  /** Returns the default as X3D text; empty for none. */
   public String defaultText() {
     return definition.map(FieldDefinition::defaultText).orElse("");
   }
 
-  /** Type, default and range in one line: {@code SFFloat, 0.2 by default, from 0, to 1}. */
+  /** Returns type, default and range in one line: {@code SFFloat, 0.2 by default, from 0, to 1}. */
   public String about() {
     if (definition.isEmpty()) {
       return "";

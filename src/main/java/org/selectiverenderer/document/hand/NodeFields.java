@@ -14,20 +14,22 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.WrittenAttribute;
 
-/** The fields that an element may be given as attributes, each as it is written now. */
+/** Lists the fields of an element that can be edited as attributes, with their written values. */
 public final class NodeFields {
-  /** Longer values are edited in the source. */
+  /**
+   * The largest length of a value that is edited in a form; longer ones are edited in the source.
+   */
   private static final int LONG = 4000;
 
-  /** Texts with more characters are not searched for names after every change. */
+  /** The largest length of a text that is searched for DEF names after every change. */
   private static final int SEARCHED = 3_000_000;
 
   private NodeFields() {}
 
   /**
-   * All fields of an element: those that are written first, in the order of the text, then the
-   * others of the catalogue. Of an element that the catalogue does not know, those that are
-   * written.
+   * Returns all fields of an element: first the written ones in the order of the text, then the
+   * others of the catalogue. For an element unknown to the catalogue only the written ones are
+   * returned.
    */
   public static List<NodeField> of(
       SceneDocument document, NodeCatalogue catalogue, DocumentElement element) {
@@ -68,7 +70,8 @@ public final class NodeFields {
               Optional.empty(),
               choices(field),
               element.use().isPresent()
-                  ? Optional.of("A node that stands for another by USE has no fields of its own.")
+                  ? Optional.of(
+                      "A USE reference has no fields of its own; change the original node.")
                   : Optional.empty()));
     }
   }
@@ -87,7 +90,8 @@ public final class NodeFields {
     NodeField.Kind kind = use ? NodeField.Kind.CHOICE : longer ? NodeField.Kind.TEXT : kind(field);
     Optional<String> readOnly = Optional.empty();
     if (written.fromEntity()) {
-      readOnly = Optional.of("The value comes out of an entity of the DOCTYPE; see the source.");
+      readOnly =
+          Optional.of("The value comes from an entity of the DOCTYPE; change it in the source.");
     } else if (longer) {
       readOnly = Optional.of("The value is long; change it in the source.");
     }
@@ -120,7 +124,10 @@ public final class NodeFields {
         .orElse(List.of());
   }
 
-  /** The names that elements of the same type have; none of a large text, which would be slow. */
+  /**
+   * Returns the DEF names of elements of the same type; none for a large text, where the search
+   * would be slow.
+   */
   private static List<String> names(SceneDocument document, DocumentElement element) {
     if (document.text().length() > SEARCHED) {
       return List.of();

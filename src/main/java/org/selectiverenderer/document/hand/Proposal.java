@@ -1,12 +1,12 @@
 package org.selectiverenderer.document.hand;
 
 /**
- * Something that may be typed at the caret.
+ * A completion proposal.
  *
- * @param word that it is found by
- * @param text that comes in the place of the word begun
- * @param caret where one goes on typing, counted from the start of that text
- * @param about a few words about it: a type, a default
+ * @param word the word that is matched with the typed text
+ * @param text the text that replaces the typed word
+ * @param caret position of the caret after insertion, counted from the start of the text
+ * @param about a short description: a type, a default
  */
 public record Proposal(String word, String text, int caret, String about) {
   static Proposal of(String word, String about) {

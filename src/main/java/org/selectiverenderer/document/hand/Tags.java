@@ -4,14 +4,14 @@ import java.util.Optional;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 
-/** Start tags and end tags of well formed text. */
+/** Finds matching start tags and end tags in well-formed text. */
 public final class Tags {
   private Tags() {}
 
   /**
-   * Where an element's end tag begins; of one without, where the element does.
+   * Returns the start of an element's end tag; for an empty-element tag the start of the element.
    *
-   * @param text that it stands in
+   * @param text the document's text
    */
   public static int endTag(CharSequence text, DocumentElement element) {
     if (!element.open()) {
@@ -25,8 +25,9 @@ public final class Tags {
   }
 
   /**
-   * Where the tag begins that belongs to the one at an offset: the end tag from anywhere in an
-   * element, its start tag from the end tag. Empty outside of the root and for elements of one tag.
+   * Returns the start of the tag that matches the position at an offset: the end tag from anywhere
+   * in an element, the start tag from the end tag. Empty outside the root and for empty-element
+   * tags.
    */
   public static Optional<Integer> partner(CharSequence text, ElementTree tree, int offset) {
     return tree.at(offset)

@@ -9,30 +9,34 @@ import org.selectiverenderer.document.Edit;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * Finds words or patterns in a text, and replaces what is found. A pattern that takes too long is
- * given up, with a sentence that says so.
+ * Finds words or regular expressions in a text, and replaces them. An expression that takes too
+ * long is aborted with a message.
  */
 public final class TextSearch {
-  /** Hits that are remembered; what is behind them is not counted. */
+  /** The largest number of hits; further ones are not searched. */
   public static final int MOST = 100_000;
 
-  /** Characters that a pattern may look at: some 10 for each of a scene of 30 MB. */
+  /**
+   * The largest number of characters that an expression may read: about 10 for each character of a
+   * scene of 30 MB.
+   */
   private static final long EFFORT = 400_000_000L;
 
   private final Pattern pattern;
   private final boolean expression;
 
   /**
-   * What to look for.
+   * The search criteria.
    *
    * @param words the words, or a regular expression of {@link Pattern}
-   * @param expression whether it is one
-   * @param matchCase whether upper and lower case are told apart
-   * @param wholeWords whether letters, digits or underscores may stand neither before nor behind
+   * @param expression whether {@code words} is a regular expression
+   * @param matchCase whether the search is case-sensitive
+   * @param wholeWords whether hits must not be preceded or followed by letters, digits or
+   *     underscores
    */
   public record Wanted(String words, boolean expression, boolean matchCase, boolean wholeWords) {}
 
-  /** Something that cannot be searched for; the message is a sentence for the author. */
+  /** Thrown when a search is not possible; the message is a sentence for the author. */
   public static final class BadSearch extends Exception {
     private static final long serialVersionUID = 1L;
 
@@ -45,7 +49,7 @@ public final class TextSearch {
    * A range of the text.
    *
    * @param from offset of its first character
-   * @param to offset behind its last one
+   * @param to offset after its last one
    */
   public record Hit(int from, int to) {}
 
@@ -55,9 +59,9 @@ public final class TextSearch {
   }
 
   /**
-   * A search.
+   * Creates a search.
    *
-   * @throws BadSearch if the expression is none
+   * @throws BadSearch if the expression is invalid
    */
   public static TextSearch of(Wanted wanted) throws BadSearch {
     int flags = Pattern.MULTILINE;
@@ -71,13 +75,13 @@ public final class TextSearch {
       return new TextSearch(Pattern.compile(whole, flags), wanted.expression());
     } catch (PatternSyntaxException e) {
       String why = e.getDescription() == null ? "" : ": " + e.getDescription();
-      throw new BadSearch("This is no regular expression" + why);
+      throw new BadSearch("This is not a valid regular expression" + why);
     }
   }
 
   /**
-   * All hits in a part of a text, in order, without overlaps; {@link #MOST} at most. Empty ones,
-   * such as a line's end, are left out.
+   * Returns the hits in a part of a text in order, without overlaps, at most {@link #MOST}. Empty
+   * hits, such as a line's end, are left out.
    *
    * @throws BadSearch if the pattern takes too long
    */
@@ -104,7 +108,7 @@ public final class TextSearch {
         }
       }
     } catch (TooMuch | StackOverflowError e) {
-      // Either way of repeating too much: Java's patterns recurse for some repetitions.
+      // Both mean too much backtracking: Java's patterns recurse for some repetitions.
       throw new BadSearch("This expression takes too long on this text; use a simpler one");
     }
   }
@@ -112,7 +116,7 @@ public final class TextSearch {
   /**
    * Replaces every hit in a part of a text.
    *
-   * @param name of the step
+   * @param name name of the undo step
    * @param replacement text; of an expression with {@code $1} for its first group, and so on
    * @throws BadSearch if the pattern takes too long, or the replacement names a group that is not
    *     there
@@ -127,14 +131,14 @@ public final class TextSearch {
   /**
    * Replaces one hit.
    *
-   * @throws BadSearch likewise, or if the hit is none any more
+   * @throws BadSearch likewise, or if the hit does not match any more
    */
   public Edit replace(CharSequence text, Hit hit, String replacement, String name)
       throws BadSearch {
     List<TextChange> changes = new ArrayList<>();
     each(text, hit.from(), hit.to(), matcher -> changes.add(change(matcher, replacement)));
     if (changes.size() != 1) {
-      throw new BadSearch("What was found here has changed; search again");
+      throw new BadSearch("The text found here has changed; search again");
     }
     return new Edit(name, changes);
   }
@@ -182,7 +186,7 @@ public final class TextSearch {
     }
   }
 
-  /** Counts the characters that a pattern looks at. */
+  /** A character sequence that limits the number of characters read by a pattern. */
   private static final class Bounded implements CharSequence {
     private final CharSequence text;
     private long left = EFFORT;

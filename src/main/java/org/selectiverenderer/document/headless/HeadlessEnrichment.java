@@ -28,7 +28,10 @@ import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentFault;
 
-/** A scene enriched from tables: first what ratings imply, then what a table says outright. */
+/**
+ * Enriches a scene from tables, without a window: first from expectancy ratings, then from a table
+ * of metadata.
+ */
 public final class HeadlessEnrichment {
   private final DocumentFile file;
   private final String before;
@@ -43,19 +46,19 @@ public final class HeadlessEnrichment {
   }
 
   /**
-   * What is to be done.
+   * The input and output files of an enrichment.
    *
    * @param ratings RATINGS.csv, or null
    * @param metadata METADATA.csv, or null
-   * @param output the file that is to be written: the scene itself, or another
+   * @param output the file to be written: the scene itself, or another
    */
   public record Request(Path scene, @Nullable Path ratings, @Nullable Path metadata, Path output) {}
 
   /**
    * Enriches a scene in memory.
    *
-   * @return empty if the scene or a table is such that nothing can be done, which is reported
-   * @throws IOException if a file cannot be read, with one line that names it
+   * @return empty if the scene or a table has errors, which are reported
+   * @throws IOException if a file cannot be read, with a one-line message that names it
    */
   public static Optional<HeadlessEnrichment> of(
       Request request, NodeCatalogue catalogue, Problems problems) throws IOException {
@@ -76,7 +79,10 @@ public final class HeadlessEnrichment {
     return done ? Optional.of(run) : Optional.empty();
   }
 
-  /** The scene; one that is no XML converted, so that it can be enriched into another file. */
+  /**
+   * Opens the scene; a scene that is not XML is converted, so that it can be enriched into another
+   * file.
+   */
   private static Optional<DocumentFile> open(
       Request request, NodeCatalogue catalogue, Problems problems) throws IOException {
     Optional<ForeignScene> foreign = ForeignScene.of(request.scene());
@@ -86,7 +92,7 @@ public final class HeadlessEnrichment {
     if (request.output().equals(request.scene())) {
       problems.error(
           Location.of(request.scene().toString()),
-          "this is a scene in %s, and metadata is written as X3D XML; name a file for that with --output"
+          "the scene is in %s, but metadata is written as X3D XML; name an X3D file with --output"
               .formatted(foreign.get().encoding()));
       return Optional.empty();
     }
@@ -113,12 +119,14 @@ public final class HeadlessEnrichment {
     if (!following.isEmpty()) {
       problems.info(
           Location.of(table.toString()),
-          "not rated, so they count as expected in their room: " + following);
+          "objects without ratings, taken as expected in their room: " + following);
     }
     String silent =
         plan.unrated().stream().map(EnrichedSwitch::name).collect(Collectors.joining(", "));
     if (!silent.isEmpty()) {
-      problems.info(Location.of(table.toString()), "not rated, so they get no metadata: " + silent);
+      problems.info(
+          Location.of(table.toString()),
+          "objects without ratings, which get no metadata: " + silent);
     }
     return perform(plan.edit("Import ratings"));
   }
@@ -161,18 +169,18 @@ public final class HeadlessEnrichment {
     }
   }
 
-  /** Whether the scene differs from its file. */
+  /** Returns whether the scene differs from its file. */
   public boolean changed() {
     return !before.contentEquals(file.document().text());
   }
 
-  /** How the scene differs, in the unified format. */
+  /** Returns the difference to the scene's file as a unified diff. */
   public String difference(Path output) {
     return UnifiedDiff.of(
         file.path().toString(), output.toString(), before, file.document().text().toString());
   }
 
-  /** The files that the scene names and would not find when it is written to that file. */
+  /** Returns the relative URLs of files that the scene would not find from the output's folder. */
   public List<String> leftBehind(Path output) {
     return LeftBehind.in(
         file.document(),
@@ -183,7 +191,7 @@ public final class HeadlessEnrichment {
   /**
    * Writes the scene, to its own file with a backup, or to another one.
    *
-   * @throws IOException if it cannot be written, with one line that names it
+   * @throws IOException if it cannot be written, with a one-line message that names it
    */
   public void save(Path output) throws IOException {
     if (output.equals(file.path())) {

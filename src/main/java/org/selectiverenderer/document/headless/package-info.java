@@ -1,9 +1,9 @@
 /**
- * Enriching a scene without a window: the edits of the enricher, told by tables.
+ * Enriching a scene without a window: the edits of the enricher, given by tables.
  *
- * <p>In: a scene, METADATA.csv, RATINGS.csv. Out: the enriched scene, or how it would differ. Uses
- * {@code document}, {@code document.enrichment}, {@code document.file}, {@code document.ratings},
- * {@code x3d} and {@code base.problem}.
+ * <p>In: a scene, METADATA.csv, RATINGS.csv. Out: the enriched scene, or its difference to the
+ * original. Uses {@code document}, {@code document.enrichment}, {@code document.file}, {@code
+ * document.ratings}, {@code x3d} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.document.headless;

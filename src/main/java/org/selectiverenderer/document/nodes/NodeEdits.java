@@ -20,12 +20,13 @@ import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.source.WrittenAttribute;
 
 /**
- * Makes edits that fit every node. Each is for the document as it is now and is made by {@link
- * SceneDocument#perform}. All throw {@link EditRefused} with a sentence for the author where the
- * edit would do harm or the text is not well formed.
+ * Creates edits that apply to every node: rename, copy, remove. Each edit is for the document's
+ * present state and is performed by {@link SceneDocument#perform}. All throw {@link EditRefused}
+ * with a sentence for the author where the edit would break the scene or the text is not
+ * well-formed.
  */
 public final class NodeEdits {
-  /** What every scene has. */
+  /** The mandatory elements of a scene. */
   private static final Set<String> KEPT = Set.of("X3D", "Scene");
 
   private static final List<String> GROUPS = List.of("Transform", "Group", "StaticGroup");
@@ -49,31 +50,31 @@ public final class NodeEdits {
                         + "; correct it in the source view first"));
   }
 
-  /** Whether an element may be taken out: all but those that every scene has. */
+  /** Returns whether an element may be removed: all but the mandatory ones. */
   public static boolean removable(DocumentElement element) {
     return element.parent().isPresent() && !KEPT.contains(element.name());
   }
 
   private static void removableOnly(DocumentElement element) {
     if (!removable(element)) {
-      throw new EditRefused("Every scene has the element " + element.name());
+      throw new EditRefused("Every scene needs its element " + element.name() + "; it stays");
     }
   }
 
-  /** A name that no node has yet, made of the one wanted. */
+  /** Returns an unused DEF name derived from the wanted one. */
   public String free(String wanted) {
     return new FreeNames(tree()).free(wanted);
   }
 
   /**
-   * Whether a node can be given a name.
+   * Checks that a name is valid and unused.
    *
-   * @throws EditRefused if the name is none, or another node has it
+   * @throws EditRefused if the name is invalid, or another node has it
    */
   public void check(String name) {
     if (!FreeNames.allowed(name)) {
       throw new EditRefused(
-          "'%s' is no name of a node; it begins with a letter and has no spaces or quotes, such as %s"
+          "'%s' is not a valid DEF name; use a letter first and no spaces or quotes, such as %s"
               .formatted(name, FreeNames.identifier(name.isBlank() ? "Area" : "N" + name.strip())));
     }
     ElementTree tree = tree();
@@ -88,8 +89,8 @@ public final class NodeEdits {
   }
 
   /**
-   * Gives a node another name, and all that speak of it: USE, ROUTE, IMPORT. An EXPORT goes on
-   * giving it to other files by the name that they know.
+   * Renames a node and all references to it: USE, ROUTE, IMPORT. An EXPORT keeps the name under
+   * which other files know the node.
    */
   public Edit rename(DocumentElement node, String to) {
     String name = to.strip();
@@ -101,7 +102,7 @@ public final class NodeEdits {
     node.use()
         .ifPresent(
             other -> {
-              throw new EditRefused("this stands for %s (USE); rename that one".formatted(other));
+              throw new EditRefused("this is a USE of %s; rename the original".formatted(other));
             });
     Layout layout = document.layout();
     NodeReferences references = NodeReferences.to(node);
@@ -126,23 +127,23 @@ public final class NodeEdits {
         from.isEmpty() ? "Name " + name : "Rename %s to %s".formatted(from, name), changes);
   }
 
-  /** Puts a copy of a node behind it, with new names for all that is named in it. */
+  /** Inserts a copy of a node after it, with new DEF names for all named nodes in it. */
   public Edit copy(DocumentElement node, String name) {
     return new Edit("Copy " + called(node), List.of(copied(node, name, List.of())));
   }
 
   /**
-   * The change that puts a copy of a node behind it.
+   * Returns the change that inserts a copy of a node after it.
    *
-   * @param name of the copy
-   * @param more changes that only the copy has; offsets are those of the original
+   * @param name name of the copy
+   * @param more changes to be made in the copy only; offsets are those of the original
    */
   public TextChange copied(DocumentElement node, String name, List<TextChange> more) {
     check(name);
     removableOnly(node);
     Layout layout = document.layout();
     if (node.use().isPresent()) {
-      throw new EditRefused("this stands for %s (USE); copy that one".formatted(node.use().get()));
+      throw new EditRefused("this is a USE of %s; copy the original".formatted(node.use().get()));
     }
     FreeNames free = new FreeNames(tree());
     free.unused(name);
@@ -179,16 +180,15 @@ public final class NodeEdits {
   }
 
   /**
-   * Takes a node out, with the routes from and to it, and with the groups around it that hold
-   * nothing else.
+   * Removes a node, its routes, and the enclosing groups that contain nothing else.
    *
-   * @throws EditRefused if something else stands for it or for a part of it by USE
+   * @throws EditRefused if it or a node in it is referenced by USE
    */
   public Edit remove(DocumentElement node) {
     return new Edit("Delete " + called(node), removal(lonely(node)));
   }
 
-  /** The first element that speaks of a node by its name; empty for none. */
+  /** Returns the first element that refers to a node by its name; empty for none. */
   public Optional<DocumentElement> reference(DocumentElement node) {
     NodeReferences found = NodeReferences.to(node);
     return Stream.of(found.uses(), found.routes(), found.exports(), found.imports())
@@ -197,9 +197,9 @@ public final class NodeEdits {
   }
 
   /**
-   * The changes that take out just a node and what speaks of it.
+   * Returns the changes that remove a node and the references to it.
    *
-   * @throws EditRefused if something else stands for it by USE, or every scene has it
+   * @throws EditRefused if it is referenced by USE, or is mandatory
    */
   public List<TextChange> removal(DocumentElement node) {
     tree();
@@ -211,15 +211,18 @@ public final class NodeEdits {
   }
 
   /**
-   * The changes that take out the routes, imports and exports that speak of a node.
+   * Returns the changes that remove the routes, imports and exports of a node and its descendants.
    *
-   * @throws EditRefused if something stands for it by USE
+   * @throws EditRefused if it is referenced by USE
    */
   public List<TextChange> released(DocumentElement node) {
     return released(NodeReferences.into(node));
   }
 
-  /** The same for what speaks of just the node, not of what is in it. */
+  /**
+   * Returns the changes that remove the routes, imports and exports of a node itself, not of its
+   * descendants.
+   */
   public List<TextChange> releasedItself(DocumentElement node) {
     return released(NodeReferences.to(node));
   }
@@ -228,7 +231,7 @@ public final class NodeEdits {
     if (!references.uses().isEmpty()) {
       DocumentElement use = references.uses().get(0);
       throw new EditRefused(
-          "%s is also shown elsewhere (USE in line %d), which would show nothing then; delete that first"
+          "%s is used elsewhere (USE in line %d), and this reference would break; delete it first"
               .formatted(use.use().orElse(""), document.location(use.start()).line()));
     }
     Layout layout = document.layout();
@@ -238,7 +241,7 @@ public final class NodeEdits {
     return gone.stream().map(layout::remove).toList();
   }
 
-  /** The outermost group around a node that has nothing else in it, or the node itself. */
+  /** Returns the outermost enclosing group that contains only the node, or the node itself. */
   private DocumentElement lonely(DocumentElement node) {
     DocumentElement at = node;
     while (at.parent().isPresent() && only(at.parent().get())) {

@@ -8,13 +8,13 @@ import java.util.function.Consumer;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * What speaks of a node by its DEF name, in the scene or the prototype's body that the name is
- * known in (X3D 4.0, 4.4.4.4).
+ * The references to a node by its DEF name, within the scope of the name: the scene or a
+ * prototype's body (X3D 4.0, 4.4.4.4).
  *
- * @param uses elements that stand for it by USE
- * @param routes from it or to it
- * @param exports of it
- * @param imports from the file that it inlines
+ * @param uses USE references to it
+ * @param routes ROUTEs from it or to it
+ * @param exports EXPORTs of it
+ * @param imports IMPORTs from the file of an Inline
  */
 record NodeReferences(
     List<DocumentElement> uses,
@@ -30,12 +30,12 @@ record NodeReferences(
     imports = List.copyOf(imports);
   }
 
-  /** What speaks of one node; nothing of one without a name. */
+  /** Finds the references to a node; none for a node without a name. */
   static NodeReferences to(DocumentElement node) {
     return find(scope(node), node.def().map(Set::of).orElse(Set.of()), each -> true);
   }
 
-  /** What outside of a node speaks of it or of anything in it. */
+  /** Finds the references from outside a node to it or to its descendants. */
   static NodeReferences into(DocumentElement node) {
     Set<String> names = new HashSet<>();
     node.visit(each -> each.def().ifPresent(names::add));
@@ -86,7 +86,7 @@ record NodeReferences(
     return element.text(attribute).filter(names::contains).isPresent();
   }
 
-  /** The element within which the name of a node is known. */
+  /** Returns the element that is the scope of a node's name. */
   private static DocumentElement scope(DocumentElement node) {
     DocumentElement at = node;
     while (!at.name().equals(BODY) && at.parent().isPresent()) {

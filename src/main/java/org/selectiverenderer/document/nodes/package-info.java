@@ -1,13 +1,13 @@
 /**
- * Edits that fit every node of a document: another name, a copy, taking it out. Each is one step of
- * Undo, and leaves no name that stands for nothing.
+ * Edits that apply to every node of a document: rename, copy, remove. Each is one undo step and
+ * leaves no dangling references.
  *
- * <p>A DEF name is known in its scene or in the body of its prototype (X3D 4.0, 4.4.4.4); {@code
- * NodeReferences} lists what speaks of it there: USE, ROUTE, EXPORT, IMPORT. {@link
- * org.selectiverenderer.document.nodes.NodeEdits} makes the edits.
+ * <p>The scope of a DEF name is its scene or the body of its prototype (X3D 4.0, 4.4.4.4); {@code
+ * NodeReferences} lists the references to it in this scope: USE, ROUTE, EXPORT, IMPORT. {@link
+ * org.selectiverenderer.document.nodes.NodeEdits} creates the edits.
  *
- * <p>In: a document, an element, names. Out: edits, not yet made. Uses {@code document}, {@code
- * x3d.source} and {@code x3d.write}.
+ * <p>In: a document, an element, names. Out: edits, not yet performed. Uses {@code document},
+ * {@code x3d.source} and {@code x3d.write}.
  */
 @NullMarked
 package org.selectiverenderer.document.nodes;

@@ -12,19 +12,19 @@ import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 
 /**
- * Which Switch of a scene each object of a questionnaire is. Begins with what the names say and can
- * be corrected. A name that is only similar is proposed, but not taken until {@link #choose}.
+ * Matches the objects of a questionnaire with the Switches of a scene by their names; matches can
+ * be corrected. A match by a similar name is only proposed until {@link #choose} confirms it.
  */
 public final class ObjectMatching {
-  /** How an object came to its Switch. */
+  /** How an object was matched with its Switch. */
   public enum How {
-    /** The names are the same but for prefixes, case and punctuation. */
+    /** The names are equal except for prefixes, case and punctuation. */
     SAME_NAME,
-    /** The author said so. */
+    /** The author chose the Switch. */
     CHOSEN,
-    /** The names are similar: only a proposal. */
+    /** The names are similar; the match is only proposed. */
     PROPOSED,
-    /** There is none. */
+    /** There is no Switch. */
     NONE
   }
 
@@ -32,7 +32,7 @@ public final class ObjectMatching {
    * @param switchName empty for {@link How#NONE}
    */
   public record Match(String object, Optional<String> switchName, How how) {
-    /** Whether ratings of the object are used. */
+    /** Returns whether ratings of the object are used. */
     public boolean counts() {
       return how == How.SAME_NAME || how == How.CHOSEN;
     }
@@ -41,7 +41,7 @@ public final class ObjectMatching {
   private final Map<String, Match> matches = new LinkedHashMap<>();
 
   /**
-   * @param objects of the questionnaire
+   * @param objects names of the objects in the questionnaire
    */
   public ObjectMatching(Set<String> objects, List<EnrichedSwitch> switches) {
     Map<String, String> byName = new TreeMap<>();
@@ -55,7 +55,7 @@ public final class ObjectMatching {
     }
   }
 
-  /** What a Switch may be called, in plain letters: after its DEF, and after its first file. */
+  /** Returns the normalised names of a Switch, from its DEF name and its first file. */
   private static List<String> names(EnrichedSwitch node) {
     List<String> names = new ArrayList<>(List.of(plain(node.name()), plain(node.object())));
     if (!node.choices().isEmpty()) {
@@ -94,17 +94,17 @@ public final class ObjectMatching {
         .orElse(new Match(object, Optional.empty(), How.NONE));
   }
 
-  /** All objects in the order of the table. */
+  /** Returns the matches of all objects in the order of the table. */
   public List<Match> matches() {
     return List.copyOf(matches.values());
   }
 
-  /** Says which Switch an object is. */
+  /** Sets the Switch of an object. */
   public void choose(String object, String switchName) {
     matches.put(object, new Match(object, Optional.of(switchName), How.CHOSEN));
   }
 
-  /** Says that an object is none of the Switches. */
+  /** Sets that an object has no Switch. */
   public void leaveOut(String object) {
     matches.put(object, new Match(object, Optional.empty(), How.NONE));
   }

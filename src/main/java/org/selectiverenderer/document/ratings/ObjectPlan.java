@@ -11,7 +11,7 @@ import org.selectiverenderer.document.ratings.RatingPlan.Implied;
 import org.selectiverenderer.document.ratings.RatingPlan.Row;
 import org.selectiverenderer.document.ratings.Ratings.Mean;
 
-/** What ratings imply for one Switch. */
+/** Computes the metadata that ratings imply for one Switch. */
 final class ObjectPlan {
   private final EnrichedSwitch node;
   private final SchemaPlaces places;
@@ -31,7 +31,7 @@ final class ObjectPlan {
     List<Implied> implied = new ArrayList<>();
     means.forEach(
         (schema, mean) -> {
-          // In a part of the room where it is shown as in all of it nothing has to be said.
+          // A part of the room in which the same version is shown as in the room needs no metadata.
           boolean needless = steady && ofRoom && places.isPart(schema);
           implied.add(
               new Implied(
@@ -40,7 +40,7 @@ final class ObjectPlan {
     return new Row(node, Optional.of(object), implied, choices(node, implied));
   }
 
-  /** A Switch that was not rated, in a room where it is expected. */
+  /** Returns the metadata of a Switch without ratings that counts as expected in its room. */
   static Row expected(EnrichedSwitch node, String schema) {
     int last = node.choices().size() - 1;
     List<ChoiceValues> choices = new ArrayList<>(node.values());
@@ -48,7 +48,9 @@ final class ObjectPlan {
     return new Row(node, Optional.empty(), List.of(), choices);
   }
 
-  /** What is said already of schemas that were not rated stays. */
+  /**
+   * Returns the metadata of the choices; existing metadata of schemas that were not rated stays.
+   */
   private static List<ChoiceValues> choices(EnrichedSwitch node, List<Implied> implied) {
     List<String> rated = implied.stream().map(Implied::schema).toList();
     List<ChoiceValues> choices = new ArrayList<>();

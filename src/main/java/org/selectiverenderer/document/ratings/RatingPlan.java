@@ -16,27 +16,28 @@ import org.selectiverenderer.document.ratings.ObjectMatching.Match;
 import org.selectiverenderer.document.ratings.Ratings.Mean;
 
 /**
- * What ratings imply for a document, to be reviewed before it is applied. A schema that a sensor
- * activates is one of a part of a room, the others are of rooms; {@link SchemaPlaces} tells them
- * apart. An object that people expect is shown by its last version, with few polygons, any other by
- * its first; {@link VersionBands} has the bands of thesis 5.1. A part of the room is written only
- * where the object is shown by another version there than in the room: its other schemas would have
- * no effect.
+ * The metadata that ratings imply for a document, to be reviewed before it is applied. A schema
+ * that a sensor activates belongs to a part of a room, all others to rooms; {@link SchemaPlaces}
+ * distinguishes them. An object that people expect is shown by its last version, with few polygons,
+ * any other object by its first; {@link VersionBands} has the bands of thesis 5.1. The schema of a
+ * part of a room is written only if it shows another version than the room's schema; otherwise it
+ * would have no effect.
  */
 public final class RatingPlan {
   /**
-   * What is implied for one object and one schema.
+   * The implied metadata for one object and one schema.
    *
    * @param choice the version to be shown; empty where the schema is not written
    */
   public record Implied(String schema, Mean mean, Optional<Integer> choice) {}
 
   /**
-   * What is implied for one Switch.
+   * The implied metadata for one Switch.
    *
-   * @param object as the table calls it; empty for one that was not rated and follows its room
-   * @param schemas in the order of the table
-   * @param choices what the Switch says afterwards
+   * @param object the object's name in the table; empty for one without ratings that follows its
+   *     room
+   * @param schemas the schemas in the order of the table
+   * @param choices the metadata of the Switch afterwards
    */
   public record Row(
       EnrichedSwitch node,
@@ -69,10 +70,10 @@ public final class RatingPlan {
   }
 
   /**
-   * Works out what ratings imply.
+   * Computes the metadata that ratings imply.
    *
-   * @param unratedFollow whether a Switch that was not rated and says nothing yet is taken to be as
-   *     expected in its room as the rated ones around it are of one room
+   * @param unratedFollow whether a Switch without ratings and metadata counts as expected in the
+   *     room of the rated objects around it, if these belong to one room
    */
   public static RatingPlan of(
       Enrichment enrichment, Ratings ratings, ObjectMatching matching, boolean unratedFollow) {
@@ -106,27 +107,30 @@ public final class RatingPlan {
         enrichment, new ArrayList<>(rows.values()), places.wishes(), unused, unrated);
   }
 
-  /** What changes, object by object: first the rated ones in the order of the table. */
+  /** Returns the changes of the Switches: first the rated ones in the order of the table. */
   public List<Row> rows() {
     return rows;
   }
 
-  /** What changes of areas: those whose names say which schema they are the place of. */
+  /** Returns the changes of areas: those whose names correspond to a schema. */
   public List<SensorWish> sensors() {
     return sensors;
   }
 
-  /** Objects whose ratings are not used: no Switch, one without versions, or one used already. */
+  /**
+   * Returns the objects whose ratings are not used: no Switch, a Switch without versions, or one
+   * used already.
+   */
   public List<Match> unused() {
     return unused;
   }
 
-  /** Switches of which nothing is said, before or after. */
+  /** Returns the Switches without metadata before and after. */
   public List<EnrichedSwitch> unrated() {
     return unrated;
   }
 
-  /** All of it as one step. */
+  /** Returns all changes as one edit. */
   public Edit edit(String name) {
     return new EnrichmentEdits(enrichment)
         .all(name, rows.stream().map(r -> new SwitchWish(r.node(), r.choices())).toList(), sensors);

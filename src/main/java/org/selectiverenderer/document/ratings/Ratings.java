@@ -17,9 +17,9 @@ import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.x3d.source.EncodedText;
 
 /**
- * How likely people find it that an object is in the place of a schema.
+ * Expectancy ratings: how likely people find it that an object is in the place of a schema.
  *
- * @param means by object and schema, in the order of the table
+ * @param means mean ratings by object and schema, in the order of the table
  */
 public record Ratings(Map<String, Map<String, Mean>> means) {
   private static final List<String> COLUMNS = List.of("object", "schema", "rating");
@@ -29,7 +29,7 @@ public record Ratings(Map<String, Map<String, Mean>> means) {
    * The mean of all ratings of one object in one place.
    *
    * @param value from 1, unlikely, to 6, likely
-   * @param count of the ratings
+   * @param count number of ratings
    */
   public record Mean(double value, int count) {
     public Band band() {
@@ -40,9 +40,9 @@ public record Ratings(Map<String, Map<String, Mean>> means) {
   /**
    * Reads a table with the columns {@code object,schema,rating}, one or many rows for a pair.
    *
-   * @param name of its file, for messages
-   * @return empty if it is no such table or a rating is none from 1 to 6, which is reported; a row
-   *     without a rating is one that nobody gave
+   * @param name name of the file, for messages
+   * @return empty if it is not such a table or a rating is not from 1 to 6, which is reported; rows
+   *     without a rating are skipped
    */
   public static Optional<Ratings> read(String name, byte[] table, Problems problems) {
     Problems own = new Problems(problems::add);

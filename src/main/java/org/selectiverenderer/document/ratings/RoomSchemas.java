@@ -11,8 +11,8 @@ import org.selectiverenderer.document.ratings.RatingPlan.Row;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The schema of the room that an element stands in: that of the rated objects in the smallest group
- * around it that holds some, if they agree.
+ * Infers the schema of the room that contains an element: that of the rated objects in the smallest
+ * enclosing group with any, if they agree.
  */
 final class RoomSchemas {
   private final Map<DocumentElement, Set<String>> rooms = new IdentityHashMap<>();

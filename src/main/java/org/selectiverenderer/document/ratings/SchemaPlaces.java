@@ -14,10 +14,10 @@ import org.selectiverenderer.document.ratings.Ratings.Mean;
 import org.selectiverenderer.schema.SensorSchemas;
 
 /**
- * Which of the rated schemas are of parts of a room, and what that says of the sensors. A schema is
- * of a part if a sensor activates it on entry, or if a sensor of which nothing is said has its
- * name: DeskProx is the place of DeskSchema (thesis Fig 77). Leaving the part activates the schemas
- * of rooms that the part's objects were rated in.
+ * Determines which of the rated schemas belong to parts of a room, and the metadata of the sensors
+ * that follows. A schema belongs to a part if a sensor activates it on entry, or if a sensor
+ * without metadata has a corresponding name: DeskProx is the area of DeskSchema (thesis Fig 77).
+ * The exit of such an area activates the schemas of the rooms for which its objects were rated.
  */
 final class SchemaPlaces {
   private static final Pattern SENSOR_WORDS =
@@ -52,12 +52,12 @@ final class SchemaPlaces {
     return SCHEMA_WORDS.matcher(schema).replaceAll("").toLowerCase(Locale.ROOT);
   }
 
-  /** Whether a schema is of a part of a room. */
+  /** Returns whether a schema belongs to a part of a room. */
   boolean isPart(String schema) {
     return parts.contains(schema);
   }
 
-  /** What sensors of which nothing is said are to say. */
+  /** Returns the new metadata of sensors without metadata. */
   List<SensorWish> wishes() {
     List<SensorWish> wishes = new ArrayList<>();
     newPlaces.forEach(

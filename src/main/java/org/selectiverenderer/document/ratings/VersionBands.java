@@ -6,16 +6,14 @@ import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
 
-/**
- * Which version of an object a mean rating asks for (thesis 5.1; 7.2 for more than two versions).
- */
+/** Maps a mean rating to a version of an object (thesis 5.1; 7.2 for more than two versions). */
 final class VersionBands {
   private VersionBands() {}
 
   /**
-   * The version: the first for what is not expected, the last for what is. What is neutral is shown
-   * as what is expected where there are two versions, else by one between, the higher the rating
-   * the further on.
+   * Returns the version: the first for an unexpected object, the last for an expected one. A
+   * neutral object is shown like an expected one if there are two versions, else by a version
+   * between, a later one for a higher rating.
    */
   static int version(double mean, int versions) {
     return switch (Band.of(mean)) {
@@ -28,7 +26,7 @@ final class VersionBands {
     };
   }
 
-  /** What is said of a version that ratings show. */
+  /** Returns the type and degree of a version that ratings imply. */
   static ChoiceValues values(int version, int versions) {
     Degree degree = VersionLadder.degree(version, versions);
     ConsistencyType type = version == 0 ? ConsistencyType.INCONSISTENT : ConsistencyType.CONSISTENT;

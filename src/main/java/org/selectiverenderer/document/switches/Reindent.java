@@ -1,20 +1,20 @@
 package org.selectiverenderer.document.switches;
 
 /**
- * Moves the lines of an element in or out. Only lines that begin with a tag or a comment move, so
- * that values of attributes and programs keep every character.
+ * Changes the indentation of an element's lines. Only lines that begin with a tag or a comment
+ * change, so that attribute values and scripts keep every character.
  */
 final class Reindent {
   private static final String PROGRAM = "<![CDATA[";
 
   private Reindent() {}
 
-  /** All lines but the first further in. */
+  /** Indents all lines but the first. */
   static String deeper(String element, String step) {
     return moved(element, step, true);
   }
 
-  /** All lines but the first further out, as far as they are that far in. */
+  /** Unindents all lines but the first, if they are indented. */
   static String shallower(String element, String step) {
     return moved(element, step, false);
   }

@@ -19,9 +19,9 @@ import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.write.ValueText;
 
 /**
- * Makes edits of Switches and their choices. Each is for the document as it is now and is made by
- * {@link SceneDocument#perform}; an edit that would change nothing is empty. All throw {@link
- * EditRefused} with a sentence for the author where an edit cannot be made.
+ * Creates edits of Switches and their choices. Each edit is for the document's present state and is
+ * performed by {@link SceneDocument#perform}; an edit that would change nothing is empty. All throw
+ * {@link EditRefused} with a sentence for the author where an edit cannot be made.
  */
 public final class SwitchEdits {
   private final SceneDocument document;
@@ -36,7 +36,7 @@ public final class SwitchEdits {
     this.nodes = new NodeEdits(document);
   }
 
-  /** Puts a node into a new Switch in its place, which shows it. */
+  /** Wraps a node in a new Switch that shows it. */
   public Edit wrap(DocumentElement node, String name) {
     child(node);
     nodes.check(name);
@@ -59,14 +59,14 @@ public final class SwitchEdits {
         "Make the Switch " + name, List.of(new TextChange(node.start(), node.end(), text)));
   }
 
-  /** A name for the Switch of a node: of its own or what it stands for, else of its kind. */
+  /** Returns a name for the Switch of a node, from its DEF or USE name, else from its type. */
   public String proposedName(DocumentElement node) {
     String name = node.def().or(node::use).orElse(node.name());
     String object = name.replaceFirst("^(Transform|Group|Inline|Shape)_", "");
     return nodes.free("Switch_" + object);
   }
 
-  /** Whether a node can be put into a Switch in its place: it is shown by itself. */
+  /** Returns whether a node can be wrapped in a Switch. */
   public boolean wraps(DocumentElement node) {
     boolean shown =
         node.name().equals("ProtoInstance")
@@ -88,16 +88,16 @@ public final class SwitchEdits {
   private void child(DocumentElement node) {
     if (!wraps(node)) {
       throw new EditRefused(
-          "a Switch takes the place of something that is shown by itself; choose a Transform, Group,"
+          "only a node that is drawn by itself can be put into a Switch; choose a Transform, Group,"
               + " Shape or Inline, not "
               + node.name());
     }
   }
 
-  /** Puts the choice that shows at the start, else the first one, in the place of its Switch. */
+  /** Replaces a Switch by its initially shown choice, else by its first one. */
   public Edit unwrap(EnrichedSwitch node) {
     if (node.choices().isEmpty()) {
-      throw new EditRefused(node.name() + " has no choice that could take its place; delete it");
+      throw new EditRefused(node.name() + " has no choice to replace it; delete it instead");
     }
     DocumentElement element = node.element();
     int shown =
@@ -109,7 +109,7 @@ public final class SwitchEdits {
     }
     for (ChoiceNode choice : node.choices()) {
       if (choice.index() != shown) {
-        // Only what would stand for nothing afterwards is looked for.
+        // Only references that would dangle afterwards are removed.
         changes.addAll(nodes.released(choice.element()));
       }
     }
@@ -131,12 +131,12 @@ public final class SwitchEdits {
     return whole || change.to() <= element.start() || change.from() >= element.end();
   }
 
-  /** What speaks of the Switch itself goes; not what speaks of the choice that stays. */
+  /** Removes the references to the Switch itself, not those to the remaining choice. */
   private List<TextChange> ownReferences(DocumentElement element) {
     return nodes.releasedItself(element);
   }
 
-  /** Shows a choice at the start of the scene; -1 for none. */
+  /** Sets the initially shown choice; -1 for none. */
   public Edit show(EnrichedSwitch node, int choice) {
     List<TextChange> changes =
         choice == node.whichChoice()
@@ -145,15 +145,15 @@ public final class SwitchEdits {
     return new Edit("Show choice %d of %s".formatted(choice, node.name()), changes);
   }
 
-  /** Adds a choice that shows nothing. */
+  /** Adds an empty choice. */
   public Edit addEmpty(EnrichedSwitch node) {
     return added(node, "Add an empty choice to " + node.name(), "<Group/>");
   }
 
   /**
-   * Adds a choice that is another file.
+   * Adds an Inline as a choice.
    *
-   * @param url as the scene names it, relative to its own folder
+   * @param url the URL relative to the scene's folder
    */
   public Edit addInline(EnrichedSwitch node, String url) {
     char quote = document.layout().quote(node.element());
@@ -167,7 +167,7 @@ public final class SwitchEdits {
             + "/>");
   }
 
-  /** Adds a copy of a choice behind all, with new names for all that is named in it. */
+  /** Adds a copy of a choice at the end, with new DEF names for all named nodes in it. */
   public Edit addCopy(EnrichedSwitch node, int index) {
     DocumentElement from = node.choices().get(index).element();
     DocumentElement last = last(node);
@@ -194,7 +194,7 @@ public final class SwitchEdits {
     return new Edit(name, changes);
   }
 
-  /** Takes a choice out, with what the metadata says of it. */
+  /** Removes a choice and its metadata. */
   public Edit remove(EnrichedSwitch node, int index) {
     List<TextChange> changes = new ArrayList<>(nodes.removal(node.choices().get(index).element()));
     changes.addAll(metadata.choiceRemoved(node, index));
@@ -207,7 +207,7 @@ public final class SwitchEdits {
     return new Edit("Delete choice %d of %s".formatted(index, node.name()), changes);
   }
 
-  /** Has two choices change places, with what the metadata says of them. */
+  /** Swaps two choices with their metadata. */
   public Edit swap(EnrichedSwitch node, int one, int other) {
     int first = Math.min(one, other);
     int second = Math.max(one, other);

@@ -2,7 +2,7 @@ package org.selectiverenderer.document.versions;
 
 import java.io.IOException;
 
-/** A scene has been read but is such that its text cannot be changed; the message names it. */
+/** Thrown when a scene was read but its text cannot be changed; the message names the scene. */
 public final class BadSceneException extends IOException {
   private static final long serialVersionUID = 1L;
 

@@ -7,8 +7,9 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Finds what would be about a version that goes: a Switch that chooses a child which is not there
- * shows nothing (X3D 4.0, 10.4.4), and metadata without its version make it do so.
+ * Checks whether versions of an object can be removed. A Switch whose {@code whichChoice} is a
+ * missing child shows nothing (X3D 4.0, 10.4.4), and the metadata of a removed version would select
+ * such a child.
  */
 final class FewerVersions {
   private final SceneSource scene;
@@ -21,7 +22,10 @@ final class FewerVersions {
     this.problems = problems;
   }
 
-  /** Whether the versions after the first ones can go; reports what hinders them. */
+  /**
+   * Returns whether the versions after the first {@code left} can be removed; reports the
+   * obstacles.
+   */
   boolean possible(int left) {
     List<DocumentElement> going = site.inlines().stream().skip(left).toList();
     if (going.isEmpty()) {
@@ -42,7 +46,7 @@ final class FewerVersions {
     return new NameTies(scene, problems).free(site.name(), going);
   }
 
-  /** The MetadataSets of the versions: MetadataSet i describes child i (thesis Fig 52). */
+  /** Returns the MetadataSets of the versions: MetadataSet i describes child i (thesis Fig 52). */
   private List<DocumentElement> sets() {
     List<DocumentElement> sets = sets(site.choice());
     return sets.size() == 1 && !sets(sets.get(0)).isEmpty() ? sets(sets.get(0)) : sets;

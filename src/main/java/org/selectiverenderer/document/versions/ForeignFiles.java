@@ -10,14 +10,17 @@ import java.util.regex.Matcher;
 import org.selectiverenderer.x3d.source.Gzip;
 import org.selectiverenderer.x3d.write.XmlAttribute;
 
-/** Finds files in the way: those that are not known to hold a version of this very object. */
+/**
+ * Finds existing files that must not be overwritten: those not known to contain a version of this
+ * object.
+ */
 final class ForeignFiles {
   private final VersionsEdit.Request request;
   private final ObjectElement site;
   private final List<Path> own;
 
   /**
-   * @param own where the versions are that the object has, the original first
+   * @param own the files of the object's existing versions, the original first
    */
   ForeignFiles(VersionsEdit.Request request, ObjectElement site, List<Path> own) {
     this.request = request;
@@ -25,15 +28,15 @@ final class ForeignFiles {
     this.own = List.copyOf(own);
   }
 
-  /** The beginning of what a reduced version says of itself, by which it is known. */
+  /** Returns the beginning of the description in a reduced version, by which it is recognised. */
   static String madeAs(ObjectElement site, int number) {
     return "%s, version %d: reduced to ".formatted(site.name(), number);
   }
 
   /**
-   * The first file in the way.
+   * Returns the first file that must not be overwritten.
    *
-   * @param planned the versions that are to be written, in order
+   * @param planned the versions to be written, in order
    */
   Optional<PlannedFile> in(List<PlannedFile> planned) throws IOException {
     for (PlannedFile file : planned) {
@@ -56,7 +59,7 @@ final class ForeignFiles {
     return number <= own.size() && own.get(number - 1).equals(file.file());
   }
 
-  /** Whether a file says of itself that it has been made as that version. */
+  /** Returns whether a file describes itself as that reduced version. */
   static boolean reduced(ObjectElement site, Path file, int number) throws IOException {
     return Files.isRegularFile(file)
         && new String(unpacked(Files.readAllBytes(file)), StandardCharsets.UTF_8)

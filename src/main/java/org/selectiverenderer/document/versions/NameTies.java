@@ -8,11 +8,11 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Finds what would break if an object moved to a file of its own: names are known within one file
- * only.
+ * Finds references by name that would break if an object were moved to a file of its own, because
+ * the scope of a DEF name is one file.
  */
 final class NameTies {
-  /** What is in an object besides faces, and is no more in a version that has been reduced. */
+  /** The node types besides geometry that a reduced version does not contain. */
   private static final List<String> LOST =
       List.of(
           "X3DLightNode",
@@ -36,9 +36,9 @@ final class NameTies {
   }
 
   /**
-   * Whether the elements can move; reports what hinders them.
+   * Returns whether the elements can be moved; reports the obstacles.
    *
-   * @param def the name that the author knows the object by
+   * @param def the object's DEF name
    */
   boolean free(String def, List<DocumentElement> elements) {
     Set<String> names = new HashSet<>();
@@ -64,7 +64,7 @@ final class NameTies {
     return free[0];
   }
 
-  /** Warns of what of the elements is no face and so will be in version 1 only. */
+  /** Warns of nodes that are not geometry and so will be in version 1 only. */
   void warnOfLosses(String def, List<DocumentElement> elements) {
     for (DocumentElement element : elements) {
       element.visit(
@@ -73,8 +73,8 @@ final class NameTies {
             if (node != null && lost(node)) {
               problems.warning(
                   inner.location(),
-                  ("the %s here is more than geometry; only version 1 of the object "
-                          + "'%s' keeps it, reduced versions have what is seen at the start")
+                  ("the %s is not geometry: only version 1 of the object '%s' keeps it, reduced "
+                          + "versions have the geometry that is visible at the start")
                       .formatted(node.type().name(), def));
             }
           });

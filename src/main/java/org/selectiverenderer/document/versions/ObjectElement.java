@@ -3,15 +3,15 @@ package org.selectiverenderer.document.versions;
 import java.util.List;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Where an object stands in a scene. */
+/** The elements of an object in a scene. */
 sealed interface ObjectElement {
-  /** The name of the object, which its files take. */
+  /** Returns the name of the object, after which its files are named. */
   String name();
 
   /**
    * An object without versions.
    *
-   * @param elements what its versions take the place of, in document order; at least one
+   * @param elements the elements that the versions replace, in document order; at least one
    */
   record Whole(String name, List<DocumentElement> elements) implements ObjectElement {}
 

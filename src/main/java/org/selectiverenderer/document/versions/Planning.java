@@ -30,7 +30,10 @@ import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.Gzip;
 
-/** Works out what versions of one object in one scene come to. For one use. */
+/**
+ * Plans the versions of one object in one scene, for one use: simplifies the model, names the files
+ * and creates the edit.
+ */
 final class Planning {
   private final ModelWriter writer = new ModelWriter();
   private final Simplifier simplifier = new Simplifier();
@@ -89,7 +92,7 @@ final class Planning {
     if (!missing.isEmpty()) {
       problems.error(
           location,
-          "the object '%s' has no version %d that could be kept"
+          "version %2$d of the object '%1$s' cannot be kept, because it does not exist"
               .formatted(request.object(), missing.get(0)));
       return Optional.empty();
     }
@@ -97,7 +100,7 @@ final class Planning {
       if (!kept(i + 2) && beyond(goals.get(i), size)) {
         problems.error(
             location,
-            "the object '%s' has %s and %s, fewer than asked for"
+            "the object '%s' has only %s and %s, fewer than asked for"
                 .formatted(
                     request.object(),
                     Counted.of(size.polygons(), "polygon"),
@@ -114,7 +117,7 @@ final class Planning {
     return plan(nodes, model.get(), size, goals);
   }
 
-  /** The elements that hold the original. */
+  /** Returns the elements of the original. */
   private List<DocumentElement> elements() {
     if (site instanceof ObjectElement.Whole whole) {
       return whole.elements();
@@ -126,7 +129,7 @@ final class Planning {
     return files.stream().map(file -> Urls.between(outputFolder, file)).toList();
   }
 
-  /** What moves to another file, and must not be known elsewhere. */
+  /** Returns the elements that are moved to another file and must not be referenced elsewhere. */
   private List<DocumentElement> tied() {
     return site instanceof ObjectElement.Whole whole ? whole.elements() : List.of();
   }
@@ -146,7 +149,7 @@ final class Planning {
         || goal instanceof Goal.Vertices vertices && vertices.count() > size.vertices();
   }
 
-  /** Whether a browser will find the files: scenes name files of their own projects only. */
+  /** Returns whether browsers may load the files: scenes load only files of their own projects. */
   private boolean reachable(Path file) {
     Path folder = VersionFiles.folder(file);
     boolean inside = new ContentRoot(outputFolder, request.access()).mayBeNamed(folder);
@@ -197,8 +200,8 @@ final class Planning {
     if (first.isPresent()) {
       problems.info(
           Location.of(first.get().file().toString()),
-          ("the file exists already and is something else; the versions of '%s' are "
-                  + "named %s and so on")
+          ("the file exists already and is not a version of '%1$s'; the versions of '%1$s' are "
+                  + "named %2$s and so on")
               .formatted(request.object(), files.get(0).getFileName()));
     }
     List<ObjectVersion> versions = new ArrayList<>();
@@ -240,14 +243,14 @@ final class Planning {
     return request.kept().contains(number);
   }
 
-  /** Where the versions are that the object has; none of an object without versions. */
+  /** Returns the files of the object's existing versions; none for an object without versions. */
   private List<Path> own() {
     return site instanceof ObjectElement.Versioned versioned
         ? names.of(versioned.inlines().size(), 1)
         : List.of();
   }
 
-  /** A version that stays as it is. How far it is from the original nobody has measured. */
+  /** Returns a version that is kept as it is; its deviation from the original is unknown. */
   private ObjectVersion there(int number, Path file) throws IOException {
     Optional<Model> model =
         Files.isReadable(file) ? models.read(file, new Problems()) : Optional.empty();
@@ -285,7 +288,7 @@ final class Planning {
     return !sceneFolder.equals(outputFolder);
   }
 
-  /** The file that holds version 1 of an object with versions. */
+  /** Returns the file of version 1 of an object with versions. */
   private Path source() {
     return sceneFolder.resolve(names.url((ObjectElement.Versioned) site, 0)).normalize();
   }

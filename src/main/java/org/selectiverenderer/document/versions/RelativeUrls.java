@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Finds the files that a scene names by where it lies itself. */
+/** Finds the relative URLs of a scene. */
 final class RelativeUrls {
   private static final Pattern ABSOLUTE =
       Pattern.compile("[/#].*|[A-Za-z][A-Za-z0-9+.-]+:.*", Pattern.DOTALL);
@@ -22,9 +22,9 @@ final class RelativeUrls {
   private RelativeUrls() {}
 
   /**
-   * Warns if there are any, since the file is to be written to another folder.
+   * Warns about relative URLs of a file that will be written to another folder.
    *
-   * @param apart elements whose urls are looked after
+   * @param apart elements whose URLs are adapted and need no warning
    */
   static void warn(
       SceneSource scene, List<DocumentElement> apart, Path outputFolder, Problems problems) {
@@ -44,7 +44,7 @@ final class RelativeUrls {
           found.get(0).location(),
           ("%s here (%s in all) is relative to this file's folder and will not be "
                       + "found from %s")
-                  .formatted(found.get(0).url(), Counted.of(found.size(), "such url"), outputFolder)
+                  .formatted(found.get(0).url(), Counted.of(found.size(), "such URL"), outputFolder)
               + " unless the files are copied too");
     }
   }

@@ -12,7 +12,10 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.write.ValueText;
 
-/** Puts versions into a scene's text: a Switch for a new object, else more or fewer Inlines. */
+/**
+ * Creates the text changes that put versions into a scene: a Switch for a new object, else more or
+ * fewer Inlines.
+ */
 final class SceneEdit {
   private final SceneSource scene;
   private final ObjectElement site;
@@ -21,7 +24,7 @@ final class SceneEdit {
   private final Set<String> renamed;
 
   /**
-   * @param renamed those urls of versions that go to files of other names than they had
+   * @param renamed the URLs of versions whose file names change
    */
   SceneEdit(SceneSource scene, ObjectElement site, Collection<String> renamed) {
     this.renamed = Set.copyOf(renamed);
@@ -32,9 +35,9 @@ final class SceneEdit {
   }
 
   /**
-   * The change.
+   * Returns the changes.
    *
-   * @param urls of the versions, the original first
+   * @param urls URLs of the versions, the original first
    */
   List<TextChange> changes(List<String> urls) {
     return site instanceof ObjectElement.Versioned versioned
@@ -81,7 +84,7 @@ final class SceneEdit {
     return changes;
   }
 
-  /** An Inline names another file first; further addresses of the version stay. */
+  /** Changes the first URL of an Inline; its further URLs stay. */
   private Optional<TextChange> named(DocumentElement inline, String url) {
     if (!renamed.contains(url)) {
       return Optional.empty();

@@ -16,7 +16,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.XmlFault;
 
-/** A document as elements and as nodes, and which element is which node. */
+/** A document as an element tree and as parsed nodes, with the mapping between them. */
 final class SceneSource {
   private final Snapshot snapshot;
   private final ElementTree elements;
@@ -31,7 +31,7 @@ final class SceneSource {
   }
 
   /**
-   * @throws BadSceneException if the text cannot be changed without harm
+   * @throws BadSceneException if the text is read-only or not well-formed
    */
   static SceneSource of(Snapshot snapshot, X3dReader reader, Problems problems)
       throws BadSceneException {
@@ -74,7 +74,7 @@ final class SceneSource {
     return file;
   }
 
-  /** The node that an element stands for; null for ROUTE, USE and the like. */
+  /** Returns the node of an element; null for statements such as ROUTE. */
   @Nullable NodeView node(DocumentElement element) {
     return element.use().isPresent()
         ? file.named().get(element.use().get())

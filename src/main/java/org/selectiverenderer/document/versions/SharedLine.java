@@ -6,8 +6,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * Lays out a Switch in place of an element that shares its line with others: it begins where that
- * began, and has lines of its own below, so that a version can be found in it.
+ * Formats a Switch that replaces an element that shares its line with others: the Switch begins
+ * where the element began and continues on lines of its own, so that the versions can be read.
  */
 final class SharedLine {
   private final String text;
@@ -20,25 +20,25 @@ final class SharedLine {
     this.indentation = scene.layout().indentation(element);
   }
 
-  /** One step of indentation. */
+  /** Returns one step of indentation. */
   String step() {
     return indentation.contains("\t") ? "\t" : "  ";
   }
 
-  /** The quote that the scene uses first. */
+  /** Returns the quote character that the scene uses first. */
   char quote() {
     int single = text.indexOf("='");
     int twice = text.indexOf("=\"", Math.max(0, text.indexOf("?>")));
     return single < 0 || twice >= 0 && twice < single ? '"' : '\'';
   }
 
-  /** Puts lines in the element's place. */
+  /** Replaces the element by lines. */
   TextChange replace(List<String> lines) {
     String separator = endOfLine() + indentation;
     return new TextChange(element.start(), element.end(), String.join(separator, lines));
   }
 
-  /** What ends the scene's first line. */
+  /** Returns the line end of the scene's first line. */
   private String endOfLine() {
     int feed = text.indexOf('\n');
     if (feed < 0) {

@@ -6,12 +6,12 @@ import org.selectiverenderer.x3d.source.LineIndex;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * A place in a scene that changes, to be shown as whole lines.
+ * A change of a scene's text, for display as whole lines.
  *
- * @param line of its first character, from 1
+ * @param line line of its first character, from 1
  */
 public record ShownChange(int line, String before, String after) {
-  /** The changes of an edit of a text. */
+  /** Returns the changes of an edit of a text. */
   static List<ShownChange> of(Edit edit, String text) {
     LineIndex lines = new LineIndex(text);
     return edit.changes().stream().map(change -> of(change, text, lines)).toList();

@@ -10,14 +10,14 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Finds the elements of an object that is known by a DEF name. */
+/** Finds the elements of an object by its DEF name. */
 final class SiteFinder {
-  /** The url of a version's file. */
+  /** The URL pattern of a version's file. */
   static final Pattern VERSION_URL = Pattern.compile("(?s)(.*)_v(\\d+)(\\.[A-Za-z0-9]+)");
 
   private static final String SWITCH = "Switch_";
 
-  /** What the thesis's scenes put before an object's name. */
+  /** The prefixes of object names in the thesis's scenes. */
   private static final List<String> PREFIXES =
       List.of("Transform_", "Group_", "Shape_", "Inline_", SWITCH);
 
@@ -29,7 +29,7 @@ final class SiteFinder {
     this.problems = problems;
   }
 
-  /** The object; empty after a problem has been reported. */
+  /** Finds the object; empty after a problem has been reported. */
   Optional<ObjectElement> find(String def) {
     List<DocumentElement> named = named(def);
     String name = name(def);
@@ -94,7 +94,7 @@ final class SiteFinder {
     return Optional.of(new ObjectElement.Whole(name, visible));
   }
 
-  /** Whether an element draws something: a shape, a file, or a group with one of them. */
+  /** Returns whether an element is drawn: a shape, an Inline, or a group with one of them. */
   private boolean drawn(DocumentElement element) {
     NodeView node = scene.node(element);
     if (node == null || element.text("containerField").orElse("children").equals("proxy")) {
@@ -158,7 +158,7 @@ final class SiteFinder {
     return found;
   }
 
-  /** The object's own name: Transform_TrashCan and Switch_TrashCan are both about TrashCan. */
+  /** Returns the object's own name: TrashCan for Transform_TrashCan and for Switch_TrashCan. */
   private static String name(String def) {
     for (String prefix : PREFIXES) {
       if (def.startsWith(prefix) && def.length() > prefix.length()) {

@@ -10,7 +10,7 @@ import java.util.regex.Matcher;
 import java.util.stream.IntStream;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** Which files the versions of an object go to. */
+/** Determines the files of an object's versions. */
 final class VersionFiles {
   private final SceneSource scene;
   private final ObjectElement site;
@@ -20,7 +20,7 @@ final class VersionFiles {
 
   /**
    * @param inlineFolder for new objects, relative to the output's folder
-   * @param name of the files that are made; empty for that of those that are there, or the object's
+   * @param name name of the new files; empty for the name of the existing ones, or of the object
    */
   VersionFiles(
       SceneSource scene, ObjectElement site, Path outputFolder, String inlineFolder, String name) {
@@ -32,10 +32,10 @@ final class VersionFiles {
   }
 
   /**
-   * The files of versions 1 to {@code count}. Those of an object with versions are where its
-   * Inlines say, further ones beside the original.
+   * Returns the files of versions 1 to {@code count}. Existing versions keep the files of their
+   * Inlines, further ones are beside the original.
    *
-   * @param attempt from 1; a new object has another name for each
+   * @param attempt number of the attempt, from 1; a new object gets another file name for each
    */
   List<Path> of(int count, int attempt) {
     if (site instanceof ObjectElement.Versioned versioned) {
@@ -52,9 +52,9 @@ final class VersionFiles {
   }
 
   /**
-   * The same, those that are made under the name that the author gives them.
+   * Returns the same files, where new ones have the name chosen by the author.
    *
-   * @param kept numbers of versions that are not made
+   * @param kept numbers of the versions that are kept
    */
   List<Path> of(int count, int attempt, Set<Integer> kept) {
     List<Path> files = new ArrayList<>(of(count, attempt));
@@ -86,13 +86,13 @@ final class VersionFiles {
         .toList();
   }
 
-  /** What an Inline names first. */
+  /** Returns the first URL of an Inline. */
   String url(ObjectElement.Versioned versioned, int index) {
     NodeView inline = scene.node(versioned.inlines().get(index));
     return inline == null ? "" : inline.strings("url")[0];
   }
 
-  /** Whether something other than the planned file has its name. */
+  /** Returns whether another file has the planned name. */
   static boolean taken(PlannedFile planned) {
     return switch (planned.state()) {
       case NEW -> Files.exists(planned.file(), LinkOption.NOFOLLOW_LINKS);
@@ -101,7 +101,7 @@ final class VersionFiles {
     };
   }
 
-  /** A name that every file system takes. */
+  /** Returns a name that is valid in every file system. */
   private static String safe(String name) {
     StringBuilder safe = new StringBuilder();
     name.codePoints()
@@ -112,7 +112,7 @@ final class VersionFiles {
     return safe.toString();
   }
 
-  /** The folder that a file is in. */
+  /** Returns the folder of a file. */
   static Path folder(Path file) {
     Path absolute = file.toAbsolutePath().normalize();
     Path parent = absolute.getParent();

@@ -6,16 +6,17 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.selectiverenderer.document.Layout;
 
-/** The Switch of an object's versions (thesis Figs 52 and 78). */
+/** Writes the Switch of an object's versions (thesis Figs 52 and 78). */
 final class VersionSwitch {
   private static final Pattern DEF = Pattern.compile("(?s)\\sDEF\\s*=\\s*([\"']).*?\\1");
 
   private VersionSwitch() {}
 
   /**
-   * The lines of a new Switch, the original shown; without the indentation of the first.
+   * Returns the lines of a new Switch that shows the original, without the indentation of the first
+   * line.
    *
-   * @param switchName its DEF, and those of the Inlines
+   * @param switchName the DEF name of the Switch
    */
   static List<String> lines(
       String switchName, List<String> inlineNames, List<String> urls, char quote, String step) {
@@ -32,7 +33,7 @@ final class VersionSwitch {
     return lines;
   }
 
-  /** An Inline; its url stands in double quotes, so these are not around it. */
+  /** Returns an Inline; its URL is in double quotes, so the attribute is in single quotes. */
   static String inline(String name, String url, char quote) {
     return "<Inline"
         + Layout.written("DEF", name, quote)
@@ -41,13 +42,13 @@ final class VersionSwitch {
   }
 
   /**
-   * Another version's Inline, written as the last one is, without what stands in that.
+   * Returns the Inline of another version, written like the last one but without its children.
    *
-   * @param tag of the last one
-   * @param name its DEF, if the last one has any
+   * @param tag start tag of the last Inline
+   * @param name the new DEF name, used if the last Inline has one
    */
   static String further(String tag, int lastNumber, int number, String name) {
-    // Before an ending that ends a url: Car_v2_v2.x3d has the number once.
+    // Only before the extension at the end of a URL: Car_v2_v2.x3d is numbered once.
     String turned =
         closed(tag)
             .replaceAll(

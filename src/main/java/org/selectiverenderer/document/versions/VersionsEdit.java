@@ -23,15 +23,15 @@ import org.selectiverenderer.x3d.read.FileLibraries;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * Versions of an object in a scene (thesis 4.2): in the object's place comes a Switch of Inlines,
- * each of which names a file with one version. The original becomes version 1 as it is; the others
- * are reduced. A Transform around the object stays where it was, and so does every other byte of
- * the scene. An object that has versions already gets new ones of its version 1.
+ * An edit that makes versions of an object in a scene (thesis 4.2): the object is replaced by a
+ * Switch of Inlines, each of which loads a file with one version. The original becomes version 1
+ * unchanged; the others are reduced. A Transform around the object and every other byte of the
+ * scene stay unchanged. An object that has versions already gets new ones made from its version 1.
  *
- * <p>Planned beside the author's work, looked at, then applied to the document or written with the
- * scene's file. Applied it is one step: undoing takes the Switch out of the document again, and the
- * files of the versions become what they were before. Versions that are there already may be kept
- * as they are, or be made anew under another name.
+ * <p>The edit is planned in the background, reviewed, and then applied to the document or written
+ * with the scene's file. When applied it is one undo step: undoing removes the Switch from the
+ * document and restores the files of the versions. Existing versions may be kept as they are, or be
+ * made again under another name.
  */
 public final class VersionsEdit {
   private final Snapshot snapshot;
@@ -57,19 +57,19 @@ public final class VersionsEdit {
   }
 
   /**
-   * What is to be made.
+   * The parameters of the versions.
    *
-   * @param scene the document's file, against which urls count
-   * @param object the DEF name of the object, or of the Transform or Group round it
-   * @param goals of versions 2, 3 and so on; a first one that is all of the original stands for
-   *     version 1
+   * @param scene the document's file, against which URLs are resolved
+   * @param object the DEF name of the object, or of the Transform or Group around it
+   * @param the goals of versions 2, 3 and so on; a first goal equal to the whole original stands
+   *     for version 1
    * @param output the changed scene's file; the scene's own to change it in place
-   * @param access what the scene may name besides its own files
-   * @param inlineFolder where the versions' files go, relative to the output's folder
-   * @param kept the numbers of versions, from 2, whose files stay as they are; their goals do not
-   *     count. Only an object that has these versions has such
-   * @param name what the files that are made are named after; empty for the name of those that are
-   *     there, else of the object
+   * @param access the files and URLs that the scene may load besides those in its folder
+   * @param inlineFolder folder of the versions' files, relative to the output's folder
+   * @param kept the numbers of existing versions, from 2, whose files are kept; their goals are
+   *     ignored
+   * @param name the base name of new files; empty for the name of the existing ones, else of the
+   *     object
    */
   public record Request(
       Path scene,
@@ -85,7 +85,7 @@ public final class VersionsEdit {
       kept = Set.copyOf(kept);
     }
 
-    /** The same where no version is kept. */
+    /** Creates a request that keeps no version. */
     public Request(
         Path scene,
         ContentAccess access,
@@ -96,38 +96,39 @@ public final class VersionsEdit {
       this(scene, access, object, goals, output, inlineFolder, Set.of(), "");
     }
 
-    /** The same of a scene that may name no more than its own files. */
+    /** Creates a request for a scene that may load only files in its own folder. */
     public Request(Path scene, String object, List<Goal> goals, Path output, String inlineFolder) {
       this(scene, ContentAccess.none(), object, goals, output, inlineFolder);
     }
 
-    /** The same, to change the scene in place. */
+    /** Creates a request to change the scene in place. */
     public Request(Path scene, String object, List<Goal> goals, String inlineFolder) {
       this(scene, object, goals, scene, inlineFolder);
     }
 
-    /** The same of a scene that may name more than its own files. */
+    /** Returns the request with another permission to load files and URLs. */
     public Request allowing(ContentAccess more) {
       return new Request(scene, more, object, goals, output, inlineFolder, kept, name);
     }
 
-    /** The same where some versions stay as they are. */
+    /** Returns the request with versions to keep. */
     public Request keeping(Set<Integer> numbers) {
       return new Request(scene, access, object, goals, output, inlineFolder, numbers, name);
     }
 
-    /** The same with files named after something else. */
+    /** Returns the request with another base name of files. */
     public Request named(String other) {
       return new Request(scene, access, object, goals, output, inlineFolder, kept, other);
     }
   }
 
   /**
-   * Works out the versions; takes a while, so not for the thread of a window. Writes nothing.
+   * Plans the versions. This takes a while, so it must not run on the event dispatch thread. It
+   * writes nothing.
    *
-   * @return empty when the object cannot get versions, which is reported
-   * @throws BadSceneException if the scene's text cannot be changed without harm
-   * @throws IOException if a file cannot be read, with one line that names it
+   * @return empty when versions cannot be made, which is reported
+   * @throws BadSceneException if the scene's text cannot be changed
+   * @throws IOException if a file cannot be read, with a one-line message that names it
    */
   public static Optional<VersionsEdit> plan(
       Snapshot snapshot, Request request, NodeCatalogue catalogue, Problems problems)
@@ -146,10 +147,10 @@ public final class VersionsEdit {
   }
 
   /**
-   * The files of the versions that an object has, the original first; empty for an object without
-   * versions, or one that cannot get any.
+   * Returns the files of an object's existing versions, the original first; empty for an object
+   * without versions, or one that cannot have any.
    *
-   * @throws IOException if a file cannot be read, with one line that names it
+   * @throws IOException if a file cannot be read, with a one-line message that names it
    */
   public static List<Path> existing(Snapshot snapshot, Request request, NodeCatalogue catalogue)
       throws IOException {
@@ -166,40 +167,40 @@ public final class VersionsEdit {
         .orElse(List.of());
   }
 
-  /** Whether nothing would change: all versions stay as they are. */
+  /** Returns whether nothing would change. */
   public boolean isEmpty() {
     return edit.isEmpty()
         && files.stream().allMatch(file -> file.state() == PlannedFile.State.UNCHANGED);
   }
 
-  /** The DEF name of the object. */
+  /** Returns the DEF name of the object. */
   public String object() {
     return object;
   }
 
-  /** The versions, the original first. */
+  /** Returns the versions, the original first. */
   public List<ObjectVersion> versions() {
     return versions;
   }
 
-  /** The versions' files with their content, for looking at them before they are written. */
+  /** Returns the versions' files with their content, for a preview. */
   public List<PlannedFile> files() {
     return files;
   }
 
-  /** The changed scene. */
+  /** Returns the changed scene. */
   public PlannedFile scene() {
     return scene;
   }
 
-  /** How the scene's text changes; empty when it already has the Switch. */
+  /** Returns the changes of the scene's text; empty when it already has the Switch. */
   public List<ShownChange> changes() {
     return ShownChange.of(edit, snapshot.text());
   }
 
   /**
-   * Writes the versions' files, all or none, and edits the document, as one step. A file that is
-   * replaced and was not made by this program is kept beside it besides.
+   * Writes the versions' files, all or none, and edits the document, as one undo step. A replaced
+   * file that was not generated by this program is backed up.
    *
    * @throws EditRefused if the document has changed since it was planned
    * @throws IOException if a file cannot be written; nothing has changed then
@@ -220,10 +221,10 @@ public final class VersionsEdit {
   }
 
   /**
-   * Writes the changed scene and the versions' files, those that change, or none.
+   * Writes the changed ones of the scene and the versions' files, all or none.
    *
    * @return see {@link FileTransaction#commit}
-   * @throws IOException if one cannot be written, with one line that names it
+   * @throws IOException if one cannot be written, with a one-line message that names it
    */
   public List<Path> write() throws IOException {
     List<PlannedFile> all = new ArrayList<>(files);

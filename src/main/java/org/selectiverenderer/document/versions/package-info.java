@@ -1,7 +1,7 @@
 /**
- * The polygon count process (thesis 4.2.1) on a document: a Switch of versions in an object's
- * place, as an edit that can be undone, or written with the scene's file. All is planned first,
- * then written all or nothing.
+ * The polygon count process (thesis 4.2.1) on a document: replaces an object by a Switch of
+ * versions, as an edit that can be undone, or written with the scene's file. Everything is planned
+ * first, then written as a transaction.
  *
  * <p>In: a document's snapshot, an object's DEF name, goals. Out: files of versions, an edit. Uses
  * {@code document}, {@code document.file}, {@code polygon.model}, {@code polygon.simplify}, {@code

@@ -18,17 +18,17 @@ import org.selectiverenderer.experiment.dataset.RecordedSession;
 import org.selectiverenderer.experiment.dataset.RecordedStudy;
 
 /**
- * Writes a study as a BIDS dataset.
+ * A study written as a BIDS dataset.
  *
- * @param sessions that are in it
- * @param files that were written
+ * @param sessions number of sessions in the dataset
+ * @param files number of files that were written
  */
 public record BidsDataset(int sessions, int files) {
   /** The version of BIDS that the files follow. */
   static final String VERSION = "1.11.0";
 
   /**
-   * What a dataset says of its making.
+   * The provenance of a dataset, as {@code dataset_description.json} states it.
    *
    * @param program name of the program
    * @param version of the program
@@ -43,8 +43,8 @@ public record BidsDataset(int sessions, int files) {
   /**
    * Writes all files, or none.
    *
-   * @param folder made if it is not there; it must be empty
-   * @param problems hears of what is damaged, and is left out
+   * @param folder the dataset's folder; created if it does not exist, else it must be empty
+   * @param problems receives a warning for each damaged file, which is left out
    * @throws IOException if the folder is not empty, or a file cannot be read or written
    */
   public static BidsDataset write(
@@ -73,7 +73,7 @@ public record BidsDataset(int sessions, int files) {
     return new BidsDataset(study.sessions().size(), files.size());
   }
 
-  /** What was in the folder would be taken for a part of the dataset. */
+  /** Refuses a folder with files in it: they would be taken for a part of the dataset. */
   private static void requireEmpty(Path folder) throws IOException {
     if (!Files.isDirectory(folder)) {
       return;

@@ -12,7 +12,7 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.experiment.dataset.DataTable;
 import org.selectiverenderer.experiment.dataset.TableColumn;
 
-/** The files of a dataset by their paths in it, until all of them are written. */
+/** The files of a dataset, held in memory by their relative paths until all of them are written. */
 final class BidsFolder {
   private final Map<String, byte[]> files = new LinkedHashMap<>();
 
@@ -25,10 +25,10 @@ final class BidsFolder {
   }
 
   /**
-   * Adds a table and the file that explains its columns.
+   * Adds a table ({@code .tsv}) and its JSON sidecar, which explains the columns.
    *
-   * @param stem path without ending
-   * @param more what else the explaining file says, before the columns
+   * @param stem path of the two files without the file name extension
+   * @param more further members of the sidecar, written before the columns
    */
   void add(String stem, DataTable table, ObjectNode more) {
     add(stem + ".tsv", table.tsv());

@@ -15,8 +15,9 @@ import org.selectiverenderer.experiment.dataset.SessionsTable;
 import org.selectiverenderer.experiment.dataset.TableColumn;
 
 /**
- * {@code participants.tsv} and {@code sessions.tsv}. BIDS gives some names a meaning of its own: a
- * column that does not have it is renamed.
+ * Builds {@code participants.tsv} and {@code sessions.tsv}. BIDS reserves some column names, such
+ * as {@code age} and {@code sex}, for values of a fixed form: a column of the study with other
+ * values is renamed.
  */
 final class PeopleTables {
   private static final Set<String> SEX =
@@ -55,7 +56,7 @@ final class PeopleTables {
       known.add(String.valueOf(row.get(people.columns().get(0))));
       table.add(people.columns().stream().map(row::get).toList());
     }
-    // Whoever has data is in the table, also who was not assigned a condition.
+    // Each participant with data needs a row, also one without an assigned condition.
     for (RecordedSession session : study.sessions()) {
       String id = "sub-" + session.folder().participant();
       if (known.add(id)) {

@@ -22,7 +22,10 @@ import org.selectiverenderer.experiment.headlog.Bids;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 
-/** The files of one session: motion with its events, answers, and when each was recorded. */
+/**
+ * Adds the files of one session to a dataset: motion data with events, answers to questionnaires,
+ * and {@code scans.tsv} with the time of each recording.
+ */
 final class SessionFiles {
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("yyyy-MM-dd'T'HH:mm:ss.SSS'Z'", Locale.ROOT);
@@ -59,12 +62,12 @@ final class SessionFiles {
     stem = subject + "_" + number;
   }
 
-  /** As BIDS wants it: UTC says so by a Z. */
+  /** Formats a time as BIDS requires it: in UTC, with a trailing Z. */
   static String time(OffsetDateTime time) {
     return TIME.format(time.withOffsetSameInstant(ZoneOffset.UTC));
   }
 
-  /** A label has letters and digits only. */
+  /** Returns the BIDS task label of a step: its letters and digits. */
   private static String task(String step) {
     return step.replaceAll("[^0-9A-Za-z]", "");
   }
@@ -84,7 +87,7 @@ final class SessionFiles {
     if (log.isEmpty()) {
       problems.warning(
           Location.of(run.headLog().toString()),
-          "there is no head log of this run to be read; the run is left out");
+          "the head log of this run is missing or has faults; the run is left out");
       return;
     }
     String task = task(run.step());
@@ -103,7 +106,7 @@ final class SessionFiles {
     tracker(run, name + "_tracksys-tracker" + number, task, log.get().description().tracker());
   }
 
-  /** Of what events are, beside their columns. */
+  /** Returns the members of the events' sidecar other than the columns. */
   private ObjectNode stimulus(String task) {
     ObjectNode root = BidsFolder.nothing().put("TaskName", task);
     root.putObject("StimulusPresentation")

@@ -18,8 +18,9 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.dataset.RecordedRun;
 
 /**
- * The records of a head tracker at their own rate, which lie beside the head log as {@code
- * NAME_tracker.csv}, as motion data of a tracking system of their own: {@code tracksys-tracker}.
+ * Converts the records of a head tracker, which lie at the tracker's own rate in {@code
+ * NAME_tracker.csv} beside the head log, to motion data of a separate tracking system, {@code
+ * tracksys-tracker}.
  */
 final class TrackerMotion {
   private static final TableForm FORM =
@@ -34,10 +35,10 @@ final class TrackerMotion {
 
   private static final List<String> PARTS = List.of("quat_x", "quat_y", "quat_z", "quat_w");
 
-  /** Of a tracker that tells the place of the head: right, up and back. */
+  /** Position channels, for a tracker that measures the head's position: right, up and back. */
   private static final List<String> PLACE = List.of("x", "y", "z");
 
-  /** The first column of the place among those of {@link #FORM}. */
+  /** Index of the first position column among those of {@link #FORM}. */
   private static final int RIGHT = 4;
 
   private TrackerMotion() {}
@@ -46,8 +47,8 @@ final class TrackerMotion {
    * Adds the files of a run's records, if there are any.
    *
    * @param stem path and name up to {@code _motion.tsv}
-   * @param model what the tracker is, as the head log tells
-   * @return whether there are
+   * @param model the tracker's name, from the head log's description
+   * @return whether the run has tracker records
    */
   static boolean add(
       RecordedRun run, String stem, String task, String model, BidsFolder files, Problems problems)

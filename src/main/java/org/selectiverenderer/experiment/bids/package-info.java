@@ -3,8 +3,7 @@
  * and others 2024, Motion-BIDS) and Behavioral experiments.
  *
  * <p>In: a {@link org.selectiverenderer.experiment.dataset.RecordedStudy}. Out: the files of a
- * dataset, written all or none into a folder of their own; the study's folder, which is the
- * original, stays as it is.
+ * dataset, all of which are written to a new folder, or none; the study's folder is not changed.
  *
  * <pre>
  *   dataset_description.json  README  participants.tsv, .json
@@ -16,7 +15,7 @@
  *   sub-ID/ses-NN/beh/..._task-STEP_beh.tsv, .json
  * </pre>
  *
- * <p>{@link org.selectiverenderer.experiment.bids.BidsDataset} puts them together. Uses {@code
+ * <p>{@link org.selectiverenderer.experiment.bids.BidsDataset} assembles the dataset. Uses {@code
  * experiment.dataset}, {@code experiment.headlog} for motion data, and {@code base}.
  */
 @NullMarked

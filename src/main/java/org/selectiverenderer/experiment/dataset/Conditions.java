@@ -3,11 +3,11 @@ package org.selectiverenderer.experiment.dataset;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** The conditions in words. */
+/** Makes columns whose cells are conditions, with an explanation of each condition. */
 final class Conditions {
   private Conditions() {}
 
-  /** A column {@code condition}. */
+  /** Returns a column named {@code condition}. */
   static TableColumn column(String meaning) {
     return column("condition", meaning);
   }

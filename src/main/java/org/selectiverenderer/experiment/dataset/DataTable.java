@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.base.decimal.DecimalText;
 
-/** A table whose columns say what they mean. Cells are texts; null is a value that is missing. */
+/** A table with documented columns. Cells are texts; null is a missing value. */
 public final class DataTable {
   private static final int DECIMALS = 6;
 
@@ -18,10 +18,10 @@ public final class DataTable {
   private final List<List<@Nullable String>> rows = new ArrayList<>();
 
   /**
-   * An empty one.
+   * Makes an empty table.
    *
-   * @param name its file's name without ending
-   * @param meaning what a row is, one sentence without a full stop
+   * @param name name of the table's file without the extension
+   * @param meaning what a row stands for, one sentence without a full stop
    */
   public DataTable(String name, String meaning, List<TableColumn> columns) {
     this.name = name;
@@ -41,7 +41,7 @@ public final class DataTable {
     return columns;
   }
 
-  /** Cells in the columns' order. */
+  /** Returns the rows, each with its cells in the columns' order. */
   public List<List<@Nullable String>> rows() {
     return Collections.unmodifiableList(rows);
   }
@@ -49,8 +49,8 @@ public final class DataTable {
   /**
    * Adds a row.
    *
-   * @param cells one for each column: texts and numbers; null, an empty text and what is no finite
-   *     number are missing
+   * @param cells one for each column: texts and numbers; null, an empty text and a number that is
+   *     not finite are missing values
    */
   public void add(List<? extends @Nullable Object> cells) {
     if (cells.size() != columns.size()) {
@@ -61,7 +61,7 @@ public final class DataTable {
     rows.add(Collections.unmodifiableList(row));
   }
 
-  /** The same of an array. */
+  /** Adds a row from an array of cells. */
   public void add(@Nullable Object... cells) {
     add(Arrays.asList(cells));
   }
@@ -74,14 +74,17 @@ public final class DataTable {
     return text.isEmpty() ? null : text;
   }
 
-  /** With a header and commas; a missing value is an empty cell. */
+  /** Returns the table as CSV with a header; a missing value is an empty cell. */
   public String csv() {
     CsvText text = CsvText.bare().row(columns.stream().map(TableColumn::name).toList());
     rows.forEach(row -> text.row(row.stream().map(cell -> cell == null ? "" : cell).toList()));
     return text.toString();
   }
 
-  /** With a header and tabs, as BIDS wants it; a missing value is {@code n/a}. */
+  /**
+   * Returns the table as tab-separated text with a header, as BIDS requires; a missing value is
+   * {@code n/a}.
+   */
   public String tsv() {
     StringBuilder text = new StringBuilder();
     line(text, columns.stream().map(TableColumn::name).toList());
@@ -97,9 +100,7 @@ public final class DataTable {
     text.append('\n');
   }
 
-  /**
-   * BIDS knows no quotation marks round a cell, so what divides cells and lines becomes a space.
-   */
+  /** Replaces tabs and line ends by spaces: BIDS has no quotation marks around cells. */
   private static String flat(String cell) {
     return cell.replaceAll("[\\t\\r\\n]+", " ");
   }

@@ -16,19 +16,19 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * An event of a session, as its journal tells it.
+ * An event of a session: one line of its journal.
  *
- * @param time when it was told
- * @param event what happened
- * @param step in which; empty outside of steps
- * @param members all that the line says
+ * @param time when the event was logged
+ * @param event the event's name
+ * @param step id of the step in which it happened; empty outside of steps
+ * @param members all members of the line's JSON object
  */
 public record JournalLine(OffsetDateTime time, String event, String step, JsonNode members) {
   /**
    * Reads a journal.
    *
-   * @param problems hears of lines that are damaged; the others are used
-   * @throws IOException if it cannot be read at all
+   * @param problems receives each damaged line; the others are used
+   * @throws IOException if the file cannot be read
    */
   static List<JournalLine> read(Path journal, Problems problems) throws IOException {
     String text = new String(Files.readAllBytes(journal), StandardCharsets.UTF_8);
@@ -48,7 +48,7 @@ public record JournalLine(OffsetDateTime time, String event, String step, JsonNo
       } else {
         problems.warning(
             new Location(journal.toString(), i + 1, 1),
-            "the line is no event, as a crash may leave it; it is left out");
+            "this line is damaged, perhaps by a crash; it is left out");
       }
     }
     return events;
@@ -67,11 +67,11 @@ public record JournalLine(OffsetDateTime time, String event, String step, JsonNo
               node.path("step").asText(),
               node));
     } catch (JsonProcessingException | DateTimeException e) {
-      return Optional.empty(); // The caller tells.
+      return Optional.empty(); // The caller reports the line.
     }
   }
 
-  /** A member as text; empty where there is none. */
+  /** Returns a member as text; empty if the event has no such member. */
   public String text(String member) {
     return members.path(member).asText("");
   }

@@ -15,11 +15,11 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * {@code participants.tsv} of a study, whatever columns it has: those of the program are explained,
- * others are what the form asked.
+ * The contents of a study's {@code participants.tsv}. The program documents its own columns; any
+ * other column holds the answers to a question of the form.
  *
- * @param columns names, the participant's id first
- * @param rows by column; a value that is missing is empty
+ * @param columns names of the columns, that of the participant's id first
+ * @param rows cells by column name; a missing value is empty
  */
 public record ParticipantsTable(List<String> columns, List<Map<String, String>> rows) {
   private static final String ID = "participant_id";
@@ -32,9 +32,9 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
   }
 
   /**
-   * Reads it.
+   * Reads the file.
    *
-   * @return without rows when it is not there
+   * @return a table without rows if the file does not exist
    */
   static ParticipantsTable read(Path file, Problems problems) throws IOException {
     ParticipantsTable none = new ParticipantsTable(List.of(ID), List.of());
@@ -69,7 +69,7 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
     return new ParticipantsTable(columns, rows);
   }
 
-  /** What a column means, as {@link TableColumn} says it. */
+  /** Returns the documentation of a column. */
   public static TableColumn column(String name) {
     TableColumn known = KNOWN.get(name);
     return known != null
@@ -99,7 +99,7 @@ public record ParticipantsTable(List<String> columns, List<Map<String, String>> 
     return known;
   }
 
-  /** As it is in the study's folder. */
+  /** Returns the table as it is in the study's folder. */
   public DataTable table() {
     DataTable table =
         new DataTable(

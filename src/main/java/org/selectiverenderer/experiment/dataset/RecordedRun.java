@@ -14,12 +14,12 @@ import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
 
 /**
- * A scene shown once: practice or an exposure, from its beginning to its end or to what cut it off.
+ * A run (BIDS): one presentation of a scene, practice or exposure, to its end or its interruption.
  *
- * @param number of the run of this step in this session, from 1
- * @param headName of the head log, without ending
- * @param finished whether it was shown to its end
- * @param events of this run, in order, its begin and its end among them
+ * @param number of the run among those of this step in this session, from 1
+ * @param headName name of the head log's file, without the extension
+ * @param finished whether the scene was shown to the end of the step
+ * @param events of this run in order, from its begin to its end
  */
 public record RecordedRun(
     RecordedSession session,
@@ -32,7 +32,7 @@ public record RecordedRun(
     events = List.copyOf(events);
   }
 
-  /** The head log's CSV. */
+  /** Returns the head log's CSV file. */
   public Path headLog() {
     return session.folder().path().resolve("head").resolve(headName + ".csv");
   }
@@ -40,8 +40,8 @@ public record RecordedRun(
   /**
    * Reads the head log.
    *
-   * @return empty when it is not there or has faults, which are then in {@code problems}
-   * @throws IOException if it cannot be read at all
+   * @return empty if the file does not exist or has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
    */
   public Optional<HeadLog> head(Problems problems) throws IOException {
     return Files.isRegularFile(headLog())
@@ -49,7 +49,9 @@ public record RecordedRun(
         : Optional.empty();
   }
 
-  /** When the exposure began: the picture was complete; in seconds of the run. */
+  /**
+   * Returns when the picture had faded in completely, in seconds of the run: the exposure's onset.
+   */
   public Optional<Double> shown() {
     return events.stream()
         .filter(line -> line.event().equals("shown"))
@@ -57,7 +59,7 @@ public record RecordedRun(
         .findFirst();
   }
 
-  /** Seconds of the clock on the wall that the experimenter had it paused. */
+  /** Returns for how long the experimenter had the run paused, in seconds of wall-clock time. */
   public double paused() {
     double seconds = 0;
     @Nullable OffsetDateTime since = null;
@@ -73,9 +75,9 @@ public record RecordedRun(
   }
 
   /**
-   * The clock on the wall at the beginning of the run; empty where nothing was logged.
+   * Returns the wall-clock time at the beginning of the run; empty if nothing was logged.
    *
-   * @param log of this run
+   * @param log the head log of this run
    */
   public Optional<OffsetDateTime> started(Optional<HeadLog> log) {
     for (JournalLine line : events) {

@@ -14,7 +14,7 @@ import org.selectiverenderer.experiment.session.SessionFolder;
 import org.selectiverenderer.experiment.session.SessionHistory;
 import org.selectiverenderer.experiment.study.SessionFlag;
 
-/** A session as its journal tells it. */
+/** A session as recorded by its journal. */
 public final class RecordedSession {
   private final SessionFolder folder;
   private final List<JournalLine> events;
@@ -31,9 +31,9 @@ public final class RecordedSession {
   /**
    * Reads a session.
    *
-   * @param problems hears of what is damaged
-   * @return empty when there are no events in it, which {@code problems} has heard
-   * @throws IOException if its journal cannot be read at all
+   * @param problems receives each damaged line
+   * @return empty if the journal has no events, which is then in {@code problems}
+   * @throws IOException if the journal cannot be read
    */
   static Optional<RecordedSession> read(SessionFolder folder, Problems problems)
       throws IOException {
@@ -61,7 +61,10 @@ public final class RecordedSession {
     return List.copyOf(found);
   }
 
-  /** What one step's beginning leads to the next one's; after the end of a step nothing is its. */
+  /**
+   * Adds the run of a step that shows a scene. Its lines go from the beginning of the step to that
+   * of the next one; lines after the end of the step are not its own.
+   */
   private void add(List<RecordedRun> found, List<JournalLine> lines, Map<String, Integer> counted) {
     if (lines.isEmpty() || !lines.get(0).members().has("head_log")) {
       return;
@@ -86,27 +89,27 @@ public final class RecordedSession {
     return folder;
   }
 
-  /** All that happened, in order. */
+  /** Returns all events in order. */
   public List<JournalLine> events() {
     return events;
   }
 
-  /** The scenes that were shown, in order. */
+  /** Returns the runs in which a scene was shown, in order. */
   public List<RecordedRun> runs() {
     return runs;
   }
 
-  /** When it began. */
+  /** Returns the time of the first event. */
   public OffsetDateTime began() {
     return events.get(0).time();
   }
 
-  /** The last that is known of it. */
+  /** Returns the time of the last event. */
   public OffsetDateTime ended() {
     return events.get(events.size() - 1).time();
   }
 
-  /** How objects were rendered; empty when no condition was assigned. */
+  /** Returns the condition; empty if none was assigned. */
   public String condition() {
     return events.stream()
         .filter(line -> line.event().equals("assigned"))
@@ -115,7 +118,7 @@ public final class RecordedSession {
         .orElse("");
   }
 
-  /** How it ended, as {@code sessions} tables have it. */
+  /** Returns how the session ended, in the spelling of the {@code sessions} tables. */
   public String outcome() {
     String outcome = "unfinished";
     for (JournalLine line : events) {
@@ -125,29 +128,33 @@ public final class RecordedSession {
         case "aborted" -> outcome = "aborted";
         case "resumed" -> outcome = "unfinished";
         default -> {
-          // Says nothing of the end.
+          // Other events do not concern the end.
         }
       }
     }
     return outcome;
   }
 
-  /** Whether a simulated participant took part, if only for a while. */
+  /** Returns whether a simulated participant took part, if only in some steps. */
   public boolean simulated() {
     return history.unattended();
   }
 
-  /** What is to be known of its quality, each once, in order. */
+  /**
+   * Returns the spellings of the quality flags, each once, in the order in which they were raised.
+   */
   public List<String> flags() {
     return history.raised().stream().map(SessionFlag::spelling).toList();
   }
 
-  /** The answers of each step so far, personal ones too; none of who does not take part. */
+  /**
+   * Returns the answers by step, personal ones included; none if the participant refused consent.
+   */
   Map<String, Map<String, GivenAnswer>> given() {
     return history.refused() ? Map.of() : history.given();
   }
 
-  /** The program that ran it. */
+  /** Returns name and version of the program that ran the session. */
   public String software() {
     return events.get(0).text("software");
   }

@@ -9,9 +9,9 @@ import org.selectiverenderer.experiment.session.StudyMaterial;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
- * All that was recorded of a study.
+ * A study with all its recorded data.
  *
- * @param sessions by participant, then by number
+ * @param sessions in order of participants, then of session numbers
  */
 public record RecordedStudy(
     StudyMaterial material, ParticipantsTable participants, List<RecordedSession> sessions) {
@@ -24,10 +24,10 @@ public record RecordedStudy(
   }
 
   /**
-   * Reads it from the study's folder.
+   * Reads the data from the study's folder.
    *
-   * @param problems hears of what is damaged, and is left out
-   * @throws IOException if a file cannot be read at all
+   * @param problems receives a warning for each damaged part, which is left out
+   * @throws IOException if a file cannot be read
    */
   public static RecordedStudy read(StudyMaterial material, Problems problems) throws IOException {
     List<RecordedSession> sessions = new ArrayList<>();

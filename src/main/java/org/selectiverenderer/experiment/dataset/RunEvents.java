@@ -13,13 +13,14 @@ import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.experiment.headlog.HeadLog;
 
 /**
- * What happened while a scene was shown, in the seconds of its head log: the exposure, areas that
- * were entered and left, objects that were switched, pauses, notes, flags.
+ * The events table (BIDS {@code events.tsv}) of a run: the exposure, areas that were entered and
+ * left, objects whose version was switched, pauses, notes and flags, with onsets in seconds from
+ * the first row of the head log.
  */
 public final class RunEvents {
   private static final Map<String, String> TYPES = types();
 
-  /** An event in the order of the columns, but for the times. */
+  /** A row of the table; {@code cells} are those between {@code trial_type} and {@code t}. */
   private record Event(
       double onset,
       double duration,
@@ -38,9 +39,9 @@ public final class RunEvents {
   private @Nullable OffsetDateTime pausedAt;
 
   /**
-   * A time in which the run stood still.
+   * A pause, in which the time of the run stands still.
    *
-   * @param from seconds of real time since the run's beginning
+   * @param from begin of the pause, in seconds of real time since the run's beginning
    */
   private record Pause(double from, double seconds) {}
 
@@ -51,7 +52,7 @@ public final class RunEvents {
     zero = run.started(log);
   }
 
-  /** The columns of {@link #rows}. */
+  /** Returns the columns of {@link #rows}. */
   public static List<TableColumn> columns() {
     return List.of(
         TableColumn.number(
@@ -75,10 +76,10 @@ public final class RunEvents {
   }
 
   /**
-   * The events of a run, in the order of their onsets.
+   * Returns the events of a run, in the order of their onsets.
    *
-   * @param log of the run
-   * @param fade seconds in which its picture went
+   * @param log the head log of the run
+   * @param fade seconds of the picture's fade-out at the end
    */
   public static List<List<@Nullable Object>> rows(
       RecordedRun run, Optional<HeadLog> log, double fade) {
@@ -114,7 +115,7 @@ public final class RunEvents {
       case "heading-reset" -> moment(line, "heading-reset", cells());
       case "aborted" -> moment(line, "aborted", cells());
       default -> {
-        // Of the session, not of what was seen.
+        // Other events concern the session, not the run.
       }
     }
   }
@@ -137,7 +138,7 @@ public final class RunEvents {
                   "version_from", what.path("from").asInt(),
                   "version_to", what.path("to").asInt()));
       default -> {
-        // Beginning and end are told by the exposure.
+        // The row of the exposure has begin and end.
       }
     }
   }
@@ -148,7 +149,10 @@ public final class RunEvents {
     return String.join(" ", names);
   }
 
-  /** Pauses are known before anything else: by them times are told. */
+  /**
+   * Collects a pause. Pauses are collected before all other events, whose times are computed from
+   * them.
+   */
   private void pause(JournalLine line) {
     OffsetDateTime since = pausedAt;
     if (line.event().equals("paused") && since == null) {
@@ -171,7 +175,7 @@ public final class RunEvents {
     }
   }
 
-  /** The run's time at a real time. */
+  /** Converts real time to the time of the run, which stands still in pauses. */
   private double run(double real) {
     double t = real;
     for (Pause pause : pauses) {
@@ -180,7 +184,7 @@ public final class RunEvents {
     return t;
   }
 
-  /** The real time at a time of the run. */
+  /** Converts time of the run to real time. */
   private double real(double t) {
     double real = t;
     for (Pause pause : pauses) {
@@ -189,7 +193,7 @@ public final class RunEvents {
     return real;
   }
 
-  /** The exposure ends when the picture begins to go. */
+  /** Returns when the exposure ends: when the picture begins to fade out. */
   private double exposureEnd() {
     return run.finished() && log.isPresent() ? last(log.get()) - fade : Double.NaN;
   }
@@ -202,7 +206,7 @@ public final class RunEvents {
     return log.map(read -> read.samples().get(0).t()).orElse(0.0);
   }
 
-  /** When an area was left: by the viewer, or by the end of the log. */
+  /** Returns when an area was left: when the viewer left it, or else the log ended. */
   private double left(JournalLine entered, JsonNode what) {
     List<JournalLine> all = run.events();
     for (JournalLine line : all.subList(all.indexOf(entered) + 1, all.size())) {
@@ -215,7 +219,7 @@ public final class RunEvents {
     return log.map(RunEvents::last).orElse(Double.NaN);
   }
 
-  /** Something of which the journal has the time of the clock on the wall alone. */
+  /** Adds an event of which the journal has the wall-clock time only. */
   private void moment(JournalLine line, String type, List<@Nullable Object> cells) {
     if (zero.isPresent()) {
       double real = Math.max(0, RecordedRun.seconds(zero.get(), line.time()));
@@ -224,9 +228,9 @@ public final class RunEvents {
   }
 
   /**
-   * Something that the journal tells in the time of the run.
+   * Adds an event whose time in the journal is that of the run.
    *
-   * @param until in the same time; NaN where that is unknown
+   * @param until end of the event in the time of the run; NaN if unknown
    */
   private void add(
       JournalLine line, double t, double until, String type, List<@Nullable Object> cells) {
@@ -235,7 +239,10 @@ public final class RunEvents {
     events.add(new Event(real(t) - first(), duration, type, cells, t, line.time().toString()));
   }
 
-  /** The cells between type and time, of which some are given by name and value. */
+  /**
+   * Returns the cells between {@code trial_type} and {@code t}; some are given as pairs of name and
+   * value, the others are missing.
+   */
   private static List<@Nullable Object> cells(Object... given) {
     Map<String, Object> values = new LinkedHashMap<>();
     for (int i = 0; i < given.length; i += 2) {

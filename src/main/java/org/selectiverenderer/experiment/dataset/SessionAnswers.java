@@ -16,15 +16,15 @@ import org.selectiverenderer.experiment.questionnaire.TabledAnswer;
 import org.selectiverenderer.experiment.session.StudyMaterial;
 
 /**
- * The answers of a session, from its journal: each question's last one, screen by screen. What the
- * study calls personal is not among them.
+ * The table of a session's answers by screen, from its journal: the last answer to each question.
+ * Answers that the study marks as personal are left out.
  */
 public final class SessionAnswers {
   private static final Map<String, String> YES = yes();
 
   private SessionAnswers() {}
 
-  /** The columns of {@link #rows}. */
+  /** Returns the columns of {@link #rows}. */
   public static List<TableColumn> columns() {
     return List.of(
         TableColumn.text(
@@ -48,10 +48,10 @@ public final class SessionAnswers {
   }
 
   /**
-   * The rows of each screen that was begun, by its step's id, in order.
+   * Returns the rows of each screen that was begun, by the id of its step, in order.
    *
-   * @param material what was asked: which answers are personal, and what was true
-   * @param problems hears of screens that the study no longer has; they are left out
+   * @param material the questionnaires: which answers are personal, and which objects were present
+   * @param problems receives each screen that the study no longer has, which is left out
    */
   public static Map<String, List<List<@Nullable Object>>> rows(
       StudyMaterial material, RecordedSession session, Problems problems) {
@@ -73,7 +73,7 @@ public final class SessionAnswers {
                             problems.warning(
                                 Location.of(session.folder().journal().toString()),
                                 ("the study no longer has %s; the answers to it are left out,"
-                                        + " as nobody knows which of them are personal")
+                                        + " as it is unknown which of them are personal")
                                     .formatted(step))));
     return rows;
   }

@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.base.decimal.Rounded;
 
-/** A row for each session. */
+/** The {@code sessions} table, with a row for each session. */
 public final class SessionsTable {
   private SessionsTable() {}
 
-  /** The columns of {@link #row}; the first are participant, session and began. */
+  /** Returns the columns of {@link #row}; the first are participant, session and began. */
   public static List<TableColumn> columns() {
     Map<String, String> outcomes = new LinkedHashMap<>();
     outcomes.put("finished", "all steps are done");
@@ -29,7 +29,7 @@ public final class SessionsTable {
         TableColumn.text("software", "the program that ran it"));
   }
 
-  /** Of one session. */
+  /** Returns the cells of one session. */
   public static List<Object> row(RecordedSession session) {
     return List.of(
         session.folder().participant(),

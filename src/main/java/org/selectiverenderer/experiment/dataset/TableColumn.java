@@ -5,22 +5,22 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * A column of a {@link DataTable} and what it means.
+ * A column of a {@link DataTable} with its documentation.
  *
- * @param name letters, digits and underscores, as R and pandas take it for a name
- * @param unit of a number, in the spelling of BIDS; empty where there is none
- * @param levels the values that it can have and what each means; empty where there are too many
- * @param meaning one sentence without a full stop
+ * @param name letters, digits and underscores, so that R and pandas accept it as a name
+ * @param unit unit of a number, in the spelling of BIDS; empty for none
+ * @param levels the possible values with their meanings; empty for a column without fixed values
+ * @param meaning what a cell means, one sentence without a full stop
  */
 public record TableColumn(
     String name, Type type, String unit, Map<String, String> levels, String meaning) {
 
-  /** What its cells are. */
+  /** The data type of the cells. */
   public enum Type {
     TEXT("text"),
     WHOLE("whole number"),
     NUMBER("number"),
-    /** ISO 8601, with an offset from UTC or a Z. */
+    /** A date and time by ISO 8601, with an offset from UTC or a Z. */
     TIME("date and time"),
     /** One of the levels. */
     CATEGORY("category");
@@ -31,7 +31,7 @@ public record TableColumn(
       this.spelling = spelling;
     }
 
-    /** In words, as the codebook has it. */
+    /** Returns the type's name in the codebook. */
     public String spelling() {
       return spelling;
     }
@@ -41,18 +41,18 @@ public record TableColumn(
     levels = Collections.unmodifiableMap(new LinkedHashMap<>(levels));
   }
 
-  /** Of texts. */
+  /** Returns a column of texts. */
   public static TableColumn text(String name, String meaning) {
     return new TableColumn(name, Type.TEXT, "", Map.of(), meaning);
   }
 
-  /** Of whole numbers that are counted. */
+  /** Returns a column of counts: whole numbers without a unit. */
   public static TableColumn whole(String name, String meaning) {
     return new TableColumn(name, Type.WHOLE, "", Map.of(), meaning);
   }
 
   /**
-   * Of numbers.
+   * Returns a column of numbers.
    *
    * @param unit as BIDS spells it; empty for none
    */
@@ -60,17 +60,17 @@ public record TableColumn(
     return new TableColumn(name, Type.NUMBER, unit, Map.of(), meaning);
   }
 
-  /** Of dates with their time. */
+  /** Returns a column of dates with times. */
   public static TableColumn time(String name, String meaning) {
     return new TableColumn(name, Type.TIME, "", Map.of(), meaning);
   }
 
-  /** Of values out of a few, in their order. */
+  /** Returns a column of categories, in the order of the levels. */
   public static TableColumn category(String name, Map<String, String> levels, String meaning) {
     return new TableColumn(name, Type.CATEGORY, "", levels, meaning);
   }
 
-  /** Of {@code yes} and {@code no}. */
+  /** Returns a column of {@code yes} and {@code no}. */
   public static TableColumn yesNo(String name, String yes, String no, String meaning) {
     Map<String, String> levels = new LinkedHashMap<>();
     levels.put("yes", yes);

@@ -1,22 +1,22 @@
 /**
- * What was recorded of a study, read back from its folder and laid out in tables: the vocabulary of
- * those who hand it on.
+ * The recorded data of a study, read from its folder and laid out in documented tables, which the
+ * BIDS dataset and the exported tables share.
  *
  * <p>In: a study's folder as sessions have left it: {@code participants.tsv}, and of each session
- * the journal, the head logs and the tables of answers. Whatever a crash has damaged is a problem
- * with its place; the rest is used. Out: a {@link
+ * the journal, the head logs and the tables of answers. A part that a crash has damaged is reported
+ * with its file and line; the rest is used. Out: a {@link
  * org.selectiverenderer.experiment.dataset.RecordedStudy} of sessions and runs, and {@link
- * org.selectiverenderer.experiment.dataset.DataTable}s of them, whose columns say what they mean.
+ * org.selectiverenderer.experiment.dataset.DataTable}s of them with documented columns.
  *
  * <pre>
  *   folder -> RecordedStudy -> RecordedSession -> RecordedRun -> tables -> experiment.bids, experiment.export
  * </pre>
  *
- * <p>A table is made in one place, so that a column means the same in BIDS and in the exported
- * files. Nothing is ever written into the study's folder, and what a questionnaire calls personal
- * leaves it in no table. Uses {@code experiment.session} for where things are and what was asked,
- * {@code experiment.questionnaire} for answers, {@code experiment.headlog} for what was looked at,
- * {@code experiment.study} and {@code base}; no GL, no AWT.
+ * <p>A table is built in one place, so that a column means the same in BIDS and in the exported
+ * files. Nothing is ever written to the study's folder, and no table contains answers that a
+ * questionnaire marks as personal. Uses {@code experiment.session} for the layout of the folder and
+ * the questionnaires, {@code experiment.questionnaire} for answers, {@code experiment.headlog} for
+ * what was looked at, {@code experiment.study} and {@code base}; no GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.dataset;

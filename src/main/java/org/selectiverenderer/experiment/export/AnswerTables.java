@@ -10,7 +10,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.dataset.DataTable;
 import org.selectiverenderer.experiment.dataset.TableColumn;
 
-/** Tables of answers as the program writes them elsewhere, with what their columns mean. */
+/** Parses the program's CSV tables of answers and adds the documentation of their columns. */
 final class AnswerTables {
   private static final Map<String, TableColumn> KNOWN = known();
 
@@ -63,9 +63,9 @@ final class AnswerTables {
   }
 
   /**
-   * A table of the program.
+   * Parses a table.
    *
-   * @param csv its text, with a header
+   * @param csv text of the table, with a header
    */
   DataTable table(String name, String meaning, String csv) {
     CsvTable read = CsvTable.parse(name, csv, faults()).orElseThrow();

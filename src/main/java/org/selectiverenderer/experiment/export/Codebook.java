@@ -8,11 +8,13 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.experiment.dataset.DataTable;
 import org.selectiverenderer.experiment.dataset.TableColumn;
 
-/** What every column of some tables means, as a table and as JSON. */
+/**
+ * The codebook of some tables: type, unit, levels and meaning of every column, as CSV and as JSON.
+ */
 final class Codebook {
   private Codebook() {}
 
-  /** A row for each column. */
+  /** Returns the codebook as CSV, with a row for each column. */
   static String csv(List<DataTable> tables) {
     DataTable book =
         new DataTable(
@@ -46,7 +48,7 @@ final class Codebook {
     return book.csv();
   }
 
-  /** By file and column. */
+  /** Returns the codebook as JSON, by file and column. */
   static String json(List<DataTable> tables) {
     ObjectNode root = JsonTree.object();
     for (DataTable table : tables) {

@@ -22,7 +22,7 @@ import org.selectiverenderer.experiment.headlog.HeadLogAnalysis;
 import org.selectiverenderer.experiment.headlog.LookSummary;
 import org.selectiverenderer.experiment.headlog.SceneMap;
 
-/** The tables of what was shown: exposures, what was looked at, events. */
+/** The tables of all runs: exposures, dwell times of head and eyes by object, and events. */
 final class RunTables {
   private final DataTable exposures =
       new DataTable(
@@ -44,7 +44,7 @@ final class RunTables {
   private final Problems problems;
 
   /**
-   * @param fade seconds in which pictures come and go
+   * @param fade seconds in which pictures fade in and out
    */
   RunTables(double fade, Problems problems) {
     this.fade = fade;
@@ -193,9 +193,9 @@ final class RunTables {
   }
 
   /**
-   * Adds a row for each object that was looked at, then for each that was not.
+   * Adds a row for each object that was looked at, then for each other object.
    *
-   * @param more cells of an object
+   * @param more further cells of an object
    */
   private void looks(
       RecordedRun run,

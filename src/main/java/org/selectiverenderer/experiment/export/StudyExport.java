@@ -18,9 +18,9 @@ import org.selectiverenderer.experiment.dataset.RecordedStudy;
 import org.selectiverenderer.experiment.dataset.SessionsTable;
 
 /**
- * Writes a study as tidy tables.
+ * A study written as tidy tables (Wickham 2014).
  *
- * @param files names of what was written, in order
+ * @param files names of the written files, in order
  */
 public record StudyExport(List<String> files) {
   /** The table of recognition answers, as {@code experiment analyse} reads it. */
@@ -33,20 +33,20 @@ public record StudyExport(List<String> files) {
   }
 
   /**
-   * The answers that count, as {@code experiment collect} gives them.
+   * The collected answers, as CSV texts of {@code experiment collect}.
    *
-   * @param responses recognition
-   * @param ratings expectancy
-   * @param others to questions of other kinds
-   * @param scores computed from them
+   * @param responses answers to recognition lists
+   * @param ratings ratings of expectancy
+   * @param others answers to questions of other kinds
+   * @param scores scores computed from the answers
    */
   public record Answers(String responses, String ratings, String others, String scores) {}
 
   /**
-   * Writes all files, or none; what an earlier export has written is replaced.
+   * Writes all files, or none; files of an earlier export are replaced.
    *
    * @param more further files by their names, such as scripts
-   * @param problems hears of what is damaged, and is left out
+   * @param problems receives a warning for each damaged part, which is left out
    * @throws IOException if a file cannot be read or written
    */
   public static StudyExport write(

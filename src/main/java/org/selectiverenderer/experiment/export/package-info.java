@@ -6,7 +6,7 @@
  * {@code experiment collect} takes. Out: CSV files, {@code codebook.csv} and {@code codebook.json},
  * and scripts for R and Python that read the tables with the types of the codebook.
  *
- * <p>{@link org.selectiverenderer.experiment.export.StudyExport} puts them together. Uses {@code
+ * <p>{@link org.selectiverenderer.experiment.export.StudyExport} assembles the tables. Uses {@code
  * experiment.dataset}, {@code experiment.headlog} for what was looked at, and {@code base}.
  */
 @NullMarked

@@ -14,11 +14,11 @@ import org.selectiverenderer.base.decimal.Rounded;
 import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 
-/** An analysis as text for people and as JSON. */
+/** Formats an analysis of a head log as text for people and as JSON. */
 public final class AnalysisFormats {
   private AnalysisFormats() {}
 
-  /** Several lines, the last one ended. */
+  /** Returns the analysis as text: several lines, the last one ended. */
   public static String text(HeadLogAnalysis analysis) {
     StringBuilder text = new StringBuilder();
     line(
@@ -74,7 +74,10 @@ public final class AnalysisFormats {
         view -> String.format(Locale.ROOT, " %9d", eyes.fixations(view.object()).size()));
   }
 
-  /** Objects, those never looked at in rooms that were entered, and what surrounds them. */
+  /**
+   * Writes the objects, then those never looked at in rooms that were entered, then walls, floors
+   * and ceilings.
+   */
   private static void views(
       StringBuilder text,
       LookSummary looks,
@@ -144,7 +147,7 @@ public final class AnalysisFormats {
     text.append(String.format(Locale.ROOT, format, arguments)).append('\n');
   }
 
-  /** One JSON object, several lines, the last one ended. */
+  /** Returns the analysis as one JSON object: several lines, the last one ended. */
   public static String json(HeadLogAnalysis analysis) {
     ObjectNode root = JsonTree.object();
     HeadLogDescription shown = analysis.log().description();

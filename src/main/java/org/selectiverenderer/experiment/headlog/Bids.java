@@ -16,16 +16,16 @@ import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 
 /**
- * A head log as BIDS motion data (Brain Imaging Data Structure 1.9 and later, "Motion"; Jeung and
- * others 2024, Motion-BIDS): {@code *_motion.tsv} without a header, {@code *_channels.tsv} naming
- * its columns, {@code *_motion.json} and {@code *_channels.json}.
+ * Converts a head log to BIDS motion data (Brain Imaging Data Structure 1.9 and later, "Motion";
+ * Jeung and others 2024, Motion-BIDS): {@code *_motion.tsv} without a header, {@code
+ * *_channels.tsv} naming its columns, {@code *_motion.json} and {@code *_channels.json}.
  */
 public final class Bids {
-  /** A column of the data. */
+  /** A channel: a column of the data. */
   private record Channel(
       String name, String component, String type, String units, ToDoubleFunction<Row> value) {}
 
-  /** A sample in metres and quaternions. */
+  /** A sample, with the factor from scene units to metres and the orientation as a quaternion. */
   private record Row(HeadSample sample, double metres, double started, Quaterniond turn) {}
 
   private static final List<Channel> CHANNELS =
@@ -40,23 +40,23 @@ public final class Bids {
           new Channel("latency", "n/a", "LATENCY", "s", r -> time(r.sample) - r.started),
           new Channel("visible", "n/a", "MISC", "n/a", r -> r.sample.visible() ? 1 : 0));
 
-  /** All types of channels that BIDS knows; of most there are none. */
+  /** All channel types of BIDS; the sidecar has a count for each, 0 for most. */
   private static final List<String> TYPES =
       List.of(
           "ACCEL", "ANGACCEL", "GYRO", "JNTANG", "LATENCY", "MAGN", "MISC", "ORNT", "POS", "VEL");
 
-  /** How the name of the data file ends. */
+  /** Suffix of the data file's name. */
   public static final String DATA = "_motion.tsv";
 
-  /** The program, where its version is not known. */
+  /** Name of the program, for files in which its version is not known. */
   public static final String SOFTWARE = "selective-renderer";
 
   private Bids() {}
 
   /**
-   * Writes the four files, and those of the eyes where the log has them; or none.
+   * Writes the four files, and those of the eyes if the log has gaze data; or none.
    *
-   * @param folder made if it is not there
+   * @param folder created if it does not exist
    * @param subject label of the participant: letters and digits
    * @return the data file
    * @throws IOException if a file cannot be written
@@ -75,12 +75,12 @@ public final class Bids {
   }
 
   /**
-   * The four files under a name of one's own, by their names. The data come last: where they are,
-   * the others are.
+   * Returns the texts of the four files by their names. The data file comes last, so that once it
+   * has been written the others exist, too.
    *
-   * @param stem the files' names up to their suffix, BIDS entities in their order
+   * @param stem the files' names up to their suffix: BIDS entities in their order
    * @param task label of the task, as in the stem
-   * @param software the program that recorded it, and its version
+   * @param software name and version of the program that recorded the log
    */
   public static Map<String, String> files(HeadLog log, String stem, String task, String software) {
     Map<String, String> files = new LinkedHashMap<>();
@@ -94,9 +94,9 @@ public final class Bids {
   }
 
   /**
-   * The two files of what the eyes do, under the same name; none for a log that does not say.
+   * Returns the two files of eye-tracking data by their names; none for a log without gaze data.
    *
-   * @param stem as of {@link #files}
+   * @param stem as for {@link #files}
    */
   public static Map<String, byte[]> eyes(HeadLog log, String stem, String task, String software) {
     return BidsEyes.files(log, stem, task, software);
@@ -125,14 +125,17 @@ public final class Bids {
     return text.toString();
   }
 
-  /** Pauses count, where the log knows of them: the data are over time as it went by. */
+  /**
+   * Returns the time of a sample with pauses included, if the log has the monotonic clock: BIDS
+   * wants real time.
+   */
   static double time(HeadSample sample) {
     double mono = sample.moment().mono();
     return Double.isNaN(mono) ? sample.t() : mono;
   }
 
   static double rate(HeadLog log) {
-    double seconds = log.duration(); // Pauses, which have no samples, do not make it slower.
+    double seconds = log.duration(); // Pauses have no samples and do not count.
     return seconds > 0 ? Math.round(1000 * (log.samples().size() - 1) / seconds) / 1000.0 : 0;
   }
 

@@ -16,10 +16,10 @@ import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 
 /**
- * Where the eyes look as BIDS eye-tracking data (Brain Imaging Data Structure 1.11, "Physiological
- * recordings", Eye-tracking): {@code *_recording-eye1_physio.tsv.gz} without a header and {@code
- * *_physio.json}, beside the motion data of the head, sample by sample. A headset tells one
- * direction for both eyes, which BIDS calls cyclopean.
+ * Converts the gaze data of a head log to BIDS eye-tracking data (Brain Imaging Data Structure
+ * 1.11, "Physiological recordings", Eye-tracking): {@code *_recording-eye1_physio.tsv.gz} without a
+ * header and {@code *_physio.json}, beside the motion data of the head, sample by sample. A headset
+ * reports one gaze direction for both eyes, which BIDS calls cyclopean.
  */
 final class BidsEyes {
   private static final String NONE = "n/a";
@@ -27,9 +27,9 @@ final class BidsEyes {
   private BidsEyes() {}
 
   /**
-   * The files by their names; none for a log that says nothing of the eyes.
+   * Returns the files by their names; none for a log without gaze data.
    *
-   * @param stem the names of the motion data up to their suffix
+   * @param stem name of the motion data up to the suffix
    */
   static Map<String, byte[]> files(HeadLog log, String stem, String task, String software) {
     Map<String, byte[]> files = new LinkedHashMap<>();
@@ -69,7 +69,7 @@ final class BidsEyes {
     try (GZIPOutputStream zip = new GZIPOutputStream(bytes)) {
       zip.write(text.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
-      throw new UncheckedIOException(e); // Memory does not fail so.
+      throw new UncheckedIOException(e); // Memory throws no IOException.
     }
     return bytes.toByteArray();
   }

@@ -13,7 +13,7 @@ import org.selectiverenderer.base.decimal.DecimalText;
 
 /**
  * The columns of a head log's CSV, in their order. Numbers have a fixed number of decimals: a
- * millionth of a scene unit and of a degree is far below what a tracker tells or a display shows,
+ * millionth of a scene unit and of a degree is far below the resolution of trackers and displays,
  * so that a replay shows the same frames.
  */
 enum Column {
@@ -82,11 +82,11 @@ enum Column {
       "the choice that the Switch of what the eyes look at shows; empty where it has none",
       eyes(e -> e.version() < 0 ? "" : Integer.toString(e.version())));
 
-  /** Those that a log has had from the beginning; older logs lack the others. */
+  /** Columns of the oldest format; logs of that format lack the others. */
   static final List<Column> OLDEST =
       Arrays.stream(values()).filter(column -> column.ordinal() <= FRAME_MS.ordinal()).toList();
 
-  /** Those of the eyes, which only a log of a headset with an eye tracker has. */
+  /** Columns of gaze data, which only a log of a headset with an eye tracker has. */
   private static final List<Column> OF_EYES =
       List.of(EYES, GAZE_YAW, GAZE_PITCH, GAZE_OBJECT, GAZE_DISTANCE, GAZE_VERSION);
 
@@ -94,13 +94,13 @@ enum Column {
       DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSS'Z'", Locale.ROOT)
           .withZone(ZoneOffset.UTC);
 
-  /** What stands in the description of a log. */
+  /** Meaning of the column, as the log's description states it. */
   final String meaning;
 
-  /** Empty for columns that are no numbers. */
+  /** Unit of the numbers; empty for a column of texts. */
   final String units;
 
-  /** How many a number has; -1 for columns that are no numbers. */
+  /** Decimals of the numbers; -1 for a column of texts. */
   final int decimals;
 
   private final String header = name().toLowerCase(Locale.ROOT);
@@ -134,7 +134,7 @@ enum Column {
     };
   }
 
-  /** A date and time as it stands in a log; empty for none. */
+  /** Returns date and time as a log writes them; empty for null. */
   static String wall(@Nullable Instant time) {
     return time == null ? "" : WALL_CLOCK.format(time);
   }
@@ -143,21 +143,21 @@ enum Column {
     return Double.isFinite(number) ? DecimalText.fixed(number, decimals) : "";
   }
 
-  /** As the header of the CSV names it. */
+  /** Returns the column's name in the header of the CSV. */
   String header() {
     return header;
   }
 
   /**
-   * The columns of a log, in their order.
+   * Returns the columns of a log, in their order.
    *
-   * @param eyes whether something tracks the eyes
+   * @param eyes whether the log has gaze data
    */
   static List<Column> of(boolean eyes) {
     return Arrays.stream(values()).filter(column -> eyes || !OF_EYES.contains(column)).toList();
   }
 
-  /** A sample's cell. */
+  /** Returns the cell of a sample. */
   String cell(HeadSample sample) {
     return value.apply(sample);
   }

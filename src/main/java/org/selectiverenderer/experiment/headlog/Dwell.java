@@ -1,14 +1,15 @@
 package org.selectiverenderer.experiment.headlog;
 
 /**
- * A stretch of time in which one object was in the middle of the view.
+ * A dwell: a period in which one object was in the middle of the view, or under the gaze.
  *
  * @param start seconds since the session began
- * @param end likewise
- * @param version that it was shown in at the start, -1 for an object without versions
+ * @param end seconds since the session began
+ * @param version the version shown at the start (whichChoice of its Switch); -1 for an object
+ *     without versions
  */
 record Dwell(String object, double start, double end, int version) {
-  /** Seconds. */
+  /** Returns the duration in seconds. */
   public double duration() {
     return end - start;
   }

@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What the eyes looked at, as far as the eye tracker saw them.
+ * The analysis of a log's gaze data: tracking ratio, dwells and fixations.
  *
- * @param tracked share of the time with a picture in which it saw them, 0 to 1
- * @param looks at objects
- * @param fixations in order of time
+ * @param tracked share of the time with a visible picture in which the eyes were tracked, 0 to 1
+ * @param looks the dwells of the gaze on objects
+ * @param fixations all fixations in order of time
  */
 public record EyeFindings(double tracked, LookSummary looks, List<Fixation> fixations) {
-  /** Looks at a log; empty for one that says nothing of the eyes. */
+  /** Analyses a log; empty for a log without gaze data. */
   static Optional<EyeFindings> of(HeadLog log) {
     if (log.samples().stream().allMatch(sample -> sample.eyes() == null)) {
       return Optional.empty();
@@ -30,12 +30,12 @@ public record EyeFindings(double tracked, LookSummary looks, List<Fixation> fixa
         new EyeFindings(all > 0 ? tracked / all : 0, LookSummary.ofEyes(log), Fixations.of(log)));
   }
 
-  /** The fixations of an object. */
+  /** Returns the fixations on an object. */
   public List<Fixation> fixations(String object) {
     return fixations.stream().filter(each -> each.object().equals(object)).toList();
   }
 
-  /** Their mean duration in seconds; 0 for none. */
+  /** Returns the mean duration of all fixations in seconds; 0 if there is none. */
   public double meanFixation() {
     return fixations.stream().mapToDouble(Fixation::duration).average().orElse(0);
   }

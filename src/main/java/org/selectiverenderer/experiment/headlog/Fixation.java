@@ -1,14 +1,14 @@
 package org.selectiverenderer.experiment.headlog;
 
 /**
- * A stretch of time in which the eyes rested.
+ * A fixation: a period in which the gaze direction rested.
  *
- * @param object that they rested on; empty for none
+ * @param object the object that the gaze rested on; empty for none
  * @param start seconds since the session began
- * @param end likewise
+ * @param end seconds since the session began
  */
 record Fixation(String object, double start, double end) {
-  /** Seconds. */
+  /** Returns the duration in seconds. */
   public double duration() {
     return end - start;
   }

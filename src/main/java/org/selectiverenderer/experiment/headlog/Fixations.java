@@ -9,17 +9,18 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds fixations by dispersion (Salvucci and Goldberg 2000, Identifying fixations and saccades in
- * eye-tracking protocols): samples in turn whose direction in the world stays within {@value
- * #RADIUS} degrees of their mean for at least {@value #SHORTEST} seconds. What head and eyes do
- * against each other so that the view rests does not end one. A blink ends it if it is longer than
- * what ends a look; a picture that goes, and a pause, end it at once.
+ * Detects fixations by a dispersion threshold (Salvucci and Goldberg 2000, Identifying fixations
+ * and saccades in eye-tracking protocols): consecutive samples whose gaze direction in the world
+ * stays within {@value #RADIUS} degrees of their mean for at least {@value #SHORTEST} seconds.
+ * Movements of head and eyes that compensate each other (vestibulo-ocular reflex) do not end a
+ * fixation. A blink ends it if it is longer than {@link LookSummary#GAP}; a picture that
+ * disappears, and a pause, end it at once.
  */
 final class Fixations {
-  /** Degrees. */
+  /** Dispersion threshold in degrees. */
   static final double RADIUS = 1;
 
-  /** Seconds. */
+  /** Minimum duration of a fixation in seconds. */
   static final double SHORTEST = 0.1;
 
   private final List<Fixation> found = new ArrayList<>();
@@ -81,7 +82,7 @@ final class Fixations {
     return String.valueOf(most);
   }
 
-  /** Where the eyes look, in the world. */
+  /** Returns the gaze direction in world coordinates, a unit vector. */
   static Vector3d direction(HeadSample sample, EyeSample eyes) {
     return new Quaterniond()
         .rotationYXZ(

@@ -16,9 +16,9 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * Finds what is in the middle of the viewer's view: by a ray along the line of sight, and by
- * {@value #RAYS} rays in a cone about it; and what the eyes look at, where a headset tells their
- * direction. Belongs to the thread that steps the world.
+ * Finds the object in the middle of the viewer's view by a ray along the line of sight, the objects
+ * around it by {@value #RAYS} rays in a cone about that ray, and the object under the gaze if a
+ * headset tracks the eyes. Belongs to the thread that steps the world.
  */
 public final class Gaze {
   private static final int RINGS = 2;
@@ -26,12 +26,12 @@ public final class Gaze {
   private static final int RAYS = 1 + PER_RING + 2 * PER_RING;
 
   /**
-   * What was found.
+   * The objects in and around the middle of the view.
    *
-   * @param object empty for none
-   * @param distance NaN for none
-   * @param version -1 for none
-   * @param cone names, the most frequent first
+   * @param object name of the object in the middle; empty for none
+   * @param distance to its surface along the line of sight, in the scene's unit; NaN for none
+   * @param version whichChoice of the object's Switch; -1 for none
+   * @param cone names of the objects that the rays of the cone hit, the most frequent first
    */
   public record Found(String object, double distance, int version, List<String> cone) {}
 
@@ -42,7 +42,7 @@ public final class Gaze {
   private SceneObjects objects;
 
   /**
-   * @param coneDegrees from side to side of the cone, from 0 to 90
+   * @param coneDegrees full angle of the cone in degrees, from 0 to 90
    */
   public Gaze(World world, double coneDegrees) {
     this.world = world;
@@ -71,9 +71,9 @@ public final class Gaze {
   }
 
   /**
-   * What the eyes see now.
+   * Finds the object that the eyes look at now.
    *
-   * @param direction in which they look from the viewer's place, in the frame of the viewer: a unit
+   * @param direction gaze direction from the viewer's position, in the frame of the viewer: a unit
    *     vector
    */
   public EyeSample eyes(Vector3dc direction) {
@@ -89,7 +89,7 @@ public final class Gaze {
         object.map(SceneObjects.Named::version).orElse(-1));
   }
 
-  /** What the viewer sees in the middle now. */
+  /** Finds the objects in and around the middle of the view now. */
   public Found find() {
     refresh();
     Viewer viewer = world.viewer();

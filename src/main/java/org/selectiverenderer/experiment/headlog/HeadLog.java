@@ -3,7 +3,7 @@ package org.selectiverenderer.experiment.headlog;
 import java.util.List;
 
 /**
- * A head log that was read.
+ * The contents of a head log.
  *
  * @param samples in order of time, at least one
  */
@@ -15,18 +15,18 @@ public record HeadLog(HeadLogDescription description, List<HeadSample> samples) 
     }
   }
 
-  /** From the first sample to the last, in seconds. */
+  /** Returns the time from the first sample to the last, in seconds. */
   public double duration() {
     return samples.get(samples.size() - 1).t() - samples.get(0).t();
   }
 
-  /** Less than this is what rounding leaves, in seconds. */
+  /** Shortest pause in seconds; a smaller difference of the clocks comes from rounding. */
   private static final double SHORTEST_PAUSE = 0.005;
 
   /**
-   * For how long the session was paused between a sample and the one before, in seconds: what the
-   * machine's clock went on beyond the frame's own time. 0 for none, and in a log without that
-   * clock.
+   * Returns for how long the session was paused between a sample and the one before, in seconds:
+   * the time by the monotonic clock beyond the frame's duration. 0 for none, and in a log without
+   * that clock.
    */
   double pauseBefore(int sample) {
     if (sample == 0) {
@@ -39,8 +39,8 @@ public record HeadLog(HeadLogDescription description, List<HeadSample> samples) 
   }
 
   /**
-   * How long a sample was shown, in seconds: until the next one; the last as long as the one
-   * before.
+   * Returns how long the frame of a sample was shown, in seconds: until the next one; the last
+   * frame counts as long as the one before.
    */
   double shown(int sample) {
     if (samples.size() < 2) {

@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a head log says about a session. Only samples that the participant saw count: what lies in
- * the middle of a view that is black is not looked at.
+ * The analysis of a head log. Only samples with a visible picture count: nobody looks at an object
+ * in the middle of a black view.
  *
- * @param seconds in which there was a picture
- * @param unshown what is left out
- * @param idle share of the time in which the head did not move, 0 to 1
- * @param head what was in the middle of the view
- * @param eyes what the eyes looked at; empty for a log that does not say
+ * @param seconds total time with a visible picture
+ * @param unshown samples and pauses that are left out
+ * @param idle share of that time in which the head did not move, 0 to 1
+ * @param head dwells of objects in the middle of the view
+ * @param eyes analysis of the gaze data; empty for a log without
  */
 public record HeadLogAnalysis(
     HeadLog log,
@@ -23,16 +23,16 @@ public record HeadLogAnalysis(
     List<RoomView> rooms) {
 
   /**
-   * What a log has beside what the participant saw.
+   * Time of a log that does not count: without a visible picture, or paused.
    *
-   * @param samples without a picture
-   * @param seconds that these last
-   * @param pauses how often time stood still for the session
-   * @param paused seconds that these pauses last together, which the log's time does not count
+   * @param samples number of samples without a picture
+   * @param seconds total duration of these samples
+   * @param pauses number of pauses
+   * @param paused total duration of the pauses in seconds, which the log's time does not include
    */
   public record Unshown(int samples, double seconds, int pauses, double paused) {}
 
-  /** Looks at a log. */
+  /** Analyses a log. */
   public static HeadLogAnalysis of(HeadLog log) {
     double idle = 0;
     double all = 0;

@@ -12,20 +12,20 @@ import org.selectiverenderer.experiment.headlog.SceneMap.Area;
 import org.selectiverenderer.experiment.headlog.SceneMap.Box;
 
 /**
- * What a log's JSON file says: how the session was shown and where things were. The meaning and
- * unit of each column stand there too.
+ * The metadata of a head log, in a JSON file beside its CSV: how the scene was shown, where rooms,
+ * areas and objects are, and meaning and unit of each column.
  *
  * @param started date and time of the session's beginning, ISO 8601
  * @param scene the scene's file name
- * @param condition how objects were rendered
+ * @param condition the participant's condition
  * @param seed of the random condition
- * @param display on what it was shown
- * @param tracker where the orientation came from
- * @param tanX tangent of half the horizontal angle that the head sees
- * @param tanY tangent of half the vertical angle that the head sees
+ * @param display name of the display
+ * @param tracker name of the head tracker
+ * @param tanX tangent of half the horizontal field of view
+ * @param tanY tangent of half the vertical field of view
  * @param metresPerUnit of the scene's unit of length
- * @param coneDegrees width of the cone about the middle of the view
- * @param eyes whether the headset tracks the eyes, so that the log has their columns
+ * @param coneDegrees full angle of the cone about the middle of the view
+ * @param eyes whether the log has the columns of gaze data
  */
 public record HeadLogDescription(
     String started,
@@ -41,18 +41,21 @@ public record HeadLogDescription(
     boolean eyes,
     SceneMap map) {
 
-  /** Of a log whose description is lost: a view of 50 degrees, nothing known of the scene. */
+  /**
+   * Substitute for a lost description: a field of view of 50 degrees diagonally, nothing known of
+   * the scene.
+   */
   static final HeadLogDescription UNKNOWN =
       new HeadLogDescription("", "", "", 0, "", "", 0.373, 0.28, 1, 0, false, SceneMap.EMPTY);
 
-  /** The description's file for a log's CSV. */
+  /** Returns the description's file for a log's CSV file. */
   public static Path beside(Path csv) {
     String name = String.valueOf(csv.getFileName());
     int dot = name.lastIndexOf('.');
     return csv.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + ".json");
   }
 
-  /** As JSON, several lines, the last one ended. */
+  /** Returns the description as JSON: several lines, the last one ended. */
   public String json() {
     ObjectNode root = JsonTree.object();
     root.put("started", started);
@@ -103,7 +106,7 @@ public record HeadLogDescription(
     }
   }
 
-  /** Reads what {@link #json} wrote; what is missing is as in an unknown log. */
+  /** Reads what {@link #json} wrote; a missing member gets the value of {@link #UNKNOWN}. */
   static HeadLogDescription of(JsonNode root) {
     JsonNode field = root.path("field_of_view");
     JsonNode drawn = root.path("map");

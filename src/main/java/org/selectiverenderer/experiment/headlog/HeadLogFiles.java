@@ -14,9 +14,9 @@ import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.base.files.Disk;
 
 /**
- * The two files of a head log, its CSV and the description beside it. They are taken before
- * anything else of a session begins, so that what stands in the way is told at once; files that
- * were there are changed only when the log begins. Files made for a log that never began go again.
+ * The two files of a head log, its CSV and the description beside it. They are opened before
+ * anything else of a session begins, so that an obstacle is reported at once; existing files are
+ * changed only when the log begins. Files created for a log that never began are deleted.
  */
 public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
   private final Claimed csv;
@@ -43,7 +43,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
                 there ? StandardOpenOption.CREATE : StandardOpenOption.CREATE_NEW),
             !there);
       } catch (FileAlreadyExistsException e) {
-        throw e; // It came into being this moment.
+        throw e; // Another program has just created it.
       } catch (FileSystemException e) {
         throw new IOException(file + ": the head log cannot be written there", e);
       }
@@ -62,9 +62,9 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
   }
 
   /**
-   * The files of a log, those of its tracker's records among them.
+   * Returns the paths of a log's files, including those of the tracker's records.
    *
-   * @param csv ends in .csv; the description goes beside it, ending in .json
+   * @param csv file name ending in .csv; the description beside it ends in .json
    */
   public static List<Path> of(Path csv) {
     return Stream.concat(
@@ -73,11 +73,11 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
   }
 
   /**
-   * Takes the files of a log.
+   * Opens the files of a log for writing.
    *
-   * @param replace whether files that are there may be replaced
-   * @throws FileAlreadyExistsException if one is there and may not
-   * @throws IOException if one cannot be written
+   * @param replace whether existing files may be replaced
+   * @throws FileAlreadyExistsException if a file exists and may not be replaced
+   * @throws IOException if a file cannot be written
    */
   public static HeadLogFiles claim(Path csv, boolean replace) throws IOException {
     Path description = HeadLogDescription.beside(csv);
@@ -93,15 +93,15 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
     }
   }
 
-  /** The log's CSV. */
+  /** Returns the log's CSV file. */
   Path csv() {
     return csv.file();
   }
 
   /**
-   * Begins the log: writes description and header.
+   * Begins the log: writes the description, and the header of the CSV.
    *
-   * @return where its lines go
+   * @return takes the lines of the log
    */
   HeadLogWriter.Lines begin(HeadLogDescription description) throws IOException {
     csv.channel().truncate(0);
@@ -129,7 +129,7 @@ public final class HeadLogFiles implements HeadLogWriter.Lines, AutoCloseable {
     csv.channel().force(false);
   }
 
-  /** Closes both; does nothing the second time. */
+  /** Closes both files; a second call does nothing. */
   @Override
   public void close() throws IOException {
     if (!csv.channel().isOpen()) {

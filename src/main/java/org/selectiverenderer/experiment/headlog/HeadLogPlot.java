@@ -11,23 +11,23 @@ import org.selectiverenderer.base.picture.SvgDrawing;
 import org.selectiverenderer.base.picture.SvgPrecision;
 
 /**
- * A session as a drawing: from above, where the viewer went and looked and how long at what; below
- * it, what was in the middle of the view when.
+ * A plot of a head log: above, a floor plan with the viewer's path and lines of sight; below it,
+ * timelines of the dwells on each object.
  */
 public final class HeadLogPlot {
   static final int WIDTH = 1100;
 
-  /** Of the plan at most; a long narrow scene takes less. */
+  /** Maximum height of the floor plan; that of a long narrow scene is lower. */
   private static final int PLAN = 620;
 
   static final int MARGIN = 40;
 
-  /** Of what has no name. */
+  /** Colour for surfaces without a name. */
   private static final String UNKNOWN = "#999999";
 
   static final String INK = "#222222";
 
-  /** Told apart by people of any colour vision (Okabe and Ito 2008). */
+  /** Colours that people of any colour vision tell apart (Okabe and Ito 2008). */
   private static final List<String> COLOURS =
       List.of("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9", "#999933");
 
@@ -51,7 +51,7 @@ public final class HeadLogPlot {
                     object, name -> COLOURS.get(colours.size() % COLOURS.size())));
   }
 
-  /** The drawing as SVG; the same bytes every time. */
+  /** Returns the plot as SVG; the same bytes for the same analysis. */
   public static String svg(HeadLogAnalysis analysis) {
     return new HeadLogPlot(analysis).draw();
   }
@@ -80,7 +80,7 @@ public final class HeadLogPlot {
     return svg.finish();
   }
 
-  /** Of the head, and of the eyes where they were tracked. */
+  /** Returns the timeline of the head, and that of the eyes if they were tracked. */
   private List<LookTimeline> timelines() {
     String left = analysis.unshown().samples() > 0 ? "grey: no picture" : "";
     List<LookTimeline> timelines = new ArrayList<>();
@@ -105,7 +105,7 @@ public final class HeadLogPlot {
     return timelines;
   }
 
-  /** From the world's x and z to the drawing. */
+  /** The transformation from world x and z to the drawing. */
   private record Scale(double x, double z, double pixels, double down) {
     double[] at(double worldX, double worldZ) {
       return new double[] {WIDTH / 2.0 + (worldX - x) * pixels, down + (worldZ - z) * pixels};
@@ -122,7 +122,7 @@ public final class HeadLogPlot {
         MARGIN + plan / 2);
   }
 
-  /** The x and z of what is to be seen on the plan: lowest, then highest. */
+  /** Returns the bounds of the floor plan: least x and z, then greatest x and z. */
   private static double[] extent(HeadLog log) {
     double[] box = {
       Double.POSITIVE_INFINITY,
@@ -173,7 +173,7 @@ public final class HeadLogPlot {
     names(svg, scale);
   }
 
-  /** Of areas and rooms, over all that is drawn where they stand. */
+  /** Draws the names of areas and rooms, above everything else. */
   private void names(SvgDrawing svg, Scale scale) {
     SceneMap map = analysis.log().description().map();
     for (SceneMap.Area area : map.areas()) {
@@ -189,7 +189,7 @@ public final class HeadLogPlot {
     }
   }
 
-  /** A name with a white rim, so that it can be read over lines of any colour. */
+  /** Draws a name with a white outline, so that it can be read over lines of any colour. */
   private static void name(
       SvgDrawing svg, String words, double x, double y, int size, String fill) {
     String white = "#ffffff";
@@ -212,7 +212,7 @@ public final class HeadLogPlot {
     text(svg, words, x, y, size, fill, "start");
   }
 
-  /** Where the eyes looked, as a ring. */
+  /** Draws the point that the eyes looked at, as a ring. */
   private void eyes(SvgDrawing svg, Scale scale, HeadSample sample) {
     EyeSample eyes = sample.eyes();
     if (eyes != null && eyes.tracked() && !Double.isNaN(eyes.distance())) {
@@ -229,7 +229,10 @@ public final class HeadLogPlot {
         scale.at(b[0], b[2]), scale.at(b[3], b[2]), scale.at(b[3], b[5]), scale.at(b[0], b[5]));
   }
 
-  /** The viewer's way, and each second where it looked, in the colour of what was there. */
+  /**
+   * Draws the viewer's path and, at regular intervals, the line of sight in the colour of the
+   * object looked at.
+   */
   private void way(SvgDrawing svg, Scale scale) {
     List<double[]> way = new ArrayList<>();
     double next = Double.NEGATIVE_INFINITY;
@@ -256,7 +259,7 @@ public final class HeadLogPlot {
       }
     }
     if (way.isEmpty()) {
-      return; // There never was a picture.
+      return; // No sample has a visible picture.
     }
     path(svg, way, false, "fill", "none", "stroke", INK, "stroke-width", "1.5");
     double[] start = way.get(0);
@@ -276,7 +279,7 @@ public final class HeadLogPlot {
   }
 
   /**
-   * A line of text.
+   * Draws a line of text.
    *
    * @param anchor which end of it is at x: start, middle or end
    */

@@ -26,20 +26,20 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * Reads a head log and the description beside it. A line that a crash cut off is left out and
- * mentioned; without its description a log is read as far as that goes.
+ * Reads a head log and the description beside it. A last line that a crash cut off is left out and
+ * reported; without the description, rooms and areas are unknown.
  */
 public final class HeadLogReader {
   private final String file;
   private final Problems problems;
 
-  /** The columns that the log has: an older one has not all. */
+  /** The columns of the log; one of an older format lacks some. */
   private final Set<Column> there = EnumSet.noneOf(Column.class);
 
-  /** Names, each once. */
+  /** Interned names of objects. */
   private final Map<String, String> names = new HashMap<>();
 
-  /** Lists of names as they are written; the same ones stand in thousands of rows. */
+  /** Interned lists of names by their text; the same ones occur in thousands of rows. */
   private final Map<String, List<String>> lists = new HashMap<>();
 
   private final CsvFaults faults =
@@ -63,9 +63,9 @@ public final class HeadLogReader {
   /**
    * Reads a log.
    *
-   * @param csv the log; its description is looked for beside it
-   * @return empty when it has faults, which are then in {@code problems}
-   * @throws IOException if it cannot be read at all
+   * @param csv file of the log; its description is looked for beside it
+   * @return empty if the log has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
    */
   public static Optional<HeadLog> read(Path csv, Problems problems) throws IOException {
     HeadLogReader reader = new HeadLogReader(csv.toString(), problems);
@@ -147,7 +147,7 @@ public final class HeadLogReader {
     }
   }
 
-  /** A row's cells as values; not whole when one of them is none. */
+  /** The cells of a row as values; {@code whole} becomes false at a cell that is not valid. */
   private final class Row {
     private final CsvRow row;
     private boolean whole = true;
@@ -175,7 +175,9 @@ public final class HeadLogReader {
     int choice(Column column) {
       double value = number(column, -1);
       if (value != Math.rint(value)) {
-        fault(row.location(column.header()), CsvNumbers.quoted(text(column)) + " is no choice");
+        fault(
+            row.location(column.header()),
+            CsvNumbers.quoted(text(column)) + " is not a whole number");
       }
       return (int) value;
     }
@@ -195,7 +197,7 @@ public final class HeadLogReader {
       return new HeadSample.Moment(visible != 0, wall(), number(Column.MONO, Double.NaN));
     }
 
-    /** What the eyes do; null where the log says nothing of them. */
+    /** Returns the gaze sample of the row; null if the log has no gaze data. */
     @Nullable EyeSample eyes() {
       String state = text(Column.EYES);
       if (state.isEmpty()) {
@@ -225,7 +227,7 @@ public final class HeadLogReader {
       } catch (DateTimeParseException e) {
         fault(
             row.location(Column.WALL.header()),
-            CsvNumbers.quoted(text) + " is no date and time like 2026-01-31T12:00:00.000Z");
+            CsvNumbers.quoted(text) + " is not a date and time such as 2026-01-31T12:00:00.000Z");
         return null;
       }
     }

@@ -8,11 +8,10 @@ import org.selectiverenderer.base.files.NotWritten;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * Writes a head log while a session runs, by a thread of its own, {@code head-log}; as {@link
- * RowWriter} says.
+ * Writes a head log while a session runs, on the thread {@code head-log} of a {@link RowWriter}.
  */
 public final class HeadLogWriter implements AutoCloseable {
-  /** Samples that may wait: at 60 frames per second those of nine minutes, about 8 MB. */
+  /** Capacity of the queue in samples: nine minutes at 60 frames per second, about 8 MB. */
   static final int MOST_WAITING = 1 << 15;
 
   private static RowWriter.Form<HeadSample> form(boolean eyes) {
@@ -24,12 +23,12 @@ public final class HeadLogWriter implements AutoCloseable {
         sample -> columns.stream().map(column -> column.cell(sample)).toList());
   }
 
-  /** Where the lines of a log go. */
+  /** Takes the lines of a log. */
   interface Lines {
-    /** Takes lines, each ended; may wait. */
+    /** Writes lines, each ended; may block. */
     void write(String text) throws IOException;
 
-    /** Has the disk keep what was written; may wait while another thread writes more. */
+    /** Forces written lines to the disk; may block while another thread writes more. */
     void keep() throws IOException;
 
     /** Ends the log. */
@@ -43,10 +42,10 @@ public final class HeadLogWriter implements AutoCloseable {
   }
 
   /**
-   * Begins a log: writes its description and its header.
+   * Begins a log: writes the description and the header.
    *
-   * @param files closed with the writer, or when it cannot begin
-   * @param problem hears when the log cannot go on, on the log's thread
+   * @param files closed with the writer, or if the log cannot begin
+   * @param problem receives errors that end the log, on the log's thread
    * @throws IOException if they cannot be written
    */
   public static HeadLogWriter open(
@@ -62,29 +61,29 @@ public final class HeadLogWriter implements AutoCloseable {
   }
 
   /**
-   * Begins to write.
+   * Starts the writer's thread.
    *
-   * @param file for messages
-   * @param eyes whether the log has the columns of the eyes
-   * @param mostWaiting samples
+   * @param file the file's name, for messages
+   * @param eyes whether the log has the columns of gaze data
+   * @param mostWaiting capacity of the queue in samples
    */
   static HeadLogWriter start(
       Path file, Lines lines, boolean eyes, int mostWaiting, Consumer<Problem> problem) {
     return new HeadLogWriter(RowWriter.start(file, lines, form(eyes), mostWaiting, problem));
   }
 
-  /** Hands over a sample; called by one thread; never waits. */
+  /** Queues a sample; called by one thread; never blocks. */
   public void add(HeadSample sample) {
     rows.add(sample);
   }
 
-  /** How many samples were left out since the disk could not keep up. */
+  /** Returns how many samples were dropped because the disk was too slow. */
   public long lost() {
     return rows.lost();
   }
 
   /**
-   * Writes what is left and ends the log.
+   * Writes the remaining samples and ends the log.
    *
    * @throws IOException if the file cannot be closed
    */

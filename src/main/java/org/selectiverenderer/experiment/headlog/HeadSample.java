@@ -5,26 +5,27 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One frame of a session.
+ * A sample of a head log: the pose of the head, and the objects in view, in one frame.
  *
  * @param t seconds since the session began
- * @param x of the middle between the eyes, in the world and in the scene's unit of length
- * @param y likewise
- * @param z likewise
+ * @param x of the point midway between the eyes, in world coordinates and the scene's unit of
+ *     length
+ * @param y of that point
+ * @param z of that point
  * @param yaw degrees about Y, positive to the left; yaw, pitch and roll compose in this order
  * @param pitch degrees about X, positive up
  * @param roll degrees about Z, positive to the left shoulder
- * @param moved whether head or viewer moved since the frame before
- * @param object in the middle of the view, by the name that {@link SceneObjects} gives it; empty
- *     when there is none
- * @param distance of its surface, in the scene's unit; NaN when there is none
- * @param version the choice that its Switch shows, -1 when no Switch holds it
- * @param cone objects in a cone about the middle, the one that fills most of it first
- * @param schemas active ones
- * @param frameMs milliseconds from the step of the frame before to that of this one, pauses not
+ * @param moved whether head or viewer moved since the previous frame
+ * @param object name of the object in the middle of the view ({@link SceneObjects}); empty for none
+ * @param distance to the object's surface along the line of sight, in the scene's unit; NaN for
+ *     none
+ * @param version whichChoice of the object's Switch; -1 if no Switch holds it
+ * @param cone objects in a cone about the line of sight, the one that fills most of it first
+ * @param schemas the active memory schemas
+ * @param frameMs milliseconds from the step of the previous frame to that of this one, pauses not
  *     counted
- * @param moment when it was shown to the participant, and whether it was
- * @param eyes where they look; null where nothing tracks them
+ * @param moment when the frame was shown to the participant, and whether it was visible
+ * @param eyes the gaze; null without an eye tracker
  */
 public record HeadSample(
     double t,
@@ -45,20 +46,19 @@ public record HeadSample(
     @Nullable EyeSample eyes) {
 
   /**
-   * A frame on the clocks of the machine, and whether the participant saw it.
+   * The time of a frame by the clocks of the computer, and whether the participant saw it.
    *
-   * @param visible whether the picture was there: at least half as bright as it is, in a window
-   *     that was drawn
-   * @param wall date and time of the computer; null in logs that do not tell it
-   * @param mono seconds of the computer's monotonic clock, which nobody sets and which goes on in
-   *     pauses; NaN in logs that do not tell it
+   * @param visible whether the picture was visible: at least half of its full brightness, in a
+   *     window that was drawn
+   * @param wall date and time; null in logs without it
+   * @param mono seconds of the monotonic clock, which goes on in pauses; NaN in logs without it
    */
   public record Moment(boolean visible, @Nullable Instant wall, double mono) {
-    /** Of a log that says nothing of it: what was recorded was shown. */
+    /** Substitute for a log without these columns: every recorded frame counts as visible. */
     public static final Moment UNTOLD = new Moment(true, null, Double.NaN);
   }
 
-  /** Whether the participant saw it. */
+  /** Returns whether the participant saw the frame. */
   public boolean visible() {
     return moment.visible;
   }
@@ -68,7 +68,7 @@ public record HeadSample(
     schemas = List.copyOf(schemas);
   }
 
-  /** The same with what the eyes do. */
+  /** Returns this sample with another gaze. */
   public HeadSample looking(@Nullable EyeSample looked) {
     return new HeadSample(
         t, x, y, z, yaw, pitch, roll, moved, object, distance, version, cone, schemas, frameMs,

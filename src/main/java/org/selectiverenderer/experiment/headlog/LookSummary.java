@@ -11,37 +11,40 @@ import java.util.function.ToIntFunction;
 import java.util.stream.Collectors;
 
 /**
- * What was looked at: by the head, whose target is in the middle of the view, or by the eyes. Only
- * samples that the participant saw count.
+ * The dwells of a head log: on objects in the middle of the view (head), or under the gaze (eyes).
+ * Only samples with a visible picture count.
  *
- * @param all in order of time
- * @param objects those looked at, the one looked at longest first
- * @param unseen objects of the scene that were never looked at, by room; walls, floors and ceilings
- *     are not among them
+ * @param all the dwells in order of time
+ * @param objects totals of each object that was looked at, the longest first
+ * @param unseen names of the objects that were never looked at, by room; without walls, floors and
+ *     ceilings
  */
 public record LookSummary(
     List<Dwell> all, List<ObjectView> objects, Map<String, List<String>> unseen) {
 
-  /** Shorter gaps in a look are blinks of the log: an edge, a leg of a chair passing. */
+  /**
+   * Gap in seconds up to which a dwell continues, as when the line of sight crosses an edge or the
+   * leg of a chair.
+   */
   static final double GAP = 0.15;
 
   /**
-   * An object, all looks at it together.
+   * The totals of all dwells on an object.
    *
-   * @param seconds in all
-   * @param looks how often
-   * @param first when first, in seconds since the session began
-   * @param longest seconds of the longest look
+   * @param seconds total dwell time
+   * @param looks number of dwells
+   * @param first begin of the first dwell, in seconds since the session began
+   * @param longest duration of the longest dwell in seconds
    */
   public record ObjectView(
       String object, double seconds, int looks, double first, double longest) {}
 
-  /** What was in the middle of the view. */
+  /** Returns the dwells on objects in the middle of the view. */
   static LookSummary ofHead(HeadLog log) {
     return of(log, HeadSample::object, HeadSample::version);
   }
 
-  /** What the eyes looked at; nothing while they were not tracked. */
+  /** Returns the dwells of the gaze; there is none while the eyes were not tracked. */
   static LookSummary ofEyes(HeadLog log) {
     return of(log, sample -> eyes(sample).object(), sample -> eyes(sample).version());
   }
@@ -71,8 +74,8 @@ public record LookSummary(
   }
 
   /**
-   * Samples of the same object in turn are one look; a short gap does not end it, but a picture
-   * that goes does, and a pause.
+   * Merges consecutive samples of the same object into a dwell. A gap of up to {@link #GAP} does
+   * not end it; a picture that disappears, and a pause, do.
    */
   private static List<Dwell> looks(
       HeadLog log, Function<HeadSample, String> object, ToIntFunction<HeadSample> version) {

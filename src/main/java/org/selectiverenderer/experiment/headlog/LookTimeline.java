@@ -5,15 +5,15 @@ import java.util.Locale;
 import java.util.Map;
 import org.selectiverenderer.base.picture.SvgDrawing;
 
-/** What was looked at when: a row for each object, a bar for each look. */
+/** A timeline of dwells: a row for each object, a bar for each dwell. */
 final class LookTimeline {
   private static final int LABELS = 240;
   private static final int ROW = 20;
 
-  /** Objects at most: the ones looked at longest. */
+  /** Maximum number of rows: the objects looked at longest. */
   private static final int ROWS = 24;
 
-  /** Of times without a picture. */
+  /** Colour of times without a picture. */
   private static final String DARK = "#cccccc";
 
   private static final String FAINT = "#777777";
@@ -25,7 +25,7 @@ final class LookTimeline {
   private final List<LookSummary.ObjectView> rows;
 
   /**
-   * @param colours of objects
+   * @param colours by the names of objects
    */
   LookTimeline(String title, HeadLog log, LookSummary looks, Map<String, String> colours) {
     this.title = title;
@@ -35,15 +35,15 @@ final class LookTimeline {
     rows = looks.objects().stream().limit(ROWS).toList();
   }
 
-  /** How much of the drawing it takes, with the space below it. */
+  /** Returns the height in the drawing, with the space below. */
   double height() {
     return 40.0 + ROW * rows.size() + HeadLogPlot.MARGIN;
   }
 
   /**
-   * Draws it.
+   * Draws the timeline.
    *
-   * @param top of the title, in the drawing
+   * @param top y of the title's upper edge in the drawing
    */
   void draw(SvgDrawing svg, double top) {
     double begin = log.samples().get(0).t();
@@ -92,7 +92,7 @@ final class LookTimeline {
     }
   }
 
-  /** The times without a picture, behind the looks. */
+  /** Draws the times without a picture, behind the dwells. */
   private void dark(SvgDrawing svg, double top, double height, double perSecond) {
     double begin = log.samples().get(0).t();
     int at = 0;
@@ -112,7 +112,9 @@ final class LookTimeline {
     }
   }
 
-  /** 1, 2 or 5 times a power of ten, for at most ten marks. */
+  /**
+   * Returns the interval of the tick marks: 1, 2 or 5 times a power of ten, for at most ten marks.
+   */
   private static double step(double seconds) {
     double power = Math.pow(10, Math.floor(Math.log10(Math.max(seconds, 1e-3) / 10)));
     for (double factor : new double[] {1, 2, 5}) {

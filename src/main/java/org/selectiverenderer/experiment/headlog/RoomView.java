@@ -8,15 +8,14 @@ import org.joml.Vector3d;
 import org.selectiverenderer.experiment.headlog.SceneMap.Box;
 
 /**
- * How much of a room a head log has seen: the room's box is lined with cells, floor, ceiling and
- * four walls, and a cell counts as seen when its middle was within the field of view of some sample
- * that the participant saw, taken in the room. What stands in between is not considered, so that it
- * is the most that can have been seen; the thesis left out a participant who had not viewed the
- * whole room (6.1.4).
+ * The share of a room that a participant has seen. Floor, ceiling and the four walls of the room's
+ * box are divided into cells; a cell counts as seen if its centre was within the field of view of
+ * some visible sample taken inside the room. Occlusion is ignored, so the share is an upper bound.
+ * The thesis excluded a participant who had not viewed the whole room (6.1.4).
  *
- * @param seconds spent in the room
- * @param seen share of the cells, 0 to 1
- * @param unseen names of the sides of which less than a twentieth was seen
+ * @param seconds time spent in the room
+ * @param seen share of the cells that were seen, 0 to 1
+ * @param unseen names of the sides of which less than 5 % was seen
  */
 record RoomView(String room, double seconds, double seen, List<String> unseen) {
   /** Cells along each edge of a side. */
@@ -26,7 +25,7 @@ record RoomView(String room, double seconds, double seen, List<String> unseen) {
   private static final List<String> SIDES =
       List.of("wall -X", "wall +X", "floor", "ceiling", "wall -Z", "wall +Z");
 
-  /** Looks at a room through a whole log. */
+  /** Computes the share of a room that a log has seen. */
   static RoomView of(Box room, HeadLog log) {
     List<Vector3d> cells = cells(room.bounds());
     BitSet seen = new BitSet(cells.size());
@@ -67,7 +66,7 @@ record RoomView(String room, double seconds, double seen, List<String> unseen) {
     return new RoomView(room.name(), seconds, seen.cardinality() / (double) cells.size(), unseen);
   }
 
-  /** The cells' middles, side by side in the order of {@link #SIDES}. */
+  /** Returns the centres of the cells, side by side in the order of {@link #SIDES}. */
   private static List<Vector3d> cells(double[] bounds) {
     List<Vector3d> cells = new ArrayList<>();
     for (int axis = 0; axis < 3; axis++) {

@@ -21,26 +21,27 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * Writes the rows of a log while a session runs. They are handed over without waiting; a thread of
- * its own writes them five times a second, so that whatever ends the program takes at most the last
- * fifth of a second with it. Another has the disk keep them at every third time, so that a power
- * cut takes less than a second: a disk that is slow to do so must not keep the next rows in the
- * program. A disk that is full ends the log with a message, not the session.
+ * Writes the rows of a log asynchronously while a session runs. Rows are queued without blocking; a
+ * writer thread writes them five times a second, so that a crash of the program loses at most the
+ * last fifth of a second. A second thread forces every third write to the disk, so that a power cut
+ * loses less than a second: a disk that is slow to do so must not delay the next rows. A full disk
+ * ends the log with a message, not the session.
  *
- * <p>So many rows may wait; while a disk is slower than that new ones are left out, which is
- * counted and told, and whoever hands them over goes on.
+ * <p>The queue is bounded: while it is full, new rows are dropped, counted and reported, and the
+ * caller goes on.
  */
 final class RowWriter<T> implements AutoCloseable {
   private static final long PAUSE = 200_000_000;
   private static final int PER_FORCE = 3;
 
   /**
-   * What is written.
+   * The format of a log.
    *
-   * @param thread name of the thread that writes; with {@code -disk}, of the one that has them kept
-   * @param log what it is called in messages, such as {@code the head log}
-   * @param rows what its rows are called
-   * @param cells of a row
+   * @param thread name of the writer thread; that of the thread that forces rows to the disk ends
+   *     in {@code -disk}
+   * @param log the log's name in messages, such as {@code the head log}
+   * @param rows the name of its rows in messages
+   * @param cells formats the cells of a row
    */
   record Form<T>(String thread, String log, String rows, Function<T, List<String>> cells) {}
 
@@ -75,11 +76,11 @@ final class RowWriter<T> implements AutoCloseable {
   }
 
   /**
-   * Begins to write.
+   * Starts the writer thread.
    *
-   * @param file for messages
-   * @param mostWaiting rows
-   * @param problem hears when the log cannot go on, on the log's thread
+   * @param file the file's name, for messages
+   * @param mostWaiting capacity of the queue in rows
+   * @param problem receives errors that end the log, on the writer thread
    */
   static <T> RowWriter<T> start(
       Path file,
@@ -92,7 +93,7 @@ final class RowWriter<T> implements AutoCloseable {
     return writer;
   }
 
-  /** Hands over a row; called by one thread; never waits. */
+  /** Queues a row; called by one thread; never blocks. */
   void add(T row) {
     if (failed) {
       return;
@@ -105,7 +106,7 @@ final class RowWriter<T> implements AutoCloseable {
     queue.add(row);
   }
 
-  /** How many rows were left out since the disk could not keep up. */
+  /** Returns how many rows were dropped because the disk was too slow. */
   long lost() {
     return lost.get();
   }
@@ -113,7 +114,7 @@ final class RowWriter<T> implements AutoCloseable {
   private void work() {
     try {
       for (int round = 1; !failed; round++) {
-        boolean last = closing; // What was added before closing is still written.
+        boolean last = closing; // Rows queued before close() are still written.
         try {
           writeQueue();
           keep(last, round);
@@ -133,7 +134,7 @@ final class RowWriter<T> implements AutoCloseable {
     }
   }
 
-  /** Has the disk keep what was written: the last time here, before then on the disk's thread. */
+  /** Forces written rows to the disk: on the disk's thread, the last time on this one. */
   private void keep(boolean last, int round) throws IOException {
     if (last) {
       awaitKept();
@@ -209,7 +210,7 @@ final class RowWriter<T> implements AutoCloseable {
   }
 
   /**
-   * Writes what is left and ends the log.
+   * Writes the remaining rows and ends the log.
    *
    * @throws IOException if the file cannot be closed
    */

@@ -3,19 +3,18 @@ package org.selectiverenderer.experiment.headlog;
 import java.util.List;
 
 /**
- * What of a scene a log's reader needs to know: where its areas, rooms and objects are, in the
- * world and in the scene's unit of length.
+ * The layout of a scene for readers of a head log: where its areas, rooms and objects are, in world
+ * coordinates and the scene's unit of length.
  *
- * @param areas boxes of the sensors
- * @param rooms boxes of the named groups at the top of the scene that hold objects; where there is
- *     none, one of all
- * @param objects boxes of all that has a name, with versions or without ({@link SceneObjects})
- * @param surroundings boxes of what has a name and is no object in a room: its walls, floor,
- *     ceiling
+ * @param areas outlines of the ProximitySensors' boxes
+ * @param rooms boxes of the named groups at the top level of the scene that hold objects; if there
+ *     is none, one box of the whole scene
+ * @param objects boxes of all named objects, with versions or without ({@link SceneObjects})
+ * @param surroundings boxes of named walls, floors and ceilings
  */
 public record SceneMap(
     List<Area> areas, List<Box> rooms, List<Box> objects, List<Box> surroundings) {
-  /** A scene of which nothing is known. */
+  /** The map of an unknown scene. */
   public static final SceneMap EMPTY = new SceneMap(List.of(), List.of(), List.of(), List.of());
 
   public SceneMap {
@@ -25,12 +24,12 @@ public record SceneMap(
     surroundings = List.copyOf(surroundings);
   }
 
-  /** Whether a name is that of a wall, a floor or a ceiling. */
+  /** Returns whether a name is that of a wall, a floor or a ceiling. */
   boolean surrounds(String name) {
     return surroundings.stream().anyMatch(box -> box.name().equals(name));
   }
 
-  /** The room in which the middle of an object lies; empty when it lies in none. */
+  /** Returns the room in which the centre of an object lies; empty if it lies in none. */
   String roomOf(Box object) {
     double[] b = object.bounds();
     return rooms.stream()
@@ -41,9 +40,9 @@ public record SceneMap(
   }
 
   /**
-   * A sensor's box from above.
+   * The box of a ProximitySensor seen from above.
    *
-   * @param outline x, z of its corners in turn
+   * @param outline x and z of its corners in order
    */
   public record Area(String name, List<double[]> outline) {
     public Area {
@@ -57,7 +56,7 @@ public record SceneMap(
    * @param bounds min x, y, z, max x, y, z
    */
   public record Box(String name, double[] bounds) {
-    /** Whether a point lies in it. */
+    /** Returns whether a point lies in the box. */
     public boolean contains(double x, double y, double z) {
       return x >= bounds[0]
           && x <= bounds[3]

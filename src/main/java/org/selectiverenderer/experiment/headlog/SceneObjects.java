@@ -12,10 +12,11 @@ import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * What the objects of a scene are, and what each is called. A shape belongs to
+ * Resolves a shape to the object that it belongs to, and names the object by its DEF. A shape
+ * belongs to
  *
  * <ol>
- *   <li>the nearest Switch with a DEF above it: that one holds an object's versions;
+ *   <li>the nearest Switch with a DEF above it, which holds an object's versions;
  *   <li>else the outermost Inline with a DEF below the room: a file is an object as a rule,
  *       wherever it stands, and what a file names in itself are parts;
  *   <li>else the outermost grouping node with a DEF below the room: a chair rather than its leg;
@@ -23,10 +24,10 @@ import org.selectiverenderer.runtime.scene.Node;
  *   <li>else whatever has a DEF at all, such as the shape itself.
  * </ol>
  *
- * <p>A room is a grouping node with a DEF at the top of the scene that holds others; what holds no
- * other stands in the open and is an object. A shape below no DEF belongs to nothing. Answers are
- * kept, so that asking for the same shape in every frame costs nothing. Belongs to the thread that
- * steps the world; good for one tree.
+ * <p>A room is a grouping node with a DEF at the top level of the scene that holds other objects; a
+ * node at the top level that holds none is an object itself. A shape below no DEF belongs to no
+ * object. Results are cached, so that asking for the same shape in every frame is cheap. Belongs to
+ * the thread that steps the world; serves one instance tree.
  */
 final class SceneObjects {
   /**
@@ -36,7 +37,7 @@ final class SceneObjects {
    * @param node the node that has it
    */
   record Named(String name, Node node) {
-    /** The choice that it shows; -1 when it is no Switch. */
+    /** Returns whichChoice of the Switch; -1 if the node is not a Switch. */
     int version() {
       return node.type().name().equals("Switch")
               && node.value(node.type().indexOf("whichChoice")) instanceof Integer at
@@ -55,7 +56,7 @@ final class SceneObjects {
     structure = tree.structureVersion();
   }
 
-  /** The object that a shape belongs to; empty when nothing above it has a DEF. */
+  /** Returns the object that a shape belongs to; empty if no node above it has a DEF. */
   Optional<Named> of(ShapeInstance shape) {
     if (structure != tree.structureVersion()) {
       structure = tree.structureVersion();
@@ -104,13 +105,16 @@ final class SceneObjects {
     OTHER
   }
 
-  /** Whether a node at the top of the scene holds objects, rather than being one. */
+  /** Returns whether a node at the top level of the scene is a room, which holds objects. */
   boolean isRoom(Instance top) {
     return rooms.computeIfAbsent(
         top, at -> at instanceof GroupInstance group && holds(group, at.node()));
   }
 
-  /** Whether it holds objects; a file's own groups are parts, its Switches and Inlines objects. */
+  /**
+   * Returns whether a group holds objects. Groups in an inlined file are parts of an object;
+   * Switches and Inlines are objects.
+   */
   private static boolean holds(GroupInstance group, Node top) {
     boolean file = top.type().name().equals("Inline");
     for (Instance child : group.children()) {

@@ -17,14 +17,17 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** Draws up the {@link SceneMap} of a running scene. Belongs to the thread that steps the world. */
+/** Builds the {@link SceneMap} of a running scene. Belongs to the thread that steps the world. */
 public final class SceneSurvey {
-  /** So much of a room's edge is along it: skirting boards and corners are left of it. */
+  /**
+   * Share of a room's edge that a wall, floor or ceiling must reach along; skirting boards and
+   * corners shorten it.
+   */
   private static final double ALONG = 0.9;
 
   private SceneSurvey() {}
 
-  /** The map of what the tree holds now, shown or not. */
+  /** Returns the map of all that the instance tree holds now, visible or not. */
   public static SceneMap of(InstanceTree tree) {
     List<Area> areas = new ArrayList<>();
     for (Node node : tree.otherNodes()) {
@@ -64,15 +67,15 @@ public final class SceneSurvey {
   }
 
   /**
-   * Whether something is what a room is made of, not an object in it: it has the room's own name,
-   * or reaches along two of its three edges, as floor, ceiling and walls do.
+   * Returns whether a box is a part of a room's shell, not an object in it: it has the name of the
+   * room, or reaches along two of the room's three edges, as floor, ceiling and walls do.
    */
   private static boolean surrounds(Box box, List<Box> rooms) {
     return rooms.stream()
         .anyMatch(room -> room.name().equals(box.name()) || edges(box.bounds(), room.bounds()) > 1);
   }
 
-  /** Along how many edges of a room something reaches; none where it is elsewhere. */
+  /** Returns along how many of a room's edges a box reaches; 0 if it lies outside of the room. */
   private static int edges(double[] box, double[] room) {
     int edges = 0;
     for (int axis = 0; axis < 3; axis++) {
@@ -96,7 +99,10 @@ public final class SceneSurvey {
     }
   }
 
-  /** The corners of a sensor's box seen from above; its floor and its ceiling tilt with it. */
+  /**
+   * Returns the outline of a sensor's box seen from above: its horizontal midsection, transformed
+   * to the world.
+   */
   private static Area area(Node sensor, Matrix4dc place) {
     float[] center = sensor.floats("center");
     float[] size = sensor.floats("size");

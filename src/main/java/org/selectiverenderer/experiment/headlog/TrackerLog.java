@@ -16,13 +16,13 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * Writes the records of a head tracker at their own rate, beside the head log, whose rows are
- * frames: {@code NAME_tracker.csv} beside {@code NAME.csv}, and its description {@code
- * NAME_tracker.json}. A thread of its own, {@code tracker-log}, writes, as {@link RowWriter} says.
- * What is written can be replayed as a tracker.
+ * Writes the records of a head tracker at the tracker's own rate, beside the head log, whose rows
+ * are frames: {@code NAME_tracker.csv} beside {@code NAME.csv}, and a description, {@code
+ * NAME_tracker.json}. The thread {@code tracker-log} of a {@link RowWriter} writes the rows. The
+ * file can be replayed as a tracker ({@code replay:}).
  */
 public final class TrackerLog implements AutoCloseable {
-  /** Records that may wait: at 500 per second those of a minute. */
+  /** Capacity of the queue in records: about a minute at 500 records per second. */
   private static final int MOST_WAITING = 1 << 15;
 
   private final RowWriter<TrackerRecord> rows;
@@ -31,7 +31,7 @@ public final class TrackerLog implements AutoCloseable {
     this.rows = rows;
   }
 
-  /** The files beside a head log. */
+  /** Returns the tracker's files beside a head log: CSV and description. */
   static List<Path> beside(Path headLog) {
     String name = String.valueOf(headLog.getFileName());
     int dot = name.lastIndexOf('.');
@@ -42,13 +42,13 @@ public final class TrackerLog implements AutoCloseable {
   /**
    * Begins the log of a tracker.
    *
-   * @param headLog beside which it lies
-   * @param replace whether files that are there may be replaced
-   * @param tracker as the user named it
-   * @param placed whether it tells places of the head, too
-   * @param begun when the log begins, by the monotonic clock in seconds
-   * @param problem hears when the log cannot go on, on the log's thread
-   * @throws IOException if it cannot be written, or is there and may not be replaced
+   * @param headLog the head log's CSV file
+   * @param replace whether existing files may be replaced
+   * @param tracker the tracker's SPEC, as the user typed it
+   * @param placed whether the tracker measures the position of the head, too
+   * @param begun begin of the log, in seconds of the monotonic clock
+   * @param problem receives errors that end the log, on the log's thread
+   * @throws IOException if a file cannot be written, or exists and may not be replaced
    */
   public static TrackerLog open(
       Path headLog,
@@ -125,10 +125,10 @@ public final class TrackerLog implements AutoCloseable {
     column(columns, "wall", "date and time of the computer when it arrived, UTC", "");
     column(columns, "mono", "the computer's monotonic clock then, as in the head log", "s");
     if (placed) {
-      String from = " of where the tracker counts from; empty where it tells none";
-      column(columns, "right", "place of the head to the right" + from, "m");
-      column(columns, "up", "place of the head above" + from, "m");
-      column(columns, "back", "place of the head behind" + from, "m");
+      String from = " the tracker's origin; empty if it was not measured";
+      column(columns, "right", "position of the head to the right of" + from, "m");
+      column(columns, "up", "position of the head above" + from, "m");
+      column(columns, "back", "position of the head behind" + from, "m");
     }
     return JsonText.of(root);
   }
@@ -140,13 +140,13 @@ public final class TrackerLog implements AutoCloseable {
     }
   }
 
-  /** Hands over a record; called by the tracker's thread; never waits. */
+  /** Queues a record; called by the tracker's thread; never blocks. */
   public void add(TrackerRecord record) {
     rows.add(record);
   }
 
   /**
-   * Writes what is left and ends the log.
+   * Writes the remaining records and ends the log.
    *
    * @throws IOException if the file cannot be closed
    */

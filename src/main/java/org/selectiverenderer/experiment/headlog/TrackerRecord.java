@@ -7,17 +7,17 @@ import java.util.stream.Stream;
 import org.selectiverenderer.base.decimal.DecimalText;
 
 /**
- * A record of the head tracker, as it arrived, at the tracker's own rate.
+ * A record of the head tracker as it arrived.
  *
- * @param number of the record since the tracker was opened, from 1; a number left out is a record
- *     that the disk was too slow for
- * @param mono seconds of the computer's monotonic clock when its last byte was read, as in the head
+ * @param number of the record since the tracker was opened, from 1; a missing number is a record
+ *     that was dropped because the disk was too slow
+ * @param mono seconds of the monotonic clock when the record's last byte was read, as in the head
  *     log
- * @param wall date and time of the computer then
- * @param yaw degrees, before the heading is reset, otherwise as in the head log
+ * @param wall date and time at that moment
+ * @param yaw degrees as in the head log, but before the boresight (reset of the heading)
  * @param pitch degrees
  * @param roll degrees
- * @param place of the head, where the tracker tells it
+ * @param place position of the head, if the tracker measures it
  */
 public record TrackerRecord(
     long number,
@@ -31,11 +31,11 @@ public record TrackerRecord(
       List.of("t", "yaw", "pitch", "roll", "number", "wall", "mono");
 
   /**
-   * Where the head is, in metres of the tracker's own room.
+   * The position of the head in the tracker's frame, in metres.
    *
-   * @param right of where the device counts from
-   * @param up of there
-   * @param back of there, away from the screen
+   * @param right distance to the right of the tracker's origin
+   * @param up distance above the origin
+   * @param back distance behind the origin, away from the screen
    */
   public record Place(double right, double up, double back) {
     static final List<String> HEADERS = List.of("right", "up", "back");
@@ -47,19 +47,20 @@ public record TrackerRecord(
   }
 
   /**
-   * The names of the columns.
+   * Returns the names of the columns.
    *
-   * @param placed whether the tracker tells places
+   * @param placed whether the tracker measures positions
    */
   static List<String> headers(boolean placed) {
     return placed ? Stream.of(TURNED, Place.HEADERS).flatMap(List::stream).toList() : TURNED;
   }
 
   /**
-   * The cells, in the order of the headers.
+   * Returns the cells, in the order of the headers.
    *
-   * @param begun when the log began, by the monotonic clock
-   * @param placed whether the tracker tells places; a record without one has empty cells
+   * @param begun begin of the log, in seconds of the monotonic clock
+   * @param placed whether the log has the columns of the position; a record without one has empty
+   *     cells
    */
   List<String> cells(double begun, boolean placed) {
     List<String> turned =

@@ -9,47 +9,50 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** A part of an answer that a participant fills in. Windows and paper draw these. */
+/**
+ * An input field of a question: a choice, or a line to write on. Windows and paper forms draw
+ * fields.
+ */
 public sealed interface AnswerField {
-  /** What stands between the values of an answer with several. */
+  /** Separates the values of an answer with several. */
   String SEPARATOR = "|";
 
   /**
-   * What a text that was typed in means, whatever its letter case.
+   * Parses a text that was typed in, ignoring case.
    *
-   * @return the value as tables have it; empty when the field cannot have it
+   * @return the value as written to tables; empty if the text is not a valid answer
    */
   Optional<String> typed(String text);
 
-  /** What may be typed in, for people: {@code 1 to 5}, {@code yes or no}. */
+  /** Describes the valid answers to people: {@code 1 to 5}, {@code yes or no}. */
   String allowed();
 
-  /** A value that somebody might give. */
+  /** Returns a random valid value, for a simulated participant. */
   String simulated(Random random);
 
   /**
-   * Options, of which one or several are chosen.
+   * A choice of one or several options.
    *
    * @param options at least one, each value once
    * @param several whether more than one may be chosen
-   * @param least what stands before the first option; may be empty
-   * @param most what stands behind the last one; may be empty
+   * @param least label before the first option (the scale's lower anchor); may be empty
+   * @param most label after the last option (the upper anchor); may be empty
    */
   record Choice(List<Option> options, boolean several, String least, String most)
       implements AnswerField {
-    /** Letters of labels that fit side by side. */
+    /** Characters of labels that fit side by side. */
     private static final int ONE_LINE = 56;
 
     public Choice {
       options = List.copyOf(options);
     }
 
-    /** One of some options. */
+    /** Returns a choice of one option. */
     public static Choice of(List<Option> options) {
       return new Choice(options, false, "", "");
     }
 
-    /** One of the numbers of a range, by their keys, with what stands at its ends. */
+    /** Returns a choice of one number of a range, with labels at its ends; digits are the keys. */
     public static Choice numbers(int from, int to, String least, String most, List<String> notes) {
       List<Option> options =
           IntStream.rangeClosed(from, to)
@@ -64,17 +67,17 @@ public sealed interface AnswerField {
       return new Choice(options, false, least, most);
     }
 
-    /** Whether the labels are so short that the options stand side by side. */
+    /** Returns whether the labels are so short that the options are laid out side by side. */
     public boolean inLine() {
       return options.stream().mapToInt(option -> option.label().length() + 2).sum() <= ONE_LINE;
     }
 
-    /** The values of an answer. */
+    /** Splits an answer into its values. */
     public static List<String> parts(String value) {
       return value.isEmpty() ? List.of() : List.of(value.split("\\|"));
     }
 
-    /** An answer of some values, in the options' order. */
+    /** Joins values to an answer, in the options' order. */
     public String joined(Collection<String> chosen) {
       return options.stream()
           .map(Option::value)
@@ -130,23 +133,23 @@ public sealed interface AnswerField {
   }
 
   /**
-   * A line, or some lines, to write on.
+   * One or several lines to write on.
    *
-   * @param lines that are free for it; one where a number is wanted
-   * @param range of the number that is wanted; empty for a text
-   * @param unit what stands behind the line; may be empty
+   * @param lines number of lines; 1 for a number
+   * @param range range of a number; empty for a text
+   * @param unit label after the line; may be empty
    */
   record Line(int lines, Optional<Range> range, String unit) implements AnswerField {
-    /** Letters of a text that nobody exceeds. */
+    /** Maximum length of a text in characters. */
     public static final int LONGEST = 4000;
 
     /**
      * A range of numbers, both ends included.
      *
-     * @param whole whether only whole numbers are wanted
+     * @param whole whether only whole numbers are valid
      */
     public record Range(double least, double most, boolean whole) {
-      /** Both ends, in no language. */
+      /** Returns both ends with a dash between them, for a reader of any language. */
       public String dashed() {
         return tidy(least) + " \u2013 " + tidy(most);
       }

@@ -4,13 +4,13 @@ import java.util.List;
 import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.statistics.data.ResponsesCsv;
 
-/** A table of answers, one file of a session and of a study. */
+/** The tables of answers: each is a file of a session, and of the collected study. */
 public enum AnswerTable {
-  /** Answers about memory, as {@code experiment analyse} reads them. */
+  /** Answers to recognition lists, in the form that {@code experiment analyse} reads. */
   RESPONSES("responses.csv", ResponsesCsv.of(List.of()).strip() + ",response_ms,place\n"),
-  /** Ratings of expectancy, as {@code enrich --ratings} reads them. */
+  /** Ratings of expectancy, in the form that {@code enrich --ratings} reads. */
   RATINGS("ratings.csv", "participant,area,object,schema,rating,response_ms,place\n"),
-  /** All others, a row for each question that was asked. */
+  /** All other answers, with a row for each question that was asked. */
   ANSWERS(
       "answers.csv",
       CsvText.line(
@@ -33,12 +33,12 @@ public enum AnswerTable {
     this.header = header;
   }
 
-  /** Its name in a session's folder. */
+  /** Returns the file's name in a session's folder. */
   public String file() {
     return file;
   }
 
-  /** Its first line, ended. */
+  /** Returns the header line, ended. */
   public String header() {
     return header;
   }

@@ -8,9 +8,9 @@ import java.util.Map;
 import org.selectiverenderer.base.csv.CsvText;
 
 /**
- * Answers and scores as CSV, gathered questionnaire by questionnaire: a row for each question that
- * was asked, in the order of the pages; without an answer, its cell is empty. Not safe for use by
- * several threads.
+ * Builds the CSV tables of answers and scores, questionnaire by questionnaire: a row for each
+ * question that was asked, in the order of the pages, with an empty cell if it was not answered.
+ * Not thread-safe.
  */
 public final class AnswersCsv {
   private static final String SCORES =
@@ -19,7 +19,7 @@ public final class AnswersCsv {
   private final Map<AnswerTable, StringBuilder> rows = new EnumMap<>(AnswerTable.class);
   private final StringBuilder scores = new StringBuilder();
 
-  /** Adds the answers to a questionnaire as the participant met it. */
+  /** Adds the answers to a questionnaire, whose questions are in the participant's order. */
   public void add(AskedBy by, Questionnaire questionnaire, Map<String, GivenAnswer> given) {
     Map<String, Answer> answers = new HashMap<>();
     given.forEach((question, one) -> answers.put(question, one.answer()));
@@ -46,28 +46,28 @@ public final class AnswersCsv {
     }
   }
 
-  /** At most four decimals, none that are zero. */
+  /** Formats a number with at most four decimals and without trailing zeros. */
   private static String tidy(double value) {
     String text = String.format(Locale.ROOT, "%.4f", value);
     return text.replaceFirst("\\.?0+$", "");
   }
 
-  /** Whether a table has rows. */
+  /** Returns whether a table has rows. */
   public boolean has(AnswerTable table) {
     return rows.containsKey(table);
   }
 
-  /** A table with its header. */
+  /** Returns a table with its header. */
   public String text(AnswerTable table) {
     return table.header() + rows.getOrDefault(table, new StringBuilder());
   }
 
-  /** Whether there are scores. */
+  /** Returns whether there are scores. */
   public boolean hasScores() {
     return !scores.isEmpty();
   }
 
-  /** The scores with their header. */
+  /** Returns the scores with their header. */
   public String scores() {
     return SCORES + scores;
   }

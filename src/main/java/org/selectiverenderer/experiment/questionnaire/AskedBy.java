@@ -1,10 +1,10 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 /**
- * Whom a questionnaire was put to.
+ * The respondent of a questionnaire: who answered it, in which session and condition.
  *
- * @param session its number; empty for answers on paper
- * @param condition empty before it is assigned
- * @param questionnaire the id of the step
+ * @param session number of the session; empty for answers on paper
+ * @param condition the participant's condition; empty before it is assigned
+ * @param questionnaire id of the step
  */
 public record AskedBy(String participant, String session, String condition, String questionnaire) {}

@@ -4,12 +4,15 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.selectiverenderer.base.json.JsonMembers;
 
-/** A place between two opposites, such as dark and bright, from 1 to an odd or even number. */
+/**
+ * A bipolar scale (semantic differential): a rating between two opposites, such as dark and bright,
+ * from 1 to an odd or even number.
+ */
 public record BipolarQuestion(int to, String left, String right) implements QuestionKind {
-  /** As files spell it. */
+  /** Spelling of the kind in files. */
   static final String SPELLING = "bipolar";
 
-  /** Reads {@code left}, {@code right} and {@code to}, which is 7 if left out. */
+  /** Reads {@code left}, {@code right} and {@code to} (default 7). */
   static BipolarQuestion read(JsonMembers keys, Texts texts) {
     return new BipolarQuestion(
         (int) keys.whole("to", 2, 11, 7), texts.text(keys, "left"), texts.text(keys, "right"));

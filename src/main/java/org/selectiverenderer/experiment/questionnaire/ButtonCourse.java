@@ -7,13 +7,14 @@ import java.util.OptionalInt;
 import java.util.Set;
 
 /**
- * Answers a questionnaire by two buttons and a stick, a question at a time: of two options each
- * button is one, of several the stick or the second button marks one and the first button takes it.
- * Where several may be chosen, the first button takes them one by one, and behind the last one goes
- * on. Where something is to be written, the first button goes on and the second takes a letter
- * back. Where a page has no more to ask, the first button turns it and the second goes back.
- * Nothing is marked before the participant marks it, so that no answer is suggested. Who points
- * chooses at once, and goes back and on by what is pointed at. Belongs to one thread.
+ * Lets a participant answer a questionnaire with two buttons and a stick, one question at a time.
+ * Of two options each button is one; of several, the stick or the second button marks one and the
+ * first button chooses it. If several options may be chosen, the first button toggles the marked
+ * one, and after the last option it goes on. For a text, the first button goes on and the second
+ * deletes a character. At the end of a page, the first button turns the page and the second goes
+ * back. No option is marked beforehand, so that no answer is suggested. A participant who points
+ * with a controller chooses at once, and points at buttons to go back and on. Belongs to one
+ * thread.
  */
 public final class ButtonCourse {
   private final QuestionnaireCourse course;
@@ -24,7 +25,7 @@ public final class ButtonCourse {
   private final StringBuilder written = new StringBuilder();
   private boolean over;
 
-  /** Begins, with the first question that is open. */
+  /** Begins at the first question that is not answered. */
   public ButtonCourse(QuestionnaireCourse course, Wording wording) {
     this.course = course;
     this.wording = wording;
@@ -32,57 +33,57 @@ public final class ButtonCourse {
     toFirstOpen();
   }
 
-  /** The page, with what is answered on it. */
+  /** Returns the progress: the page, and the answers so far. */
   public QuestionnaireCourse course() {
     return course;
   }
 
-  /** The question that is asked; empty where the page has no more. */
+  /** Returns the current question; empty at the end of a page. */
   public Optional<Question> question() {
     List<Question> asked = course.asked();
     return at < asked.size() ? Optional.of(asked.get(at)) : Optional.empty();
   }
 
-  /** Its place among the questions of the page, from 1. */
+  /** Returns the place of the current question on the page, from 1. */
   public int place() {
     return at + 1;
   }
 
-  /** What is to be filled in for the question; its first field before its second. */
+  /** Returns the current field of the question. */
   private Optional<AnswerField> asks() {
     return question().map(asked -> asked.kind().fields(wording).get(field));
   }
 
-  /** What there is to choose from; empty where something is to be written. */
+  /** Returns the current field if it is a choice; empty if a text is to be written. */
   public Optional<AnswerField.Choice> choice() {
     return asks().filter(AnswerField.Choice.class::isInstance).map(AnswerField.Choice.class::cast);
   }
 
-  /** What is to be written; empty where there are options to choose from. */
+  /** Returns the current field if it is a line to write on; empty if it is a choice. */
   public Optional<AnswerField.Line> line() {
     return asks().filter(AnswerField.Line.class::isInstance).map(AnswerField.Line.class::cast);
   }
 
-  /** What is written so far. */
+  /** Returns the text written so far. */
   public String written() {
     return written.toString();
   }
 
-  /** Writes something behind that; where nothing is to be written, it does nothing. */
+  /** Appends to the text; does nothing if the current field is a choice. */
   public void write(String more) {
     if (line().isPresent() && written.length() + more.length() <= AnswerField.Line.LONGEST) {
       written.append(more);
     }
   }
 
-  /** Takes the last letter back. */
+  /** Deletes the last character. */
   public void erase() {
     if (!written.isEmpty()) {
       written.setLength(written.offsetByCodePoints(written.length(), -1));
     }
   }
 
-  /** Whether several options may be chosen, and this is one of them. */
+  /** Returns whether an option of a multiple choice is chosen. */
   public boolean chosen(int option) {
     return choice()
         .filter(AnswerField.Choice::several)
@@ -91,7 +92,10 @@ public final class ButtonCourse {
         .isPresent();
   }
 
-  /** The heading of that field, as {@code How sure are you?}; empty where it has none. */
+  /**
+   * Returns the heading of the current field, such as {@code How confident are you?}; empty for
+   * none.
+   */
   public String heading() {
     return question()
         .map(asked -> asked.kind().headings(wording))
@@ -100,28 +104,32 @@ public final class ButtonCourse {
         .orElse("");
   }
 
-  /** The option that is marked: what was answered, or what would be by the first button. */
+  /** Returns the marked option: the one that was chosen, or would be by the first button. */
   public OptionalInt marked() {
     return marked < 0 ? OptionalInt.empty() : OptionalInt.of(marked);
   }
 
-  /** Whether all is answered and the participant went on from the last page. */
+  /**
+   * Returns whether the questionnaire is answered and the participant went on from the last page.
+   */
   public boolean over() {
     return over;
   }
 
-  /** Whether each button is an option. */
+  /** Returns whether the question has two options, one for each button. */
   public boolean oneOfTwo() {
     return choice().filter(known -> known.options().size() == 2 && !known.several()).isPresent();
   }
 
-  /** How many things the second button goes through: where several are chosen, an end of it. */
+  /**
+   * Returns how many places the mark cycles through: the options, and the end of a multiple choice.
+   */
   private int places() {
     AnswerField.Choice choice = choice().orElseThrow();
     return choice.options().size() + (choice.several() ? 1 : 0);
   }
 
-  /** The first button: yes. */
+  /** Handles the first button (yes). */
   public void yes() {
     if (choice().isEmpty()) {
       forward();
@@ -134,7 +142,7 @@ public final class ButtonCourse {
     }
   }
 
-  /** The second button: no. */
+  /** Handles the second button (no). */
   public void no() {
     if (line().isPresent()) {
       erase();
@@ -151,12 +159,12 @@ public final class ButtonCourse {
     }
   }
 
-  /** The stick was pushed away: more, or what is above. */
+  /** Handles the stick pushed away from the user: a greater number, or the option above. */
   public void more() {
     stick(true);
   }
 
-  /** The stick was pulled: less, or what is below. */
+  /** Handles the stick pulled to the user: a smaller number, or the option below. */
   public void less() {
     stick(false);
   }
@@ -174,17 +182,17 @@ public final class ButtonCourse {
     }
   }
 
-  /** An option of the question was pointed at and chosen. */
+  /** Chooses an option that was pointed at. */
   public void choose(int option) {
     take(option);
   }
 
-  /** Whether there is something to go back to: a question or a page before. */
+  /** Returns whether there is a previous question or page. */
   public boolean mayGoBack() {
     return at > 0 || course.number() > 0;
   }
 
-  /** Goes back to the question before, else to the page before. */
+  /** Goes back to the previous question, else to the previous page. */
   public void back() {
     if (mayGoOn()) {
       keep();
@@ -197,7 +205,7 @@ public final class ButtonCourse {
     }
   }
 
-  /** Whether nothing keeps the participant from going on to the next question or page. */
+  /** Returns whether the participant may go on to the next question or page. */
   public boolean mayGoOn() {
     if (question().isEmpty()) {
       return !course.refuses();
@@ -222,7 +230,7 @@ public final class ButtonCourse {
     }
   }
 
-  /** What is written becomes the answer, unless it is already. */
+  /** Records the written text as the answer, unless it is recorded already. */
   private void keep() {
     line()
         .ifPresent(
@@ -269,7 +277,7 @@ public final class ButtonCourse {
     mark();
   }
 
-  /** Marks what was answered before. */
+  /** Marks the option that was chosen before. */
   private void mark() {
     marked = -1;
     written.setLength(0);

@@ -3,9 +3,12 @@ package org.selectiverenderer.experiment.questionnaire;
 import java.util.List;
 import java.util.Optional;
 
-/** How likely is the object in such a place? 1 to 6 (thesis Appendix A, Fig 54). */
+/**
+ * A rating of expectancy: how likely is the object in such a place, 1 to 6 (thesis Appendix A, Fig
+ * 54).
+ */
 public record Expectancy(QuestionItem item) implements QuestionKind {
-  /** As files spell it. */
+  /** Spelling of the kind in files. */
   public static final String SPELLING = "expectancy";
 
   @Override

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 
-/** The questionnaires of the thesis, which ask one question of each object of a table. */
+/** The kinds of questionnaires of the thesis that ask one question about each object of a table. */
 public enum ItemsKind {
   /** {@link Recognition}. */
   RECOGNITION(List.of("area", "object", "consistency", "present"), Recognition::new),
@@ -19,17 +19,17 @@ public enum ItemsKind {
     this.question = question;
   }
 
-  /** As the study file spells it, and the name of the questionnaire. */
+  /** Returns the spelling in the study file, which is also the questionnaire's default name. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** Columns of the table, beside those of the names. */
+  /** Returns the columns of the table, other than those of the objects' names. */
   public List<String> columns() {
     return columns;
   }
 
-  /** The question of an object. */
+  /** Returns the question about an object. */
   public Question question(QuestionItem item, String name) {
     return Question.of(item.object(), name, question.apply(item));
   }

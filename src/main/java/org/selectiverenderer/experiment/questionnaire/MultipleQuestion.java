@@ -3,9 +3,9 @@ package org.selectiverenderer.experiment.questionnaire;
 import java.util.List;
 import org.selectiverenderer.base.json.JsonMembers;
 
-/** Any of some options; none only where the question may be left out. */
+/** A multiple choice: any number of options; none only if the question is optional. */
 record MultipleQuestion(List<Option> options) implements QuestionKind {
-  /** As files spell it. */
+  /** Spelling of the kind in files. */
   static final String SPELLING = "multiple";
 
   MultipleQuestion {

@@ -5,12 +5,12 @@ import java.util.Optional;
 import org.selectiverenderer.base.json.JsonMembers;
 
 /**
- * A number in a range.
+ * A question whose answer is a number in a range.
  *
- * @param unit what stands behind it, such as {@code mm}; may be empty
+ * @param unit label after the number, such as {@code mm}; may be empty
  */
 record NumberQuestion(AnswerField.Line.Range range, String unit) implements QuestionKind {
-  /** As files spell it. */
+  /** Spelling of the kind in files. */
   static final String SPELLING = "number";
 
   private static final double FARTHEST = 1e9;

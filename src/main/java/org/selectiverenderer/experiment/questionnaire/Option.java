@@ -1,15 +1,15 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 /**
- * Something to choose.
+ * An option of a choice.
  *
- * @param value as tables have it; letters, digits, {@code . _ + -}
- * @param label what the participant reads on it
- * @param note what it means, where the label is a number; else empty
- * @param keys characters that choose it on a keyboard, in any case; may be none
+ * @param value the value written to tables: letters, digits, {@code . _ + -}
+ * @param label the text that the participant reads
+ * @param note the meaning of a number; else empty
+ * @param keys characters that choose the option on a keyboard, in lower case; may be empty
  */
 public record Option(String value, String label, String note, String keys) {
-  /** An option whose label says all, chosen by a key. */
+  /** Returns an option without a note. */
   public static Option of(String value, String label, String keys) {
     return new Option(value, label, "", keys);
   }

@@ -10,15 +10,15 @@ import java.util.Optional;
 import java.util.Random;
 
 /**
- * What is on the screen at a time.
+ * A page of a questionnaire, shown on the screen at a time.
  *
- * @param id once in its questionnaire: of a memory list the area
+ * @param id unique in the questionnaire; for a recognition list the area
  * @param title may be empty
- * @param text to be read before the questions, paragraphs divided by line ends; may be empty
- * @param picture a PNG or JPEG
- * @param questions none on a page that is only read
- * @param shuffled whether each participant has the questions in an order of his own
- * @param when what it depends on
+ * @param text text before the questions, paragraphs separated by line ends; may be empty
+ * @param picture a PNG or JPEG file
+ * @param questions the questions; empty for a page to be read
+ * @param shuffled whether the questions have a random order for each participant
+ * @param when the branching rule; empty for a page that is always shown
  */
 public record Page(
     String id,
@@ -33,8 +33,8 @@ public record Page(
   }
 
   /**
-   * As a participant meets it. The order is drawn anew for each participant and page, and is the
-   * same whenever it is asked for, on every machine.
+   * Returns the page with the questions in a participant's order. The order is random by study,
+   * questionnaire, participant and page, and is the same at every call and on every machine.
    *
    * @param seed of the study
    * @param name of the questionnaire in the study
@@ -52,7 +52,7 @@ public record Page(
     return new Page(id, title, text, picture, order, false, when);
   }
 
-  /** With a text in the place of another, in all that is read. */
+  /** Returns the page with all occurrences of a text replaced by another. */
   Page naming(String old, String other) {
     return new Page(
         id,
@@ -64,7 +64,7 @@ public record Page(
         when);
   }
 
-  /** The questions that are asked after these answers, in order. */
+  /** Returns the questions that are asked after these answers, in order. */
   public List<Question> asked(Map<String, Answer> answers) {
     List<Question> asked = new ArrayList<>();
     Map<String, Answer> counting = new HashMap<>(answers);
@@ -72,13 +72,15 @@ public record Page(
       if (question.when().map(when -> when.holds(counting)).orElse(true)) {
         asked.add(question);
       } else {
-        counting.remove(question.id()); // An answer to what is no longer asked decides nothing.
+        counting.remove(question.id()); // Answers to skipped questions do not count.
       }
     }
     return asked;
   }
 
-  /** The headings over the fields: those of its questions where all have the same. */
+  /**
+   * Returns the headings over the fields: those of the questions if all have the same, else none.
+   */
   public List<String> headings(Wording wording) {
     List<List<String>> each =
         questions.stream().map(question -> question.kind().headings(wording)).distinct().toList();

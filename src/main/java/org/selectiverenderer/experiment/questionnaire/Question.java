@@ -3,15 +3,16 @@ package org.selectiverenderer.experiment.questionnaire;
 import java.util.Optional;
 
 /**
- * A question.
+ * A question of a questionnaire.
  *
- * @param id by which tables know it, once in its questionnaire: of an object its name
- * @param text what is asked; may be empty where the fields say all
- * @param optional whether one may go on without an answer
- * @param when what it depends on
- * @param must the value that alone lets one take part, for consent
- * @param sets what of the session the answer decides
- * @param personal whether the answer stays in the session's journal and comes into no table
+ * @param id the question's id in tables, unique in the questionnaire; for a question about an
+ *     object its name
+ * @param text the question's text; may be empty if the fields are labelled
+ * @param optional whether the participant may go on without an answer
+ * @param when the branching rule; empty for a question that is always asked
+ * @param must the only value with which the participant may take part, for consent
+ * @param sets the setting of the session that the answer determines
+ * @param personal whether the answer is written to the session's journal only, and to no table
  */
 public record Question(
     String id,
@@ -23,42 +24,42 @@ public record Question(
     Optional<Sets> sets,
     boolean personal) {
 
-  /** What an answer may decide. */
+  /** A setting of the session that an answer determines. */
   public enum Sets {
-    /** The distance of the participant's pupils in millimetres, for the display. */
+    /** The participant's interpupillary distance in millimetres, for the display. */
     IPD,
-    /** The age in the list of participants. */
+    /** The participant's age in {@code participants.tsv}. */
     AGE;
 
-    /** As files spell it. */
+    /** Returns the spelling in files. */
     public String spelling() {
       return name().toLowerCase(java.util.Locale.ROOT);
     }
   }
 
-  /** A question that must be answered and does nothing else. */
+  /** Returns a mandatory question without branching rule or effect on the session. */
   public static Question of(String id, String text, QuestionKind kind) {
     return new Question(
         id, text, kind, false, Optional.empty(), Optional.empty(), Optional.empty(), false);
   }
 
-  /** With a text in the place of another. */
+  /** Returns the question with all occurrences of a text replaced by another. */
   Question naming(String old, String other) {
     return new Question(id, text.replace(old, other), kind, optional, when, must, sets, personal);
   }
 
-  /** Whether nothing of an answer is wanting. */
+  /** Returns whether an answer is complete; an optional question needs none. */
   public boolean complete(Answer answer, Wording wording) {
     boolean confident = kind.fields(wording).size() > 1;
     return answer.complete(confident) || optional && answer.equals(Answer.NONE);
   }
 
-  /** Whether answers come into tables. */
+  /** Returns whether answers are written to tables. */
   public boolean inTables() {
     return !personal && !kind.example();
   }
 
-  /** Whether an answer forbids to take part. */
+  /** Returns whether an answer refuses consent. */
   public boolean refuses(Answer answer) {
     return must.isPresent() && !answer.value().isEmpty() && !answer.value().equals(must.get());
   }

@@ -1,20 +1,22 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 /**
- * An object that is asked about.
+ * An item of a recognition list or an expectancy questionnaire: an object that is asked about.
  *
- * @param area whose page it is on
- * @param schema of the area, for ratings of expectancy, or {@link #EXAMPLE}; else empty
- * @param object by which files know it
- * @param type consistent, inconsistent or neutral, for recognition; else empty
- * @param present whether it was in the scene; without meaning for expectancy
+ * @param area the area on whose page the item is
+ * @param schema memory schema of the area, for ratings of expectancy, or {@link #EXAMPLE}; else
+ *     empty
+ * @param object the object's name in files
+ * @param type consistency with the schema (consistent, inconsistent or neutral), for recognition;
+ *     else empty
+ * @param present whether the object was in the scene; not used for expectancy
  */
 public record QuestionItem(
     String area, String schema, String object, String type, boolean present) {
-  /** In the place of a schema: the item shows how to rate, and its rating counts nowhere. */
+  /** Marks, instead of a schema, an example that shows how to rate and does not count. */
   public static final String EXAMPLE = "example";
 
-  /** Whether it only shows how to rate (thesis 5.1: a table and a bed in a restaurant). */
+  /** Returns whether the item is an example (thesis 5.1: a table and a bed in a restaurant). */
   public boolean example() {
     return schema.equals(EXAMPLE);
   }

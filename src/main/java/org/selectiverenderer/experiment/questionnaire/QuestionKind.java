@@ -7,8 +7,8 @@ import org.selectiverenderer.base.json.JsonMembers;
 import org.selectiverenderer.base.problem.Spelling;
 
 /**
- * What a question is like. Each kind is one class, which says all there is to say of it; this is
- * the list of them.
+ * A kind of question. Each kind is one class with everything specific to it: keys in files, fields,
+ * simulated answers and table.
  */
 public sealed interface QuestionKind
     permits Recognition,
@@ -21,18 +21,20 @@ public sealed interface QuestionKind
         TextQuestion,
         NumberQuestion {
 
-  /** As files and tables spell it. */
+  /** Returns the spelling of the kind in files and tables. */
   String spelling();
 
-  /** What is to be filled in: the value, and then how sure one is, where that is asked, too. */
+  /** Returns the input fields: the value, then the confidence if it is asked for. */
   List<AnswerField> fields(Wording wording);
 
-  /** What stands over the fields, where a page has questions of this kind alone; may be nothing. */
+  /**
+   * Returns the headings over the fields on a page with questions of this kind alone; may be empty.
+   */
   default List<String> headings(Wording wording) {
     return List.of();
   }
 
-  /** What somebody might answer. */
+  /** Returns a random valid answer, for a simulated participant. */
   default Answer simulated(Wording wording, Random random) {
     List<AnswerField> fields = fields(wording);
     return new Answer(
@@ -40,32 +42,32 @@ public sealed interface QuestionKind
         fields.size() < 2 ? 0 : Integer.parseInt(fields.get(1).simulated(random)));
   }
 
-  /** Whether it only shows how to answer, so that its answers count nowhere. */
+  /** Returns whether the question is an example, whose answers do not count. */
   default boolean example() {
     return false;
   }
 
-  /** All values that an answer may choose from; empty for words and numbers of one's own. */
+  /** Returns all possible values; empty for texts and free numbers. */
   default List<String> values() {
     return List.of();
   }
 
-  /** The numbers that are allowed; empty for kinds whose answers are none. */
+  /** Returns the range of valid numbers; empty for kinds whose answers are not numbers. */
   default Optional<AnswerField.Line.Range> numbers() {
     return Optional.empty();
   }
 
-  /** The object that it asks about; empty for kinds that ask about none. */
+  /** Returns the item that the question is about; empty for kinds that are not about an object. */
   default Optional<QuestionItem> about() {
     return Optional.empty();
   }
 
-  /** The table that has its answers. */
+  /** Returns the table for the answers. */
   default AnswerTable table() {
     return AnswerTable.ANSWERS;
   }
 
-  /** Cells of a row of that table. */
+  /** Returns the cells of a row of that table. */
   default List<Object> row(AskedBy by, String page, Question question, GivenAnswer given) {
     return List.of(
         by.participant(),
@@ -80,19 +82,19 @@ public sealed interface QuestionKind
         given.placeCell());
   }
 
-  /** The words of the language in which a questionnaire's file is read. */
+  /** Reads texts in the study's language from a questionnaire's file. */
   interface Texts {
-    /** A text that must be there. */
+    /** Reads a mandatory text. */
     String text(JsonMembers keys, String key);
 
-    /** A text that may be missing, and is empty then. */
+    /** Reads an optional text; empty if missing. */
     String optional(JsonMembers keys, String key);
 
-    /** A list of texts that may be missing, and is empty then. */
+    /** Reads an optional list of texts; empty if missing. */
     List<String> list(JsonMembers keys, String key);
   }
 
-  /** The kinds that a questionnaire's file may have. */
+  /** Spellings of the kinds that a questionnaire's file may use. */
   List<String> IN_FILES =
       List.of(
           ScaleQuestion.SPELLING,
@@ -106,7 +108,7 @@ public sealed interface QuestionKind
   /**
    * Reads the kind of a question and the keys that it has.
    *
-   * @return empty when there is no such kind, which is then told
+   * @return empty if there is no such kind, which is then reported
    */
   static Optional<QuestionKind> read(JsonMembers keys, Texts texts) {
     String kind = keys.text("kind");
@@ -129,7 +131,7 @@ public sealed interface QuestionKind
                           .map(near -> "; did you mean '%s'?".formatted(near))
                           .orElse(" (known kinds: %s)".formatted(String.join(", ", IN_FILES)))));
         }
-        keys.names(); // What such a kind would have is not known.
+        keys.names(); // Marks all keys as read: those of an unknown kind cannot be checked.
         yield Optional.empty();
       }
     };

@@ -7,14 +7,14 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What is asked in one step of a session, in one language.
+ * A questionnaire as asked in one step of a session, in one language.
  *
  * @param id of the step: letters, digits, hyphens
- * @param name of the questionnaire in the study, from which its order of questions is drawn; of
- *     memory lists that of all areas
- * @param area that it is about; empty for none in particular
+ * @param name of the questionnaire in the study, which seeds the order of questions; recognition
+ *     lists of all areas share one name
+ * @param area the area that it is about; empty for none
  * @param pages at least one
- * @param scores computed from the answers; may be none
+ * @param scores definitions of the scores; may be empty
  */
 public record Questionnaire(
     String id, String name, String area, List<Page> pages, List<ScaleScore> scores) {
@@ -23,16 +23,16 @@ public record Questionnaire(
     scores = List.copyOf(scores);
   }
 
-  /** The same under another name, about an area or none in particular. */
+  /** Returns this questionnaire under another name, about an area or none. */
   public Questionnaire as(String other, String place) {
     return new Questionnaire(
         place.isEmpty() ? other : other + "-" + place, other, place, pages, scores);
   }
 
   /**
-   * The same about an area, whose name stands where the texts have {@code {area}}.
+   * Returns this questionnaire about an area, whose name replaces {@code {area}} in the texts.
    *
-   * @param called how the language calls it
+   * @param called the area's name in the study's language
    */
   public Questionnaire about(String place, String called) {
     return new Questionnaire(
@@ -43,7 +43,7 @@ public record Questionnaire(
         scores);
   }
 
-  /** As a participant meets it. */
+  /** Returns this questionnaire with the questions in a participant's order. */
   public Questionnaire ordered(long seed, String participant) {
     return new Questionnaire(
         id,
@@ -53,17 +53,17 @@ public record Questionnaire(
         scores);
   }
 
-  /** All questions there may be, in order. */
+  /** Returns the questions of all pages, in order. */
   public List<Question> questions() {
     return pages.stream().flatMap(page -> page.questions().stream()).toList();
   }
 
-  /** The question of an id. */
+  /** Returns the question with an id. */
   public Optional<Question> question(String wanted) {
     return questions().stream().filter(question -> question.id().equals(wanted)).findFirst();
   }
 
-  /** The pages that are shown after these answers, in order. */
+  /** Returns the pages that are shown after these answers, in order. */
   public List<Page> shown(Map<String, Answer> answers) {
     List<Page> shown = new ArrayList<>();
     Map<String, Answer> counting = new HashMap<>(answers);
@@ -80,7 +80,7 @@ public record Questionnaire(
     return shown;
   }
 
-  /** The answers that count: those to questions that are asked after the others. */
+  /** Returns the answers that count: those to questions that the branching rules do not skip. */
   public Map<String, Answer> counting(Map<String, Answer> answers) {
     Map<String, Answer> counting = new HashMap<>();
     for (Page page : shown(answers)) {
@@ -96,8 +96,8 @@ public record Questionnaire(
   }
 
   /**
-   * What tables may have of these answers, in order: a row for each question that was asked, but
-   * for examples and what is personal.
+   * Returns the rows for tables, in order: one for each question that was asked, without examples
+   * and personal questions.
    */
   public List<TabledAnswer> tabled(Map<String, GivenAnswer> given) {
     Map<String, Answer> answers = new HashMap<>();
@@ -115,7 +115,7 @@ public record Questionnaire(
     return tabled;
   }
 
-  /** The answer that decides something of the session. */
+  /** Returns the answer that determines a setting of the session. */
   public Optional<String> set(Question.Sets what, Map<String, Answer> answers) {
     Map<String, Answer> counting = counting(answers);
     return questions().stream()
@@ -125,7 +125,7 @@ public record Questionnaire(
         .findFirst();
   }
 
-  /** Whether the answers forbid to take part. */
+  /** Returns whether the answers refuse consent. */
   public boolean refused(Map<String, Answer> answers) {
     Map<String, Answer> counting = counting(answers);
     return questions().stream()

@@ -7,21 +7,21 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Where a participant is in a questionnaire: on which page, what is answered so far and what is
- * still open, and since when each question is in view. Whatever shows it, a window or a panel in a
- * headset, asks and tells this; so answers come about alike. Belongs to one thread.
+ * A participant's progress in a questionnaire: the current page, the answers so far, the open
+ * questions, and since when each question is in view. The window and the panel in a headset both
+ * show and update this model, so that they behave alike. Belongs to one thread.
  */
 public final class QuestionnaireCourse {
-  /** Hears what happens, on the thread that shows the questionnaire. */
+  /** Receives events, on the thread that shows the questionnaire. */
   public interface Listener {
-    /** A page is on the screen. */
+    /** A page was shown. */
     void shown(Page page, List<Question> asked);
 
     /**
-     * An answer, or a change of one.
+     * A question was answered, or an answer changed.
      *
      * @param milliseconds since the question came into view
-     * @param place of it on its page, from 1
+     * @param place of the question on its page, from 1
      */
     void answered(Question question, Answer answer, long milliseconds, int place);
   }
@@ -35,7 +35,7 @@ public final class QuestionnaireCourse {
 
   /**
    * @param known answers given before, by the questions' ids
-   * @param from id of the page to begin with; the first if there is none such
+   * @param from id of the page to begin with; the first page if there is none with this id
    */
   public QuestionnaireCourse(
       Questionnaire questionnaire,
@@ -55,51 +55,53 @@ public final class QuestionnaireCourse {
             .orElse(shown.get(0));
   }
 
-  /** The pages that are shown after the answers so far. */
+  /** Returns the pages that are shown after the answers so far. */
   public List<Page> pages() {
     return questionnaire.shown(answers);
   }
 
-  /** The page that is shown. */
+  /** Returns the current page. */
   public Page page() {
     return page;
   }
 
-  /** Its number among the pages, from 0. */
+  /** Returns the number of the current page, from 0. */
   public int number() {
     return pages().indexOf(page);
   }
 
-  /** The answers so far, by the questions' ids. */
+  /** Returns the answers so far, by the questions' ids. */
   public Map<String, Answer> answers() {
     return Collections.unmodifiableMap(answers);
   }
 
-  /** The answer to a question so far. */
+  /** Returns the answer to a question so far. */
   public Answer answer(Question question) {
     return answers.getOrDefault(question.id(), Answer.NONE);
   }
 
-  /** The questions of the page that are asked after the answers so far, in order. */
+  /**
+   * Returns the questions of the current page that are asked after the answers so far, in order.
+   */
   public List<Question> asked() {
     return page.asked(answers);
   }
 
-  /** The page is on the screen. */
+  /** Reports that the current page was shown. */
   public void begin() {
     listener.shown(page, asked());
   }
 
-  /** A question of the page is in view; only the first time counts. */
+  /** Records that a question of the page came into view; only the first time counts. */
   public void saw(Question question) {
     seen.putIfAbsent(question.id(), System.nanoTime());
   }
 
   /**
-   * A question of the page is answered.
+   * Records an answer.
    *
-   * @param settled whether that is to be kept: not while somebody is typing
-   * @param at when, by the computer's monotonic clock
+   * @param settled whether the answer is final; false while the participant is typing
+   * @param at time of the answer, by {@link System#nanoTime}
    */
   public void answer(Question question, Answer answer, boolean settled, long at) {
     int place = asked().indexOf(question) + 1;
@@ -110,18 +112,18 @@ public final class QuestionnaireCourse {
     }
   }
 
-  /** How many questions of the page are asked and still needed. */
+  /** Returns how many questions of the page still need an answer. */
   public int open() {
     return (int)
         asked().stream().filter(question -> !question.complete(answer(question), wording)).count();
   }
 
-  /** Whether an answer of the page forbids to take part. */
+  /** Returns whether an answer of the page refuses consent. */
   public boolean refuses() {
     return asked().stream().anyMatch(question -> question.refuses(answer(question)));
   }
 
-  /** Whether one may go on from the page. */
+  /** Returns whether the participant may go on from the page. */
   public boolean mayGoOn() {
     return open() == 0 && !refuses();
   }
@@ -129,8 +131,8 @@ public final class QuestionnaireCourse {
   /**
    * Turns the page.
    *
-   * @param by 1 for the next one, -1 for the one before
-   * @return whether there is one; else the page stays
+   * @param by 1 for the next page, -1 for the previous one
+   * @return whether there is such a page; if not, the page stays
    */
   public boolean turn(int by) {
     List<Page> shown = pages();

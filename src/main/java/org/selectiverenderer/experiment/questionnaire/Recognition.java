@@ -5,12 +5,15 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 
-/** Was the object there? Yes or no, and how sure, 1 to 5 (thesis Appendix D, Fig 86). */
+/**
+ * A recognition question: was the object present, yes or no, with a confidence from 1 to 5 (thesis
+ * Appendix D, Fig 86).
+ */
 record Recognition(QuestionItem item) implements QuestionKind {
-  /** As files spell it. */
+  /** Spelling of the kind in files. */
   static final String SPELLING = "recognition";
 
-  /** Chance of a simulated yes to an object that was there; d' is about 1.35. */
+  /** Simulated hit rate; with the rate of false alarms d' is about 1.35. */
   private static final double HIT = 0.75;
 
   private static final double FALSE_ALARM = 0.25;

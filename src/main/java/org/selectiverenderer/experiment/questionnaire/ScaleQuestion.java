@@ -5,16 +5,16 @@ import java.util.stream.IntStream;
 import org.selectiverenderer.base.json.JsonMembers;
 
 /**
- * A step of a scale between two ends.
+ * A rating scale (Likert) between two labelled ends.
  *
- * @param notes what each step means; none where only the ends are named
+ * @param notes the meaning of each step; empty if only the ends are labelled
  */
 public record ScaleQuestion(int from, int to, String least, String most, List<String> notes)
     implements QuestionKind {
-  /** As files spell it. */
+  /** Spelling of the kind in files. */
   static final String SPELLING = "scale";
 
-  /** Steps that a row has room for. */
+  /** Maximum number of steps: a row has no room for more. */
   private static final int MOST_STEPS = 11;
 
   public ScaleQuestion {

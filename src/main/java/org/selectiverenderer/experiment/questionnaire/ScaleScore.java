@@ -7,12 +7,13 @@ import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
- * A number computed from answers: {@code weight} times the sum, the mean or the count of values.
+ * The definition of a score: {@code weight} times the sum, mean or count of the values of some
+ * answers.
  *
  * @param questions whose values are taken
- * @param scores whose values before their weights are taken, instead of questions
- * @param reversed questions of a scale whose value is taken as {@code from + to - value}
- * @param least for {@link By#COUNT}: values from this one on are counted
+ * @param scores other scores whose unweighted values are taken, too
+ * @param reversed reverse-coded questions, whose value is taken as {@code from + to - value}
+ * @param least for {@link By#COUNT}: the least value that is counted
  */
 public record ScaleScore(
     String name,
@@ -28,24 +29,24 @@ public record ScaleScore(
     reversed = Set.copyOf(reversed);
   }
 
-  /** What is made of the values. */
+  /** The function of the values. */
   public enum By {
     SUM,
     MEAN,
     COUNT;
 
-    /** As files spell it. */
+    /** Returns the spelling in files. */
     public String spelling() {
       return name().toLowerCase(Locale.ROOT);
     }
   }
 
   /**
-   * Computes it.
+   * Computes the score.
    *
-   * @param answers that count
-   * @return empty when an answer is wanting or is no number: a score of half the questions cannot
-   *     be compared with the others
+   * @param answers the answers that count
+   * @return empty if an answer is missing or is not a number: a score of some of the questions
+   *     cannot be compared with the others
    */
   public OptionalDouble of(Questionnaire questionnaire, Map<String, Answer> answers) {
     OptionalDouble raw = raw(questionnaire, answers);

@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Set;
 import org.selectiverenderer.base.json.JsonMembers;
 
-/** One of some options. */
+/** A single choice: one of several options. */
 record SingleQuestion(List<Option> options) implements QuestionKind {
-  /** As files spell it. */
+  /** Spelling of the kind in files. */
   static final String SPELLING = "single";
 
-  /** What values consist of, which tables and keys of other programs can have. */
+  /** Pattern of values, which are valid in tables and as keys of other programs. */
   private static final String VALUE = "[0-9A-Za-z_.+-]+";
 
   SingleQuestion {
@@ -23,7 +23,9 @@ record SingleQuestion(List<Option> options) implements QuestionKind {
     return new SingleQuestion(options(keys, texts));
   }
 
-  /** Reads options, each with a value and a text; the first nine have their numbers as keys. */
+  /**
+   * Reads options, each with a value and a text; the digits 1 to 9 are the keys of the first nine.
+   */
   static List<Option> options(JsonMembers keys, Texts texts) {
     Set<String> values = new HashSet<>();
     List<Option> options = new ArrayList<>();
@@ -37,13 +39,13 @@ record SingleQuestion(List<Option> options) implements QuestionKind {
             option.fault(
                 "value", "the value of an option consists of letters, digits and the signs _.+-");
           } else if (!values.add(value)) {
-            option.fault("value", "the value " + value + " is there twice");
+            option.fault("value", "the value " + value + " occurs twice");
           }
           int number = options.size() + 1;
           return options.add(Option.of(value, label, number <= 9 ? Integer.toString(number) : ""));
         });
     if (options.size() < 2) {
-      keys.fault("options", "a question to choose from needs at least two \"options\"");
+      keys.fault("options", "a choice needs at least two \"options\"");
     }
     return options;
   }

@@ -1,9 +1,9 @@
 package org.selectiverenderer.experiment.questionnaire;
 
 /**
- * An answer that tables may have.
+ * A row of a table of answers.
  *
- * @param page on which the question was asked
- * @param given {@link GivenAnswer#NONE} where there is no answer
+ * @param page the page of the question
+ * @param given the answer; {@link GivenAnswer#NONE} for none
  */
 public record TabledAnswer(Page page, Question question, GivenAnswer given) {}

@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.base.json.JsonMembers;
 
-/** Words of the participant's own, on one line or more. */
+/** A question whose answer is a free text of one or more lines. */
 record TextQuestion(int lines) implements QuestionKind {
-  /** As files spell it. */
+  /** Spelling of the kind in files. */
   static final String SPELLING = "text";
 
-  /** Reads {@code lines}, which are 1 if left out. */
+  /** Reads {@code lines} (default 1). */
   static TextQuestion read(JsonMembers keys) {
     return new TextQuestion((int) keys.whole("lines", 1, 20, 1));
   }

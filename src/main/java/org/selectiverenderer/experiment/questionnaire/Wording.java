@@ -16,9 +16,9 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * The words of the program's own part of questionnaires and forms, from a file of messages: one
- * that lies beside the study file, {@code messages_LANGUAGE.properties}, else the built-in one.
- * What a file of one's own lacks is English.
+ * The program's own messages to participants in questionnaires and forms, from a file {@code
+ * messages_LANGUAGE.properties}: one beside the study file, else the built-in one. Messages that a
+ * file lacks are in English.
  */
 public final class Wording {
   private final String language;
@@ -30,11 +30,11 @@ public final class Wording {
   }
 
   /**
-   * The words of a language.
+   * Loads the messages of a language.
    *
-   * @param folder of the study
-   * @return empty when there are none, which is then in {@code problems}
-   * @throws IOException if they cannot be read
+   * @param folder the study's folder
+   * @return empty if there are none for the language, which is then in {@code problems}
+   * @throws IOException if a file cannot be read
    */
   public static Optional<Wording> of(String language, Path folder, Problems problems)
       throws IOException {
@@ -56,9 +56,9 @@ public final class Wording {
     if (known.isEmpty()) {
       problems.error(
           Location.of(own.toString()),
-          "there are no texts in the language '"
+          "there are no messages in the language '"
               + language
-              + "': write this file, or choose en or el");
+              + "'; create this file, or choose the language en or el");
       return Optional.empty();
     }
     known.get().forEach(words::put);
@@ -76,15 +76,15 @@ public final class Wording {
     }
   }
 
-  /** The code of the language. */
+  /** Returns the code of the language. */
   public String language() {
     return language;
   }
 
   /**
-   * The words for a key.
+   * Returns the message of a key.
    *
-   * @throws IllegalArgumentException if no language has that key
+   * @throws IllegalArgumentException if there is no such key
    */
   public String of(String key) {
     String text = words.getProperty(key);
@@ -94,12 +94,12 @@ public final class Wording {
     return text;
   }
 
-  /** An area's name: that of the words where they have it, else as the study writes it. */
+  /** Returns an area's name in the language; without a translation, as the study writes it. */
   public String area(String area) {
     return words.getProperty("area." + area, area);
   }
 
-  /** The words for a key, with what their braces stand for. */
+  /** Returns the message of a key with values for its placeholders. */
   public String filled(String key, Object... values) {
     return new MessageFormat(of(key).replace("'", "''"), Locale.ROOT).format(values);
   }

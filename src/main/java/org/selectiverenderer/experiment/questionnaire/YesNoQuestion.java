@@ -2,12 +2,12 @@ package org.selectiverenderer.experiment.questionnaire;
 
 import java.util.List;
 
-/** Yes or no. */
+/** A question whose answer is yes or no. */
 record YesNoQuestion() implements QuestionKind {
-  /** As files spell it. */
+  /** Spelling of the kind in files. */
   static final String SPELLING = "yes-no";
 
-  /** The choice between the two. */
+  /** Returns the choice between yes and no. */
   static AnswerField field(Wording wording) {
     // The Greek letters are on the same keys.
     return AnswerField.Choice.of(

@@ -1,34 +1,34 @@
 /**
- * What is asked of a participant, without a window: questionnaires, the kinds of their questions,
- * answers, tables of answers and scores.
+ * The model of questionnaires, without a user interface: pages, kinds of questions, answers, tables
+ * of answers and scores.
  *
  * <p>A {@link org.selectiverenderer.experiment.questionnaire.Questionnaire} is answered in one step
- * of a session, page by page. A page has questions, or only something to read; pages and questions
- * may depend on earlier answers. Form and consent are a questionnaire, too.
+ * of a session, page by page. A page has questions, or only a text to read; pages and questions may
+ * depend on earlier answers (skip logic). The consent form is a questionnaire, too.
  *
- * <p>What a question is like is its {@link
+ * <p>The kind of a question is a {@link
  * org.selectiverenderer.experiment.questionnaire.QuestionKind}, a sealed type with one class for
- * each kind: how a file names it and which keys it has there, what there is to fill in, how a
- * simulated participant answers, in which table its answers go. What there is to fill in is told as
- * {@link org.selectiverenderer.experiment.questionnaire.AnswerField}s, of which there are two
- * sorts: options to choose from, and a line to write on. Windows, paper and what was typed in from
- * it know the fields and no kinds; so a new kind changes none of them.
+ * each kind, which defines its keys in files, its input fields, simulated answers and the table of
+ * the answers. Input fields are {@link
+ * org.selectiverenderer.experiment.questionnaire.AnswerField}s, of which there are two sorts: a
+ * choice of options, and a line to write on. Windows, paper forms and data entry depend on fields
+ * only, so that a new kind changes none of them.
  *
- * <p>Where a participant is in a questionnaire is {@link
- * org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse}, whatever shows it; {@link
- * org.selectiverenderer.experiment.questionnaire.ButtonCourse} answers it by two buttons and a
- * stick.
+ * <p>{@link org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse} is the
+ * participant's progress in a questionnaire, in a window or in a headset; {@link
+ * org.selectiverenderer.experiment.questionnaire.ButtonCourse} lets the participant answer with two
+ * buttons and a stick.
  *
- * <p>{@code questionnaire.read} makes questionnaires of files; {@code questionnaire.paper} prints
- * them and reads what was typed in.
+ * <p>{@code questionnaire.read} reads questionnaires from files; {@code questionnaire.paper} prints
+ * them and reads the tables into which answers on paper were typed.
  *
- * <p>In: texts in the study's language, the words of the program itself ({@link
- * org.selectiverenderer.experiment.questionnaire.Wording}), answers. Out: what is to be asked next,
- * and {@code responses.csv}, {@code ratings.csv}, {@code answers.csv} and {@code scores.csv} as
- * rows. All values are immutable, the two courses are not.
+ * <p>In: texts in the study's language, the program's own messages ({@link
+ * org.selectiverenderer.experiment.questionnaire.Wording}), answers. Out: the questions to ask
+ * next, and the rows of {@code responses.csv}, {@code ratings.csv}, {@code answers.csv} and {@code
+ * scores.csv}. Only the two classes of a participant's progress are mutable.
  *
- * <p>Uses {@code statistics.data} and {@code statistics.detection} for the columns of answers about
- * memory, and {@code base}. No GL, no AWT.
+ * <p>Uses {@code statistics.data} and {@code statistics.detection} for the columns of answers to
+ * recognition lists, and {@code base}. No GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.questionnaire;

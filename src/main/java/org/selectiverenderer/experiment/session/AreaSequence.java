@@ -8,22 +8,22 @@ import java.util.stream.IntStream;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
- * The order in which a participant sees the areas. The same study and participant have the same
- * order always.
+ * Determines the order in which a participant sees the areas; it is always the same for the same
+ * study and participant.
  *
  * <p>Counterbalanced orders are the rows of Williams's squares (E. J. Williams 1949, "Experimental
  * designs balanced for the estimation of residual effects of treatments", Australian Journal of
- * Scientific Research A 2): Latin squares in which each area also comes equally often right after
- * each other one; for an odd number of areas that takes two squares, the second the mirror of the
- * first.
+ * Scientific Research A 2): Latin squares balanced for first-order carry-over, in which each area
+ * also comes equally often right after each other area; an odd number of areas takes two squares,
+ * of which the second is the mirror image of the first.
  */
 final class AreaSequence {
   private AreaSequence() {}
 
   /**
-   * A participant's order.
+   * Returns a participant's order.
    *
-   * @param turn of the participant among the places of the same condition, from 0
+   * @param turn the participant's index among the places of the same condition, from 0
    */
   static List<Study.Area> of(Study study, String participant, int turn) {
     List<Study.Area> areas = new ArrayList<>(study.areas());
@@ -39,13 +39,13 @@ final class AreaSequence {
               areas,
               new Random((study.seed() * 31 + participant.hashCode()) * 0x9E3779B97F4A7C15L));
       case FIXED -> {
-        // As the file has it.
+        // The order in the study file.
       }
     }
     return areas;
   }
 
-  /** A row of the squares for a number of things, by their numbers. */
+  /** Returns a row of the Williams squares of a size, as numbers from 0. */
   static List<Integer> row(int size, int turn) {
     int rows = size % 2 == 0 ? size : 2 * size;
     int row = turn % rows;
@@ -64,7 +64,7 @@ final class AreaSequence {
   }
 
   /**
-   * How many places before one have its condition.
+   * Returns how many places before a place have the same condition.
    *
    * @param place from 1
    */

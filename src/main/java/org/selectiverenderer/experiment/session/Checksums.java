@@ -13,7 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.selectiverenderer.base.files.Sha256;
 
-/** SHA-256 of files, and of a scene with all that it names. */
+/** Computes SHA-256 checksums of files, and of a scene with all files that it refers to. */
 public final class Checksums {
   private static final Pattern NAMED =
       Pattern.compile(
@@ -21,12 +21,15 @@ public final class Checksums {
 
   private Checksums() {}
 
-  /** Of one file, in hexadecimal. */
+  /** Returns the checksum of a file, in hexadecimal. */
   static String of(Path file) throws IOException {
     return Sha256.of(Files.readAllBytes(file));
   }
 
-  /** Of a scene and all files that it, or one of these, names and that are there. */
+  /**
+   * Returns the checksums of a scene and, transitively, of all existing files that it refers to, by
+   * relative path.
+   */
   public static Map<String, String> ofScene(Path scene) throws IOException {
     Map<String, String> sums = new TreeMap<>();
     Deque<Path> left = new ArrayDeque<>();
@@ -57,7 +60,7 @@ public final class Checksums {
         left.add(file);
       }
     } catch (InvalidPathException e) {
-      return; // An address of the network, which nothing is ever read from.
+      return; // A URL, from which nothing is read.
     }
   }
 }

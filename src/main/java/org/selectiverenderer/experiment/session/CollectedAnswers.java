@@ -26,17 +26,18 @@ import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.schema.Band;
 
 /**
- * The answers of a study, one session of each participant, from their journals, and those given on
- * paper. Screens that were finished count, of sessions that were not, too; every answer that does
- * not count, and every session that is not what it seems, is a problem with its file's name.
+ * The collected answers of a study: those of one session of each participant, from its journal, and
+ * those given on paper. Finished screens count, also those of unfinished sessions; every answer
+ * that does not count, and every session with quality flags, is reported with its file.
  *
- * @param responses as {@code experiment analyse} reads them
- * @param ratings as {@code enrich --ratings} reads them
- * @param others all other answers, the form's too
- * @param scores computed from them
- * @param bands means of the ratings with their bands, for people
- * @param participants of whom there are answers
- * @param answers that are in the tables
+ * @param responses answers to recognition lists as CSV, in the form that {@code experiment analyse}
+ *     reads
+ * @param ratings ratings of expectancy as CSV, in the form that {@code enrich --ratings} reads
+ * @param others all other answers as CSV, including those to the form
+ * @param scores scores computed from the answers, as CSV
+ * @param bands mean ratings with their bands as CSV, for people
+ * @param participants number of participants with answers
+ * @param answers number of answers in the tables
  */
 public record CollectedAnswers(
     String responses,
@@ -49,7 +50,7 @@ public record CollectedAnswers(
 
   private record Rated(String area, String schema, String object) {}
 
-  /** Gathers what the record holds. */
+  /** Collects the answers. */
   private static final class Gathering {
     private final StudyMaterial material;
     private final PaperAnswers paper;
@@ -65,11 +66,11 @@ public record CollectedAnswers(
       this.problems = problems;
     }
 
-    /** A participant with a session. */
+    /** Adds a participant with a session. */
     void session(SessionFolder folder, SessionHistory history) {
       Location place = Location.of(folder.journal().toString());
       if (history.refused()) {
-        problems.info(place, "the participant does not take part");
+        problems.info(place, "the participant refused consent");
         paper
             .sheets(folder.participant())
             .values()
@@ -77,8 +78,7 @@ public record CollectedAnswers(
                 sheet ->
                     problems.error(
                         sheet.place(),
-                        ("participant %s does not take part; the answers from paper "
-                                + "are left out")
+                        ("participant %s refused consent; the answers from paper " + "are left out")
                             .formatted(folder.participant())));
         return;
       }
@@ -103,7 +103,7 @@ public record CollectedAnswers(
       participants += answers > before ? 1 : 0;
     }
 
-    /** A participant who has answered on paper and has no session. */
+    /** Adds a participant who answered on paper and has no session. */
     void onPaper(String participant) {
       int before = answers;
       for (SessionStep step : material.steps()) {
@@ -134,7 +134,7 @@ public record CollectedAnswers(
               });
     }
 
-    /** What is known of the person; on paper where the program was not asked to keep it. */
+    /** Adds the answers to the form; those on paper if the program does not have them. */
     private void form(SessionFolder folder, SessionHistory history, SessionStep.Form form) {
       Optional<PaperAnswers.Sheet> sheet = paper.sheet(folder.participant(), form.id());
       if (history.finished(form)) {
@@ -215,7 +215,7 @@ public record CollectedAnswers(
       take(step, by(participant, "", condition(participant), step), given(sheet), sheet.place());
     }
 
-    /** Takes the answers to a questionnaire into the tables. */
+    /** Adds the answers to a questionnaire to the tables. */
     private void take(
         SessionStep.Questions step, AskedBy by, Map<String, GivenAnswer> given, Location place) {
       Questionnaire questionnaire = material.questionnaire(step, by.participant());
@@ -247,11 +247,11 @@ public record CollectedAnswers(
   }
 
   /**
-   * Collects them.
+   * Collects the answers.
    *
-   * @param session the number of the session that counts; empty for each participant's first whose
-   *     questions are all answered, or the first with answers where there is none
-   * @param paper answers typed in; they stand for screens that a session has not finished
+   * @param session number of the session that counts; empty for each participant's first session
+   *     with complete answers, or else the first with any answers
+   * @param paper answers on paper, which are used for screens that a session has not finished
    * @throws IOException if a journal cannot be read
    */
   public static CollectedAnswers of(

@@ -16,19 +16,19 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * Makes a journal end with a whole line before a session goes on. A last line that a crash cut off
- * is taken away, once a copy of it is on the disk; a last event that lacks only its line's end gets
- * it. Lines in the middle that cannot be read stay as they are, and are told.
+ * Recovers a journal after a crash, so that it ends with a whole line before the session is
+ * resumed. A truncated last line is removed, once a copy of it is on the disk; a last event that
+ * lacks only its line end gets one. Damaged lines in the middle are kept and reported.
  */
 public final class JournalMending {
   private JournalMending() {}
 
   /**
-   * Mends a journal that no other program writes.
+   * Recovers a journal; the caller holds the lock of the session.
    *
-   * @param problems hears what was found
-   * @return what the journal is to say of it; empty where it was whole
-   * @throws IOException if it cannot be read or written; nothing is lost then
+   * @param problems receives the damage that was found
+   * @return members of the event that records the recovery; empty if the journal was intact
+   * @throws IOException if the journal cannot be read or written; nothing is lost then
    */
   public static Optional<Map<String, Object>> mend(Path journal, Problems problems)
       throws IOException {
@@ -48,7 +48,7 @@ public final class JournalMending {
       int line = text.lines() + 1;
       problems.warning(
           new Location(journal.toString(), line, 1),
-          "the last line was cut off by a crash and is no event; what there is of it was moved to %s"
+          "the last line was cut off by a crash; it was removed, and a copy is in %s"
               .formatted(copy.getFileName()));
       found.put("cut_off_line", line);
       found.put("bytes", text.tail());
@@ -62,12 +62,12 @@ public final class JournalMending {
     return found.isEmpty() ? Optional.empty() : Optional.of(found);
   }
 
-  /** Says which lines of a journal cannot be read; nothing is changed. */
+  /** Reports the damaged lines of a journal, without changing it. */
   public static void tellDamaged(Path journal, JournalText text, Problems problems) {
     for (int line : text.damaged()) {
       problems.warning(
           new Location(journal.toString(), line, 1),
-          "this line is damaged and is no event; the other lines are used, and nothing is deleted");
+          "this line is damaged and is ignored; the other lines are used, and nothing is deleted");
     }
   }
 

@@ -15,14 +15,14 @@ import java.util.Optional;
 import org.selectiverenderer.base.json.JsonTree;
 
 /**
- * What stands in a journal, line by line.
+ * The contents of a journal, parsed line by line.
  *
- * @param events in order
- * @param damaged numbers, from 1, of the lines that are no event
- * @param lines that are ended
- * @param kept bytes up to the end of the last event or ended line
- * @param tail bytes after them: a last line that was cut off
- * @param ended whether the kept bytes end a line; else only the line's end was cut off
+ * @param events the events in order
+ * @param damaged numbers, from 1, of the lines that are not valid events
+ * @param lines number of lines with a line end
+ * @param kept number of bytes up to the end of the last event or complete line
+ * @param tail number of bytes after these: a truncated last line
+ * @param ended whether the kept bytes end with a line end; if not, only the line end was cut off
  */
 public record JournalText(
     List<ObjectNode> events, List<Integer> damaged, int lines, int kept, int tail, boolean ended) {
@@ -35,7 +35,7 @@ public record JournalText(
   /**
    * Reads a journal.
    *
-   * @throws IOException if it cannot be read
+   * @throws IOException if the file cannot be read
    */
   public static JournalText read(Path journal) throws IOException {
     return of(Files.readAllBytes(journal));
@@ -78,7 +78,7 @@ public record JournalText(
           ? Optional.of(event)
           : Optional.empty();
     } catch (CharacterCodingException | JsonProcessingException e) {
-      return Optional.empty(); // The caller says so, by the line's number.
+      return Optional.empty(); // The caller reports the line's number.
     }
   }
 }

@@ -19,9 +19,9 @@ import org.selectiverenderer.experiment.headlog.HeadLog;
 import org.selectiverenderer.experiment.headlog.HeadLogReader;
 
 /**
- * Turns a session's head logs into BIDS motion data, each once, on a thread of its own, {@code
- * motion-data}: a long log must not keep the next area's picture waiting. The head logs are the
- * originals; what is lost here by a crash is made again of them.
+ * Converts the head logs of a session to BIDS motion data, each once, on the thread {@code
+ * motion-data}, so that a long log does not delay the next exposure. Files that a crash loses are
+ * converted again from the head logs when the session is resumed.
  */
 final class MotionFiles implements AutoCloseable {
   private final SessionFolder folder;
@@ -40,7 +40,10 @@ final class MotionFiles implements AutoCloseable {
     this.journal = journal;
   }
 
-  /** Writes those of a head log soon, unless they are there; also of one that a crash cut off. */
+  /**
+   * Queues the conversion of a head log, also of one that a crash truncated; does nothing if its
+   * files exist.
+   */
   void write(String headName) {
     writer.execute(
         () -> {
@@ -78,16 +81,16 @@ final class MotionFiles implements AutoCloseable {
   }
 
   /**
-   * Waits until all is written.
+   * Waits until all files are written.
    *
-   * @throws IOException if something could not be
+   * @throws IOException if a file could not be written
    */
   @Override
   public void close() throws IOException {
     writer.shutdown();
     try {
       while (!writer.awaitTermination(1, TimeUnit.MINUTES)) {
-        // A slow disk is waited for.
+        // The loop waits for a slow disk.
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

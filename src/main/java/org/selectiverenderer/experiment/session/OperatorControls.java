@@ -4,8 +4,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What the experimenter asks for while a session runs. Set by the control window, read by whoever
- * runs the step; each request is in the journal at the moment it is made.
+ * The experimenter's requests while a session runs: set by the control window, read by the thread
+ * that runs the step, and logged in the journal when they are made.
  */
 public final class OperatorControls {
   private final SessionJournal journal;
@@ -21,50 +21,53 @@ public final class OperatorControls {
     this.journal = journal;
   }
 
-  /** Practice is over, as soon as whoever runs it looks. */
+  /** Requests the end of the practice. */
   public void goOn() {
     going = true;
     journal.tell("go-on", Map.of());
   }
 
-  /** Where the head looks is straight ahead, as soon as whoever runs the step looks. */
+  /** Requests a boresight: the present heading of the head becomes straight ahead. */
   public void resetHeading() {
     resetting = true;
   }
 
-  /** Whether the heading is to be reset; asked for since the last call. */
+  /** Returns whether a boresight was requested since the last call. */
   public boolean takeResetHeading() {
     boolean asked = resetting;
     resetting = false;
     return asked;
   }
 
-  /** Stops the clock and darkens the participant's picture, or goes on. */
+  /**
+   * Pauses the session, which stops the clock and darkens the participant's picture, or continues
+   * it.
+   */
   public void pause(boolean on) {
     paused = on;
     journal.tell(on ? "paused" : "continued", Map.of());
   }
 
   /**
-   * Has somebody who can ask the experimenter whether the session is to end.
+   * Registers the dialog that asks the experimenter whether to end the session.
    *
-   * @param ask asks; called by any thread, returns at once
+   * @param ask opens the dialog; called by any thread, returns at once
    */
   public void questioner(Runnable ask) {
     question = Optional.of(ask);
   }
 
   /**
-   * Somebody closes a window: the experimenter is asked whether the session is to end.
+   * Asks the experimenter whether to end the session, as when a window is closed.
    *
-   * @return whether there is somebody who asks
+   * @return whether a dialog is registered
    */
   public boolean askAbort() {
     question.ifPresent(Runnable::run);
     return question.isPresent();
   }
 
-  /** The experimenter is being asked something, or no more: the pointer is needed for that. */
+  /** Sets whether a dialog is open, for which the mouse pointer must be free. */
   public void asking(boolean now) {
     asking = now;
   }
@@ -78,7 +81,7 @@ public final class OperatorControls {
     aborted = true;
   }
 
-  /** Writes something down; the journal has the time. */
+  /** Logs a note in the journal, with the time. */
   public void note(String text) {
     journal.tell("note", Map.of("text", text));
   }
@@ -91,14 +94,14 @@ public final class OperatorControls {
     return aborted;
   }
 
-  /** Whether to go on was asked for since the last call. */
+  /** Returns whether the end of the practice was requested since the last call. */
   public boolean takeGoOn() {
     boolean asked = going;
     going = false;
     return asked;
   }
 
-  /** Where the session is, for the control window. */
+  /** Sets the state of the session that the control window shows. */
   public void status(String text) {
     status = text;
   }

@@ -17,11 +17,11 @@ import org.selectiverenderer.experiment.questionnaire.paper.TypedTable;
 import org.selectiverenderer.experiment.questionnaire.paper.TypedTable.Filled;
 
 /**
- * Answers that were given on paper, by participant and screen. A participant's condition is the one
- * in {@code participants.tsv}, or the one typed in where the program has assigned none.
+ * The answers that were given on paper, by participant and screen. A participant's condition is the
+ * one in {@code participants.tsv}, or the one typed in if the program has assigned none.
  */
 public final class PaperAnswers {
-  /** The answers to one screen, by object, and where the first of them was typed. */
+  /** The answers to one screen by question, and the location of the first one in its file. */
   record Sheet(Map<String, Answer> answers, Location place) {}
 
   private record Key(String participant, String step) {}
@@ -33,16 +33,16 @@ public final class PaperAnswers {
 
   private PaperAnswers() {}
 
-  /** None. */
+  /** Returns no answers. */
   public static PaperAnswers none() {
     return new PaperAnswers();
   }
 
   /**
-   * Reads tables that were typed in.
+   * Reads data-entry tables.
    *
-   * @param problems hears of every answer that cannot be used
-   * @throws IOException if a file cannot be read at all
+   * @param problems receives every answer that cannot be used
+   * @throws IOException if a file cannot be read
    */
   public static PaperAnswers read(StudyMaterial material, List<Path> files, Problems problems)
       throws IOException {
@@ -90,7 +90,10 @@ public final class PaperAnswers {
     }
   }
 
-  /** Whether a row is of a participant whose condition is known; each is told of once. */
+  /**
+   * Returns whether a row belongs to a participant whose condition is known; reports each other
+   * participant once.
+   */
   private boolean belongs(StudyMaterial material, Filled row, Problems problems) {
     String id = row.participant();
     if (refused.contains(id)) {
@@ -129,29 +132,29 @@ public final class PaperAnswers {
     return fault.isEmpty();
   }
 
-  /** As the program numbers participants. */
+  /** Pads an id with zeros to three digits, as the program numbers participants. */
   private static String padded(String id) {
     return "0".repeat(Math.max(0, 3 - id.length())) + id;
   }
 
-  /** Of whom there are answers, in the files' order. */
+  /** Returns the participants with answers, in the files' order. */
   Set<String> participants() {
     Set<String> all = new LinkedHashSet<>();
     sheets.keySet().forEach(key -> all.add(key.participant()));
     return all;
   }
 
-  /** The condition of one of {@link #participants}. */
+  /** Returns the condition of one of {@link #participants}. */
   Optional<Condition> condition(String participant) {
     return Optional.ofNullable(conditions.get(participant));
   }
 
-  /** The answers to a screen. */
+  /** Returns a participant's answers to a screen. */
   Optional<Sheet> sheet(String participant, String step) {
     return Optional.ofNullable(sheets.get(new Key(participant, step)));
   }
 
-  /** A participant's sheets, by the steps that ask for them. */
+  /** Returns a participant's answers, by the ids of the steps. */
   Map<String, Sheet> sheets(String participant) {
     Map<String, Sheet> own = new LinkedHashMap<>();
     sheets.forEach(

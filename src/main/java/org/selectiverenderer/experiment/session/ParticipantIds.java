@@ -12,9 +12,9 @@ import java.util.regex.Pattern;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
- * The ids of a study's participants, and which of them look like another: {@code 1}, {@code 001},
- * {@code P01} and {@code p01} are easily typed for each other, and a participant who comes under
- * two of them gets two conditions.
+ * The ids of a study's participants, with a search for ids that are easily confused: {@code 1},
+ * {@code 001}, {@code P01} and {@code p01} are easily typed for each other, and a participant under
+ * two ids gets two conditions.
  */
 public final class ParticipantIds {
   private static final Pattern PARTS = Pattern.compile("([a-z]*)(\\d+)(.*)");
@@ -25,19 +25,19 @@ public final class ParticipantIds {
     this.known = known;
   }
 
-  /** Of a study: of all who have a folder or a condition. */
+  /** Returns the ids of all participants of a study who have a folder or a condition. */
   public static ParticipantIds of(Study study) throws IOException {
     Set<String> known = new LinkedHashSet<>(SessionFolder.participants(study));
     new Participants(study).all().forEach(assigned -> known.add(assigned.participant()));
     return new ParticipantIds(known);
   }
 
-  /** Whether an id is there, letter for letter. */
+  /** Returns whether an id exists with exactly this spelling. */
   public boolean has(String id) {
     return known.contains(id);
   }
 
-  /** An id that nobody has yet, nor one that looks like it: 001 and so on. */
+  /** Returns the first of 001, 002 and so on that neither exists nor resembles an existing id. */
   public String next() {
     int number = 1;
     while (alike(named(number)).isPresent() || has(named(number))) {
@@ -50,21 +50,27 @@ public final class ParticipantIds {
     return String.format(Locale.ROOT, "%03d", number);
   }
 
-  /** One that differs in capitals only: on Windows and macOS both would have the same folder. */
+  /**
+   * Returns an existing id that differs in letter case only: on Windows and macOS both would have
+   * the same folder.
+   */
   public Optional<String> sameFolder(String id) {
     return known.stream()
         .filter(other -> !other.equals(id) && other.equalsIgnoreCase(id))
         .findFirst();
   }
 
-  /** One that is there and looks like an id that is not. */
+  /** Returns an existing id that resembles a new one; empty if the id exists. */
   public Optional<String> alike(String id) {
     return has(id)
         ? Optional.empty()
         : known.stream().filter(other -> alike(id, other)).findFirst();
   }
 
-  /** Whether two ids differ in capitals, leading zeros, or letters that only one begins with. */
+  /**
+   * Returns whether two ids differ only in letter case, leading zeros, or a prefix of letters that
+   * one of them lacks.
+   */
   static boolean alike(String one, String other) {
     Matcher first = PARTS.matcher(one.toLowerCase(Locale.ROOT));
     Matcher second = PARTS.matcher(other.toLowerCase(Locale.ROOT));
@@ -76,7 +82,7 @@ public final class ParticipantIds {
         && numbers(first).equals(numbers(second));
   }
 
-  /** What follows the letters that it begins with, numbers without leading zeros. */
+  /** Returns the parts of an id after its prefix of letters, numbers without leading zeros. */
   private static List<String> numbers(Matcher id) {
     List<String> parts = new ArrayList<>();
     for (String part : (id.group(2) + id.group(3)).split("(?<=\\d)(?=\\D)|(?<=\\D)(?=\\d)")) {

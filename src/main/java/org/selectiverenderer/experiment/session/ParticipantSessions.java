@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
-/** All sessions of one participant, and which of them counts. */
+/** All sessions of one participant, with the choice of the one that counts. */
 final class ParticipantSessions {
   private final StudyMaterial material;
   private final String participant;
@@ -23,7 +23,7 @@ final class ParticipantSessions {
     this.participant = participant;
   }
 
-  /** Of all participants who have a folder or a condition, in order. */
+  /** Returns the sessions of all participants who have a folder or a condition, in order. */
   static List<ParticipantSessions> all(StudyMaterial material) throws IOException {
     Map<String, ParticipantSessions> all = new LinkedHashMap<>();
     for (SessionFolder folder : SessionFolder.all(material.study())) {
@@ -45,14 +45,14 @@ final class ParticipantSessions {
     return sessions.get(folder);
   }
 
-  /** The session that counts; empty where there is none. */
+  /** Returns the session that counts; empty if there is none. */
   Optional<SessionFolder> chosen(OptionalInt number) {
     if (number.isPresent()) {
       return sessions.keySet().stream()
           .filter(folder -> folder.number() == number.getAsInt())
           .findFirst();
     }
-    // One that the study leaves out counts only where there is no other, to be told then.
+    // An excluded session is chosen only if there is no other, so that it is reported.
     return Stream.<Predicate<SessionFolder>>of(
             folder -> answered(folder) && excluding(folder).isEmpty(),
             folder -> begun(folder) && excluding(folder).isEmpty(),
@@ -62,12 +62,12 @@ final class ParticipantSessions {
         .findFirst();
   }
 
-  /** Flags by which the study leaves a session out. */
+  /** Returns the flags by which the study excludes a session. */
   List<RaisedFlag> excluding(SessionFolder folder) {
     return history(folder).excluding(material.study().quality());
   }
 
-  /** Says which lines of the sessions' journals are no events. */
+  /** Reports the damaged lines of the sessions' journals. */
   void tellDamage(Problems problems) {
     sessions.forEach((folder, history) -> history.tellDamage(folder.journal(), problems));
   }
@@ -82,7 +82,7 @@ final class ParticipantSessions {
     return !history(folder).answeredSteps().isEmpty();
   }
 
-  /** Says of the sessions that do not count what is left out. */
+  /** Reports the answers that are left out because their session does not count. */
   void tellOthers(Optional<SessionFolder> chosen, OptionalInt number, Problems problems) {
     if (chosen.isEmpty()) {
       problems.warning(

@@ -17,9 +17,9 @@ import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
- * {@code participants.tsv} in a study's folder (BIDS, "Participants file"): who got which
- * condition. Lines are only ever added, under a lock, so that several places of a lab may share a
- * folder.
+ * The file {@code participants.tsv} in a study's folder (BIDS, "Participants file"), which records
+ * the condition of each participant. It is append-only and written under a lock, so that several
+ * computers of a lab may share a folder.
  */
 public final class Participants {
   private static final String HEADER =
@@ -29,10 +29,10 @@ public final class Participants {
   private final Path file;
 
   /**
-   * A participant's line.
+   * A row of the file: the assignment of a participant.
    *
    * @param place in the schedule, from 1
-   * @param insteadOf the condition that the schedule had, where the experimenter chose another
+   * @param insteadOf the condition of the schedule, if the experimenter chose another
    */
   public record Assigned(
       String participant,
@@ -61,9 +61,9 @@ public final class Participants {
   }
 
   /**
-   * Assigns a participant; one who is there already keeps what was assigned.
+   * Assigns a condition to a participant; one who has a condition keeps it.
    *
-   * @param wanted the experimenter's choice; empty for whose turn it is
+   * @param wanted the experimenter's choice; empty for the next condition of the schedule
    * @throws IOException if the file cannot be read or written
    */
   Assigned assign(String participant, Optional<Condition> wanted, String age, boolean simulated)
@@ -102,7 +102,7 @@ public final class Participants {
   }
 
   /**
-   * A form's own words may have tabs and lines, which would end the cell; BIDS leaves none empty.
+   * Formats a text as a cell: without tabs and line ends, and {@code n/a} for an empty text (BIDS).
    */
   private static String cell(String text) {
     String line = text.strip().replaceAll("\\s+", " ");
@@ -110,9 +110,9 @@ public final class Participants {
   }
 
   /**
-   * All who were assigned, in order. A line that a crash cut off is passed over.
+   * Returns all assignments in order, without a line that a crash truncated.
    *
-   * @throws IOException if the file is there and cannot be read
+   * @throws IOException if the file exists and cannot be read
    */
   public List<Assigned> all() throws IOException {
     if (!Files.isRegularFile(file)) {
@@ -121,7 +121,7 @@ public final class Participants {
     return parse(Files.readString(file, StandardCharsets.UTF_8));
   }
 
-  /** What a participant was assigned, if anything yet. */
+  /** Returns a participant's assignment; empty if there is none yet. */
   public Optional<Assigned> of(String participant) throws IOException {
     return all().stream().filter(known -> known.participant().equals(participant)).findFirst();
   }
@@ -130,7 +130,7 @@ public final class Participants {
     return file;
   }
 
-  /** Waits until no other program adds a line; closing the channel lets go of it. */
+  /** Waits for the lock of the file; closing the channel releases it. */
   private void lock(FileChannel channel) throws IOException {
     try {
       channel.lock();
@@ -142,7 +142,7 @@ public final class Participants {
   private static String text(FileChannel channel) throws IOException {
     ByteBuffer bytes = ByteBuffer.allocate((int) channel.size());
     while (bytes.hasRemaining() && channel.read(bytes) >= 0) {
-      // Until all is there.
+      // Reads until the buffer is full.
     }
     return new String(bytes.array(), 0, bytes.position(), StandardCharsets.UTF_8);
   }

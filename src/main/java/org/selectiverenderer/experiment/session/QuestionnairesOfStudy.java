@@ -16,7 +16,9 @@ import org.selectiverenderer.experiment.study.StudyQuestionnaires.Content;
 import org.selectiverenderer.experiment.study.StudyQuestionnaires.Moment;
 import org.selectiverenderer.experiment.study.StudyQuestionnaires.Source;
 
-/** Reads the questionnaires that a study names. Faults of all of them are told at once. */
+/**
+ * Loads the questionnaires that a study refers to, and reports the faults of all of them at once.
+ */
 final class QuestionnairesOfStudy {
   private final Study study;
   private final Wording wording;
@@ -28,7 +30,7 @@ final class QuestionnairesOfStudy {
     this.problems = problems;
   }
 
-  /** The form of the study, else the one that comes with the program; empty after a fault. */
+  /** Loads the form of the study, else the built-in one; empty after a fault. */
   Optional<Questionnaire> form() throws IOException {
     Optional<Questionnaire> read =
         study.questionnaires().form().isPresent()
@@ -38,7 +40,10 @@ final class QuestionnairesOfStudy {
     return read.map(form -> form.as("form", ""));
   }
 
-  /** All others, once for each area where they are asked after each; empty after a fault. */
+  /**
+   * Loads all other questionnaires, with a copy for each area if asked after each area; empty after
+   * a fault.
+   */
   Optional<List<Asked>> asked() throws IOException {
     List<Asked> asked = new ArrayList<>();
     boolean whole = true;

@@ -3,12 +3,12 @@ package org.selectiverenderer.experiment.session;
 import org.selectiverenderer.experiment.study.SessionFlag;
 
 /**
- * A flag of a session.
+ * A quality flag raised in a session.
  *
- * @param step by its id; empty where it is of the session as a whole
+ * @param step id of the step; empty if the flag concerns the whole session
  */
 record RaisedFlag(SessionFlag flag, String step) {
-  /** In a few words, for people. */
+  /** Describes the flag in a few words, for people. */
   String note() {
     return switch (flag) {
       case HEAD_LOG_INCOMPLETE -> "head log of " + step + " incomplete";

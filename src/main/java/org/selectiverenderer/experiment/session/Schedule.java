@@ -11,9 +11,10 @@ import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
- * Which condition whose turn brings. Places come in blocks that hold every condition equally often;
- * orders are drawn from the study's seed and the block's number, so the same study has the same
- * schedule always, and after each block the groups are balanced.
+ * The randomization schedule of a study: the condition of each place. Places come in blocks that
+ * contain every condition equally often; the order within a block is random, by the study's seed
+ * and the block's number. So a study always has the same schedule, and the groups are balanced
+ * after each block.
  *
  * <p>Permuted blocks: Zelen 1974, "The randomization and stratification of patients to clinical
  * trials". Latin squares drawn by permuting the rows, columns and letters of the cyclic one: Fisher
@@ -27,7 +28,7 @@ final class Schedule {
     this.study = study;
   }
 
-  /** The condition of a place, counted from 1. */
+  /** Returns the condition of a place, counted from 1. */
   Condition condition(int place) {
     int number = (place - 1) / study.block();
     int within = (place - 1) % study.block();
@@ -46,7 +47,10 @@ final class Schedule {
     return block;
   }
 
-  /** A square has as many rows, which are blocks, and columns as there are conditions. */
+  /**
+   * Returns a cell of a Latin square, which has as many rows (blocks) and columns as there are
+   * conditions.
+   */
   private Condition square(int number, int row, int column) {
     int size = study.conditions().size();
     Random random = random(number);
@@ -68,9 +72,9 @@ final class Schedule {
   }
 
   /**
-   * The first place that is free, of a condition where one is wanted.
+   * Returns the first free place, of a condition if one is wanted.
    *
-   * @param taken places
+   * @param taken the places that are taken
    */
   int free(Set<Integer> taken, Optional<Condition> wanted) {
     int place = 1;

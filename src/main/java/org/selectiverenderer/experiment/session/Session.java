@@ -20,9 +20,9 @@ import org.selectiverenderer.experiment.study.Study;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
- * A session under way. A step is begun, told of, and finished; once {@link #finished} returns it is
- * on the disk and will not be done again. Belongs to one thread but for the journal, which takes
- * events from any.
+ * A running session. For each step the caller reports its begin, its events and its end; once
+ * {@link #finished} returns, the step is on the disk and will not be repeated. Belongs to one
+ * thread, except for the journal, which accepts events from any thread.
  */
 public final class Session implements AutoCloseable {
   private final StudyMaterial material;
@@ -34,7 +34,7 @@ public final class Session implements AutoCloseable {
   private final MotionFiles motion;
   private boolean closed;
 
-  /** A session that {@link SessionOpening} has begun or goes on with, and tells of. */
+  /** Makes a session that {@link SessionOpening} begins or resumes. */
   Session(
       StudyMaterial material,
       SessionFolder folder,
@@ -51,10 +51,10 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * Whether a session can be begun; for what is to be looked at before.
+   * Checks that a session can be begun, before anything is written.
    *
    * @param software name and version of the program
-   * @throws IOException if another program is running it, or it was begun before
+   * @throws IOException if another program is running the session, or it was begun before
    */
   public static void requireNew(SessionFolder folder, String software) throws IOException {
     if (Files.isDirectory(folder.path())) {
@@ -64,10 +64,10 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * Begins a session: makes its folder, writes what it is begun with.
+   * Begins a session: creates its folder and records its settings.
    *
-   * @param problems hears when the participant has another condition already
-   * @throws IOException if it was begun before, or the disk fails
+   * @param problems receives a warning if the participant already has another condition
+   * @throws IOException if the session was begun before, or a file cannot be written
    */
   public static Session begin(
       StudyMaterial material,
@@ -80,10 +80,10 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * Goes on with a session after its last finished step.
+   * Resumes a session after its last finished step.
    *
-   * @param problems hears when the study or what it shows and asks has changed meanwhile
-   * @throws IOException if there is none, it is complete, or the disk fails
+   * @param problems receives a warning if the study, its scenes or its questionnaires have changed
+   * @throws IOException if there is no such session, it is complete, or a file cannot be written
    */
   public static Session resume(
       StudyMaterial material,
@@ -95,14 +95,14 @@ public final class Session implements AutoCloseable {
     return SessionOpening.resume(material, participant, number, options, problems);
   }
 
-  /** The steps that are still to be done, in order. */
+  /** Returns the steps that are not finished, in order. */
   public List<SessionStep> remaining() {
     return steps().stream().filter(step -> !history.finished(step)).toList();
   }
 
   /**
-   * All steps, the areas in the participant's order; an area that the study has got since comes
-   * last.
+   * Returns all steps, the areas in the participant's order; an area that was added to the study
+   * later comes last.
    */
   private List<SessionStep> steps() {
     List<String> order = history.areaOrder();
@@ -115,7 +115,7 @@ public final class Session implements AutoCloseable {
             .toList());
   }
 
-  /** Writes the motion data of a head log, beside what is done. */
+  /** Converts a head log to motion data in the background. */
   void writeMotion(String headLog) {
     motion.write(headLog);
   }
@@ -136,20 +136,20 @@ public final class Session implements AutoCloseable {
     return material;
   }
 
-  /** The head tracker: the study's, unless the session has another, or goes on without it. */
+  /** Returns the head tracker: that of the options if they have one, else the study's. */
   public TrackerSpec tracker() {
     return options.tracker().orElse(material.study().tracker());
   }
 
-  /** The participant's condition, once it is assigned. */
+  /** Returns the participant's condition, once it is assigned. */
   public Optional<Condition> condition() {
     return history.condition();
   }
 
   /**
-   * The head log that the next run of a step writes.
+   * Returns the head log's file for the next run of a step.
    *
-   * @throws IOException if it is there, whoever made it: it would be written over
+   * @throws IOException if the file exists: it would be overwritten
    */
   public Path headLog(SessionStep step) throws IOException {
     Path log = folder.headLog(step, history.runs(step) + 1);
@@ -161,9 +161,9 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * A step begins.
+   * Records the begin of a step.
    *
-   * @param headLog whether it writes one
+   * @param headLog whether the step writes a head log
    */
   public void began(SessionStep step, boolean headLog) throws IOException {
     int run = history.runs(step) + 1;
@@ -180,9 +180,9 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * A step is done.
+   * Records the end of a step.
    *
-   * @param more what there is to say of it
+   * @param more further members of the event
    */
   public void finished(SessionStep step, Map<String, ?> more) throws IOException {
     if (step instanceof SessionStep.Practice || step instanceof SessionStep.Exposure) {
@@ -194,7 +194,7 @@ public final class Session implements AutoCloseable {
     journal.keep("step-finished", event);
   }
 
-  /** The form is filled in: the condition is assigned, in the study's list first. */
+  /** Assigns a condition after the form, first in {@code participants.tsv}, then in the journal. */
   public void assign(String age) throws IOException {
     Participants.Assigned assigned =
         new Participants(material.study())
@@ -209,7 +209,7 @@ public final class Session implements AutoCloseable {
     order(assigned);
   }
 
-  /** The order of the areas is said once and kept, whatever becomes of the study's file. */
+  /** Records the order of the areas, which later changes of the study's file do not alter. */
   private void order(Participants.Assigned assigned) throws IOException {
     Study study = material.study();
     if (study.areas().isEmpty()) {
@@ -227,40 +227,43 @@ public final class Session implements AutoCloseable {
                 .toList()));
   }
 
-  /** The participant does not take part. */
+  /** Records that the participant refuses consent. */
   public void refuse() throws IOException {
     journal.keep("refused", Map.of());
   }
 
-  /** Whether the participant does not take part. */
+  /** Returns whether the participant refused consent. */
   public boolean refused() {
     return history.refused();
   }
 
-  /** The experimenter ends it before its end. */
+  /** Records that the experimenter aborts the session. */
   public void abort(String step) throws IOException {
     journal.keep("aborted", Map.of("step", step));
   }
 
-  /** What a step asks: the form, or questions. */
+  /** Returns the questionnaire of a step. */
   public Questionnaire questionnaire(SessionStep step) {
     return material.questionnaire(step, folder.participant());
   }
 
-  /** The answers that a step has so far, by the questions' ids. */
+  /** Returns the answers of a step so far, by the questions' ids. */
   public Map<String, Answer> answers(SessionStep step) {
     return history.answers(step);
   }
 
-  /** The page of a step that was shown last, where a session that was cut off goes on. */
+  /**
+   * Returns the id of the page of a step that was shown last, where an interrupted session
+   * continues.
+   */
   public Optional<String> lastPage(SessionStep step) {
     return history.page(step);
   }
 
   /**
-   * A page of a step is shown.
+   * Records that a page of a step is shown.
    *
-   * @param questions that are on it, in order
+   * @param questions the questions on the page, in order
    */
   public void shown(SessionStep step, Page page, List<Question> questions) {
     Map<String, Object> event = new LinkedHashMap<>();
@@ -271,7 +274,7 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * The participant answers, or answers otherwise; on the disk when it returns.
+   * Records an answer, or the change of an answer; it is on the disk when this method returns.
    *
    * @param milliseconds from when the question came into view
    * @param place of the question on its page, from 1
@@ -289,14 +292,14 @@ public final class Session implements AutoCloseable {
     milliseconds.ifPresent(ms -> event.put("ms", ms));
     event.put("place", place);
     if (question.personal()) {
-      event.put("personal", true); // Whatever becomes of the study's file: for no table.
+      event.put("personal", true); // A later change of the study does not unmark it.
     }
     journal.keep("answer", event);
   }
 
   /**
-   * The distance of this participant's pupils in millimetres, where the form asks for it; else the
-   * study's.
+   * Returns the participant's interpupillary distance in millimetres if the form asks for it; else
+   * the study's.
    */
   public double ipd() {
     return material
@@ -306,7 +309,10 @@ public final class Session implements AutoCloseable {
         .orElse(material.study().display().ipd());
   }
 
-  /** All steps are done: writes the answers as tables, and waits for the motion data. */
+  /**
+   * Ends a session whose steps are all finished: waits for the motion data and writes the tables of
+   * answers.
+   */
   public void end() throws IOException {
     motion.close();
     new SessionTables(material, folder).write(history);
@@ -314,9 +320,9 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * Waits for what is still being written and lets go of the session; once more does nothing.
+   * Waits for files that are being written and releases the lock; a second call does nothing.
    *
-   * @throws IOException if something could not be written
+   * @throws IOException if a file could not be written
    */
   @Override
   public void close() throws IOException {

@@ -8,11 +8,11 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.study.SessionFlag;
 
-/** Says what the flags of a session mean for its answers. */
+/** Reports what the quality flags of a session mean for its answers. */
 final class SessionFlags {
   private SessionFlags() {}
 
-  /** Of a session whose answers are collected. */
+  /** Reports the flags of a session whose answers are collected. */
   static void tell(SessionHistory history, Location place, Problems problems) {
     byFlag(history.flags())
         .forEach(
@@ -30,7 +30,7 @@ final class SessionFlags {
                     }));
   }
 
-  /** Of a session that the study leaves out, with what was given on paper after it. */
+  /** Reports that the study excludes a session, with the participant's answers on paper. */
   static void tellExcluded(
       ParticipantSessions sessions, SessionFolder folder, PaperAnswers paper, Problems problems) {
     int answers =

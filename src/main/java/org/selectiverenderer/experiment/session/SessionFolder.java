@@ -11,16 +11,16 @@ import org.selectiverenderer.base.files.WholeFile;
 import org.selectiverenderer.experiment.study.Study;
 
 /**
- * Where a session's files are: {@code sub-ID/ses-NN} in the study's folder.
+ * The folder of a session, {@code sub-ID/ses-NN} in the study's folder, and the names of its files.
  *
- * @param participant letters and digits
+ * @param participant the participant's id: letters and digits
  * @param number of the session, from 1
  */
 public record SessionFolder(Path study, String participant, int number) {
-  /** What a participant's id is made of, as BIDS wants it. */
+  /** Pattern of a participant's id: a BIDS label. */
   public static final String LABEL = "[0-9A-Za-z]+";
 
-  /** Those of a study that are there, in order. */
+  /** Returns the folders of all sessions of a study, in order. */
   public static List<SessionFolder> all(Study study) throws IOException {
     List<SessionFolder> all = new ArrayList<>();
     for (Path subject : named(study.folder(), "sub-" + LABEL)) {
@@ -35,7 +35,7 @@ public record SessionFolder(Path study, String participant, int number) {
     return all;
   }
 
-  /** The ids of those who have a folder, as the folders spell them. */
+  /** Returns the ids of the participants with a folder, as the folders spell them. */
   static List<String> participants(Study study) throws IOException {
     return named(study.folder(), "sub-" + LABEL).stream().map(SessionFolder::label).toList();
   }
@@ -53,22 +53,22 @@ public record SessionFolder(Path study, String participant, int number) {
     }
   }
 
-  /** The folder. */
+  /** Returns the path of the folder. */
   public Path path() {
     return study
         .resolve("sub-" + participant)
         .resolve(String.format(Locale.ROOT, "ses-%02d", number));
   }
 
-  /** The events. */
+  /** Returns the journal's file. */
   public Path journal() {
     return path().resolve("events.jsonl");
   }
 
   /**
-   * Whether the session can be begun.
+   * Checks that the session can be begun.
    *
-   * @throws IOException if it was begun before, with a line that says what to do
+   * @throws IOException if the session was begun before, with a message that says what to do
    */
   void requireNew() throws IOException {
     if (Files.exists(journal())) {
@@ -80,7 +80,7 @@ public record SessionFolder(Path study, String participant, int number) {
     }
   }
 
-  /** The head log of a step's run, from 1. */
+  /** Returns the head log's file of a run of a step, from 1. */
   Path headLog(SessionStep step, int run) {
     return path().resolve("head").resolve(headName(step, run) + ".csv");
   }
@@ -89,7 +89,7 @@ public record SessionFolder(Path study, String participant, int number) {
     return String.format(Locale.ROOT, "%s_run-%02d", step.id(), run);
   }
 
-  /** The names of BIDS motion data for a head log, up to their suffix. */
+  /** Returns the name of a head log's BIDS motion data, up to the suffix. */
   String motionStem(String headName) {
     int at = headName.lastIndexOf("_run-");
     return String.format(
@@ -101,21 +101,21 @@ public record SessionFolder(Path study, String participant, int number) {
         headName.substring(at));
   }
 
-  /** A BIDS label has letters and digits only. */
+  /** Returns the BIDS task label of a head log. */
   static String task(String headName) {
     return label(headName.substring(0, headName.lastIndexOf("_run-")));
   }
 
-  /** What BIDS calls a step: a label has letters and digits only. */
+  /** Returns the BIDS label of a step: its letters and digits. */
   public static String label(String step) {
     return step.replaceAll("[^0-9A-Za-z]", "");
   }
 
   /**
-   * Writes a file that is never written again. One that is there with this very text was written
-   * before a crash, and stays.
+   * Writes a file that is never overwritten. An existing file with the same text was written before
+   * a crash, and stays.
    *
-   * @throws IOException if it is there with another text, or cannot be written
+   * @throws IOException if the file exists with another text, or cannot be written
    */
   void writeOnce(String name, String text) throws IOException {
     WholeFile.writeOnce(path().resolve(name), text);

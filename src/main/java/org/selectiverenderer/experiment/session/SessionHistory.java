@@ -22,8 +22,9 @@ import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.experiment.study.StudyQuality;
 
 /**
- * What a session's journal says has happened. Lines that are damaged or that a crash cut off are no
- * events; {@link #tellDamage} says them. May be asked by any thread while a journal adds to it.
+ * The state of a session, derived from the events of its journal. Damaged and truncated lines are
+ * ignored; {@link #tellDamage} reports them. Thread-safe: a journal adds events while other threads
+ * read.
  */
 public final class SessionHistory {
   private static final String FORM = new SessionStep.Form().id();
@@ -44,12 +45,12 @@ public final class SessionHistory {
 
   private SessionHistory() {}
 
-  /** Of a session that has not begun. */
+  /** Returns the history of a session that has not begun. */
   static SessionHistory none() {
     return new SessionHistory();
   }
 
-  /** Of a journal's events. */
+  /** Returns the history of some events. */
   public static SessionHistory of(Iterable<? extends JsonNode> events) {
     SessionHistory history = new SessionHistory();
     events.forEach(history::add);
@@ -57,9 +58,9 @@ public final class SessionHistory {
   }
 
   /**
-   * Reads a journal; harmless while a program writes it.
+   * Reads a journal, which another program may be writing.
    *
-   * @throws IOException if it cannot be read
+   * @throws IOException if the file cannot be read
    */
   public static SessionHistory read(Path journal) throws IOException {
     JournalText text = JournalText.read(journal);
@@ -68,18 +69,18 @@ public final class SessionHistory {
     return history;
   }
 
-  /** Says which lines of the journal that was read are no events. */
+  /** Reports the damaged lines of the journal that was read. */
   void tellDamage(Path journal, Problems problems) {
     JournalMending.tellDamaged(journal, text, problems);
     if (text.tail() > 0) {
       problems.info(
           new Location(journal.toString(), text.lines() + 1, 1),
-          "the last line is cut off, by a crash or because it is being written now; it is no"
-              + " event, and --resume mends the file");
+          "the last line is cut off, by a crash or because it is being written now; it is"
+              + " ignored, and --resume repairs the file");
     }
   }
 
-  /** An event is on the disk. */
+  /** Adds an event that is on the disk. */
   synchronized void add(JsonNode event) {
     String step = event.path("step").asText();
     switch (event.path("event").asText()) {
@@ -119,7 +120,7 @@ public final class SessionHistory {
       case "aborted" -> aborted = true;
       case "session-finished" -> over = true;
       default -> {
-        // The rest is for people to read.
+        // Other events are for people only.
       }
     }
   }
@@ -134,7 +135,7 @@ public final class SessionHistory {
     return event.path("personal").asBoolean() ? given.keptPersonal() : given;
   }
 
-  /** Journals of before there were flags say these in their own way. */
+  /** Raises the flags that journals of an older format record as options. */
   private void options(JsonNode event) {
     if (event.path("unattended").asBoolean()) {
       raise(SessionFlag.SIMULATED, "");
@@ -148,54 +149,55 @@ public final class SessionHistory {
     flags.add(new RaisedFlag(flag, step));
   }
 
-  /** What sets the session apart, each once, in the order in which it was told. */
+  /** Returns the flags, each once, in the order in which they were raised. */
   synchronized List<RaisedFlag> flags() {
     return List.copyOf(flags);
   }
 
-  /** The same without the steps. */
+  /** Returns the flags without their steps. */
   public Set<SessionFlag> raised() {
     Set<SessionFlag> raised = new LinkedHashSet<>();
     flags().forEach(flag -> raised.add(flag.flag()));
     return raised;
   }
 
-  /** Those of its flags by which a study leaves the session out. */
+  /** Returns the flags by which a study excludes the session. */
   List<RaisedFlag> excluding(StudyQuality quality) {
     return refused()
         ? List.of()
         : flags().stream().filter(raised -> quality.exclude().contains(raised.flag())).toList();
   }
 
-  /** Whether a flag was raised, of whatever step. */
+  /** Returns whether a flag was raised in any step. */
   boolean flagged(SessionFlag flag) {
     return flags().stream().anyMatch(raised -> raised.flag() == flag);
   }
 
-  /** Whether a step is done. */
+  /** Returns whether a step is finished. */
   public synchronized boolean finished(SessionStep step) {
     return finished.contains(step.id());
   }
 
-  /** How often a step was begun. */
+  /** Returns how often a step was begun. */
   public synchronized int runs(SessionStep step) {
     return runs.getOrDefault(step.id(), 0);
   }
 
-  /** The answers of a step so far, by the questions' ids. */
+  /** Returns the answers of a step so far, by the questions' ids. */
   public Map<String, Answer> answers(SessionStep step) {
     Map<String, Answer> last = new HashMap<>();
     given(step).forEach((question, given) -> last.put(question, given.answer()));
     return Map.copyOf(last);
   }
 
-  /** The same, and how they came about. */
+  /** Returns the answers of a step so far with their response times, by the questions' ids. */
   public synchronized Map<String, GivenAnswer> given(SessionStep step) {
     return Map.copyOf(answers.getOrDefault(step.id(), Map.of()));
   }
 
   /**
-   * Those of all steps, by the steps' ids, in the order in which they were begun to be answered.
+   * Returns the answers of all steps with their response times, by the steps' ids, in the order of
+   * the first answers.
    */
   public synchronized Map<String, Map<String, GivenAnswer>> given() {
     Map<String, Map<String, GivenAnswer>> all = new LinkedHashMap<>();
@@ -203,19 +205,19 @@ public final class SessionHistory {
     return all;
   }
 
-  /** The page of a step that was shown last. */
+  /** Returns the id of the page of a step that was shown last. */
   public synchronized Optional<String> page(SessionStep step) {
     return Optional.ofNullable(pages.get(step.id()));
   }
 
-  /** Steps with answers but for the form, by their ids. */
+  /** Returns the ids of the steps with answers, other than the form. */
   synchronized Set<String> answeredSteps() {
     Set<String> steps = new LinkedHashSet<>(answers.keySet());
-    steps.remove(FORM); // Whoever filled it in has answered nothing of what is studied yet.
+    steps.remove(FORM); // The form is not a part of the collected data.
     return Set.copyOf(steps);
   }
 
-  /** Answers in all to questionnaires, each question's last. */
+  /** Returns the number of answered questions, without those of the form. */
   synchronized int answerCount() {
     return answers.entrySet().stream()
         .filter(step -> !step.getKey().equals(FORM))
@@ -223,47 +225,47 @@ public final class SessionHistory {
         .sum();
   }
 
-  /** Names of all head logs that were begun. */
+  /** Returns the names of all head logs that were begun. */
   public synchronized List<String> headLogs() {
     return List.copyOf(headLogs);
   }
 
-  /** Names of the areas in the participant's order, once it is known. */
+  /** Returns the names of the areas in the participant's order, once it is known. */
   synchronized List<String> areaOrder() {
     return List.copyOf(areaOrder);
   }
 
-  /** The participant's condition, once it is assigned. */
+  /** Returns the participant's condition, once it is assigned. */
   public synchronized Optional<Condition> condition() {
     return condition;
   }
 
-  /** SHA-256 of the study file with which it began. */
+  /** Returns the SHA-256 checksum of the study file at the session's begin. */
   synchronized String checksum() {
     return checksum;
   }
 
-  /** Whether a simulated participant took part, if only for a while. */
+  /** Returns whether a simulated participant took part, if only in some steps. */
   public boolean unattended() {
     return flagged(SessionFlag.SIMULATED);
   }
 
-  /** Whether exposures were shortened for a test. */
+  /** Returns whether exposures were shortened for a test. */
   public boolean shortened() {
     return flagged(SessionFlag.SHORTENED);
   }
 
-  /** Whether the experimenter stopped it; it may be resumed. */
+  /** Returns whether the experimenter aborted the session, which may be resumed. */
   public synchronized boolean aborted() {
     return aborted;
   }
 
-  /** Whether the participant did not consent. */
+  /** Returns whether the participant refused consent. */
   public synchronized boolean refused() {
     return refused;
   }
 
-  /** Whether it is complete. */
+  /** Returns whether the session is complete. */
   public synchronized boolean over() {
     return over;
   }

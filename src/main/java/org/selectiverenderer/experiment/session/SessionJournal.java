@@ -23,10 +23,10 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.experiment.study.SessionFlag;
 
 /**
- * The events of a session, one JSON object a line, each forced to the disk. A thread of its own,
- * {@code session-journal}, writes, so that a frame need not wait for a disk; who must know that an
- * event is kept waits for it. The file is only ever added to, by one program at a time: {@link
- * SessionLock} sees to that. May be told things by any thread.
+ * The journal of a session: an append-only log of events (JSON Lines), each forced to the disk. The
+ * thread {@code session-journal} writes, so that a frame need not wait for the disk; {@link #keep}
+ * waits until an event is written. {@link SessionLock} ensures that one program writes at a time.
+ * Thread-safe.
  */
 public final class SessionJournal implements AutoCloseable {
   private final Path file;
@@ -51,7 +51,7 @@ public final class SessionJournal implements AutoCloseable {
   /**
    * Begins a journal.
    *
-   * @throws IOException if it cannot be made, or is there already
+   * @throws IOException if the file cannot be created, or exists already
    */
   static SessionJournal begin(Path file) throws IOException {
     return new SessionJournal(
@@ -61,39 +61,38 @@ public final class SessionJournal implements AutoCloseable {
   }
 
   /**
-   * Goes on with a journal that ends with a whole line ({@link JournalMending}).
+   * Resumes a journal that ends with a whole line ({@link JournalMending}).
    *
-   * @throws IOException if it is not there or cannot be opened
+   * @throws IOException if the file does not exist or cannot be opened
    */
   static SessionJournal resume(Path file) throws IOException {
     SessionHistory history = SessionHistory.read(file);
     return new SessionJournal(file, FileChannel.open(file, StandardOpenOption.APPEND), history);
   }
 
-  /** What has happened so far, as far as it is on the disk; grows as events are kept. */
+  /** Returns the history of the events that are on the disk; it grows as events are written. */
   SessionHistory history() {
     return history;
   }
 
-  /** Has somebody hear each event as it is told, on the thread that tells it; must not wait. */
+  /** Sets the listener, which receives each event on the thread that logs it; it must not block. */
   public void listen(Consumer<JsonNode> hears) {
     listener = hears;
   }
 
   /**
-   * Tells an event; does not wait. A disk that fails is told by the next {@link #keep}.
+   * Logs an event without waiting. A write error is thrown by the next {@link #keep}.
    *
-   * @param more members of the event: texts, numbers, truth values, lists and maps of such
+   * @param more members of the event: texts, numbers, booleans, lists and maps of these
    */
   public void tell(String event, Map<String, ?> more) {
     submit(event, more);
   }
 
   /**
-   * Tells that something sets the session apart, for {@code status} and {@code collect}; does not
-   * wait.
+   * Raises a quality flag, for {@code status} and {@code collect}, without waiting.
    *
-   * @param more what there is to say of it; {@code step} where it is of a step
+   * @param more further members of the event; {@code step} if the flag concerns a step
    */
   public void flag(SessionFlag flag, Map<String, ?> more) {
     Map<String, Object> members = new LinkedHashMap<>();
@@ -103,9 +102,9 @@ public final class SessionJournal implements AutoCloseable {
   }
 
   /**
-   * Tells an event and waits until it, and all before it, is on the disk.
+   * Logs an event and waits until it, and all before it, are on the disk.
    *
-   * @throws IOException if it, or one before it, could not be written
+   * @throws IOException if this event, or an earlier one, could not be written
    */
   public void keep(String event, Map<String, ?> more) throws IOException {
     Future<?> written = submit(event, more);
@@ -135,7 +134,7 @@ public final class SessionJournal implements AutoCloseable {
     ObjectNode line = JsonTree.object();
     line.put("time", OffsetDateTime.now().truncatedTo(ChronoUnit.MILLIS).toString());
     line.put("event", event);
-    // Map.of has another order in every process: what an event is of comes first.
+    // Map.of has another order in every process: the step comes first.
     Object step = more.get("step");
     if (step != null) {
       line.put("step", String.valueOf(step));
@@ -161,26 +160,26 @@ public final class SessionJournal implements AutoCloseable {
     }
   }
 
-  /** Takes back half an event, else the next one would stand in the same line. */
+  /** Removes a partly written event, else the next one would be appended to its line. */
   private void takeBack(long size, IOException failed) {
     try {
       channel.truncate(size);
     } catch (IOException e) {
-      failed.addSuppressed(e); // --resume mends the line.
+      failed.addSuppressed(e); // --resume recovers the line.
     }
   }
 
   /**
-   * Writes what is left and lets go of the file.
+   * Writes the remaining events and closes the file.
    *
-   * @throws IOException if something could not be written
+   * @throws IOException if an event could not be written
    */
   @Override
   public void close() throws IOException {
     writer.shutdown();
     try {
       while (!writer.awaitTermination(1, TimeUnit.MINUTES)) {
-        // A slow disk is waited for: an event that was told is kept.
+        // The loop waits for a slow disk, so that no event is lost.
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -22,13 +22,14 @@ import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 
 /**
- * That a session, or a participant's pilot, is run by one program. The operating system's lock on
- * {@value #LOCK} decides, and goes with the process, however that ends: a file left by a crash
- * locks nothing. {@value #HOLDER} beside it says who has the lock, for messages.
+ * The lock by which one program at a time runs a session, or a participant's threshold pilot. It is
+ * the operating system's lock on the file {@value #LOCK}, which is released when the process ends,
+ * however that ends: a file left by a crash locks nothing. {@value #HOLDER} beside it names the
+ * holder, for messages.
  *
- * <p>These are two files, and nothing but this class ever opens the first: on POSIX systems a
+ * <p>The lock and the holder are two files, and only this class opens the first: on POSIX systems a
  * process that closes any descriptor of a file loses its locks on that file (fcntl), so a file that
- * is read by its owner cannot be the lock; and on Windows a locked file cannot be read by others.
+ * its owner reads cannot be the lock; and on Windows others cannot read a locked file.
  */
 public final class SessionLock implements AutoCloseable {
   static final String LOCK = "session.lock";
@@ -46,36 +47,36 @@ public final class SessionLock implements AutoCloseable {
     this.holder = holder;
   }
 
-  /** How a file is locked; a test has it fail. */
+  /** Locks a file; tests replace it by one that fails. */
   interface Locking {
-    /** The operating system's. */
+    /** The lock of the operating system. */
     Locking REAL = FileChannel::tryLock;
 
     /**
      * Locks a whole file without waiting.
      *
-     * @return null where another process has it
+     * @return null if another process holds the lock
      */
     FileLock lock(FileChannel channel) throws IOException;
   }
 
   /**
-   * Takes the lock of a folder, which must be there.
+   * Takes the lock of an existing folder.
    *
    * @param software name and version of the program, for others' messages
-   * @throws IOException if another program has it, with a line that names it; or if the disk cannot
-   *     be written or knows no locks
+   * @throws IOException if another program holds the lock, with a message that names it; or if the
+   *     disk cannot be written or does not support locks
    */
   public static SessionLock take(Path folder, String software) throws IOException {
     return take(folder, software, Locking.REAL);
   }
 
-  /** The same by another way of locking. */
+  /** Takes the lock by another implementation of locking. */
   static SessionLock take(Path folder, String software, Locking locking) throws IOException {
     Path holder = folder.resolve(HOLDER);
     ObjectNode self = self(software);
     if (read(holder).filter(known -> sameProcess(known, self)).isPresent()) {
-      throw held(folder); // The lock's file is not touched: to close it again would free it.
+      throw held(folder); // Opening and closing the lock's file would release the lock.
     }
     FileChannel channel =
         FileChannel.open(folder.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
@@ -105,12 +106,12 @@ public final class SessionLock implements AutoCloseable {
     return lock;
   }
 
-  /** What is said of a disk that cannot lock a file, such as a network drive. */
+  /** Returns the exception for a disk that does not support locks, such as some network drives. */
   static IOException noLocks(Path file, IOException e) {
     return new IOException(
         "%s cannot be locked (%s), so two programs could write at the same time; "
                 .formatted(file, e.getMessage())
-            + "move the study to a disk that knows locks, such as one of this computer",
+            + "move the study to a disk that supports file locks, such as a local disk",
         e);
   }
 
@@ -140,7 +141,7 @@ public final class SessionLock implements AutoCloseable {
         .put("since", OffsetDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString());
   }
 
-  /** Containers give each program the same number: when it started tells them apart. */
+  /** Compares the start times, too: in containers, processes often have the same id. */
   private static boolean sameProcess(JsonNode one, JsonNode other) {
     return Stream.of("pid", "started", "host")
         .allMatch(key -> one.path(key).asText().equals(other.path(key).asText()));
@@ -154,16 +155,16 @@ public final class SessionLock implements AutoCloseable {
     }
   }
 
-  /** Who is said to have it; empty where nobody is, or nobody can tell. */
+  /** Reads the holder; empty if the file does not exist or cannot be read. */
   private static Optional<JsonNode> read(Path holder) {
     try {
       return Files.isRegularFile(holder) ? Optional.of(JsonTree.read(holder)) : Optional.empty();
     } catch (IOException e) {
-      return Optional.empty(); // Left half written by a crash: the lock decides, not this file.
+      return Optional.empty(); // A crash may truncate the file; the lock decides.
     }
   }
 
-  /** Lets go of it; once more does nothing, as by then it may be another program's. */
+  /** Releases the lock; a second call does nothing, as another program may hold it by then. */
   @Override
   public void close() throws IOException {
     if (!channel.isOpen()) {

@@ -13,7 +13,10 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 import org.selectiverenderer.experiment.study.SessionFlag;
 
-/** Begins sessions, or goes on with them, and tells their journals and the experimenter of it. */
+/**
+ * Begins or resumes sessions, records this in their journals, and warns the experimenter of
+ * changes.
+ */
 final class SessionOpening {
   private final StudyMaterial material;
   private final SessionFolder folder;
@@ -157,7 +160,7 @@ final class SessionOpening {
   }
 
   /**
-   * A participant keeps the condition of the first session; one that is asked for now is too late.
+   * Warns that a participant keeps the condition of the first session if another one is requested.
    */
   private void tellConditionKept(Optional<Condition> kept) throws IOException {
     Optional<Condition> asked = options.condition();

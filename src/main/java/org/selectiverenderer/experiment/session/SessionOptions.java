@@ -11,12 +11,12 @@ import org.selectiverenderer.experiment.study.SessionFlag;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
- * How a session is run. All of it is recorded.
+ * The options of a session, all of which are recorded.
  *
  * @param condition the experimenter's choice instead of the schedule's
- * @param exposure seconds of each exposure instead of the study's, for tests
+ * @param exposure duration of each exposure in seconds instead of the study's, for tests
  * @param unattended whether a simulated participant takes part, for tests
- * @param tracker instead of the study's: none where the session does without it, or the one that a
+ * @param tracker replaces the study's tracker: none for a session without it, or the one that a
  *     search has found
  * @param software name and version of the program
  */
@@ -27,18 +27,18 @@ public record SessionOptions(
     Optional<TrackerSpec> tracker,
     String software) {
 
-  /** With the study's tracker. */
+  /** Makes options with the study's tracker. */
   public SessionOptions(
       Optional<Condition> condition, OptionalDouble exposure, boolean unattended, String software) {
     this(condition, exposure, unattended, Optional.empty(), software);
   }
 
-  /** Whether the session does without the tracker that the study has. */
+  /** Returns whether the session does without the study's tracker. */
   public boolean withoutTracker() {
     return tracker.filter(TrackerSpec.None.class::isInstance).isPresent();
   }
 
-  /** What of it sets a session apart. */
+  /** Returns the quality flags that these options raise. */
   List<SessionFlag> flags() {
     List<SessionFlag> flags = new ArrayList<>();
     if (unattended) {
@@ -53,7 +53,7 @@ public record SessionOptions(
     return flags;
   }
 
-  /** What the journal says of it. */
+  /** Returns the options as members of a journal event. */
   Map<String, Object> recorded() {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("software", software);

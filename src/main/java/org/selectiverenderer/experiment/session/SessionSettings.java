@@ -11,13 +11,13 @@ import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 
 /**
- * What a session is begun with: the study as it was, the options, and checksums of what is shown
- * and asked.
+ * The settings at the begin of a session: a copy of the study file, the options, and checksums of
+ * scenes and questionnaires.
  */
 record SessionSettings(StudyMaterial material, SessionFolder folder, SessionOptions options) {
   static final String FILE = "settings.json";
 
-  /** Writes them into the session's folder. */
+  /** Writes the settings into the session's folder. */
   void write() throws IOException {
     folder.writeOnce("study.json", Files.readString(material.study().file()));
     Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
@@ -25,7 +25,7 @@ record SessionSettings(StudyMaterial material, SessionFolder folder, SessionOpti
     folder.writeOnce(FILE, JsonText.of(JsonTree.of(settings)));
   }
 
-  /** SHA-256 of what is shown and asked, by the names of the files. */
+  /** Returns the SHA-256 checksums of scenes and questionnaires, by the names of the files. */
   private Map<String, String> checksums() throws IOException {
     Map<String, String> sums = new LinkedHashMap<>();
     if (material.study().scene().isPresent()) {
@@ -40,7 +40,7 @@ record SessionSettings(StudyMaterial material, SessionFolder folder, SessionOpti
     return sums;
   }
 
-  /** The files among those that have changed since the session began. */
+  /** Returns those of the files that have changed since the session began. */
   List<String> changedFiles() throws IOException {
     JsonNode before = JsonTree.read(folder.path().resolve(FILE)).path("sha256");
     return checksums().entrySet().stream()

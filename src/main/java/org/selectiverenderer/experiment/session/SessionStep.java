@@ -2,17 +2,17 @@ package org.selectiverenderer.experiment.session;
 
 import org.selectiverenderer.experiment.study.Study;
 
-/** A part of a session. What is finished is never done again; what was begun is begun anew. */
+/** A step of a session. A finished step is never repeated; an interrupted step is begun again. */
 public sealed interface SessionStep {
-  /** By which the journal knows it: letters, digits, hyphens. */
+  /** Returns the id in the journal: letters, digits, hyphens. */
   String id();
 
-  /** Whether it shows a scene, so that displays and trackers are needed. */
+  /** Returns whether the step shows a scene, for which display and tracker are needed. */
   default boolean shows() {
     return this instanceof Practice || this instanceof Exposure;
   }
 
-  /** Consent, and what is asked of the person; then the condition is assigned. */
+  /** The form: consent and questions about the person; after it the condition is assigned. */
   record Form() implements SessionStep {
     @Override
     public String id() {
@@ -20,7 +20,7 @@ public sealed interface SessionStep {
     }
   }
 
-  /** Getting to know display and mouse. */
+  /** The practice with display and controls. */
   record Practice(Study.Practice practice) implements SessionStep {
     @Override
     public String id() {
@@ -28,7 +28,7 @@ public sealed interface SessionStep {
     }
   }
 
-  /** Seeing an area. */
+  /** The exposure to an area. */
   record Exposure(Study.Area area) implements SessionStep {
     @Override
     public String id() {
@@ -39,8 +39,8 @@ public sealed interface SessionStep {
   /**
    * A questionnaire.
    *
-   * @param name of it in the study
-   * @param area that it is asked about; empty for none in particular
+   * @param name name of the questionnaire in the study
+   * @param area the area that it is about; empty for none
    */
   record Questions(String name, String area) implements SessionStep {
     @Override

@@ -6,9 +6,9 @@ import org.selectiverenderer.experiment.questionnaire.AnswerTable;
 import org.selectiverenderer.experiment.questionnaire.AnswersCsv;
 import org.selectiverenderer.experiment.questionnaire.AskedBy;
 
-/** The answers of a session as tables, in its folder. */
+/** Writes the tables of a session's answers into its folder. */
 record SessionTables(StudyMaterial material, SessionFolder folder) {
-  /** Writes those that have rows. */
+  /** Writes the tables that have rows. */
   void write(SessionHistory history) throws IOException {
     AnswersCsv tables = new AnswersCsv();
     for (SessionStep step : material.steps()) {

@@ -10,12 +10,12 @@ import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * Who takes part in an unattended session: answers at random but not quite, so that an analysis has
- * something to find, and turns round while looking. The same participant of the same study always
- * answers alike.
+ * A simulated participant for unattended sessions. The answers are random, but depend on the truth,
+ * so that an analysis finds an effect; the same participant of the same study always gives the same
+ * answers.
  */
 public final class SimulatedParticipant {
-  /** Milliseconds of the quickest answer, and how much others may take beyond it. */
+  /** Shortest response time in milliseconds, and the range above it. */
   private static final int QUICKEST = 400;
 
   private static final int SPREAD = 4000;
@@ -28,15 +28,15 @@ public final class SimulatedParticipant {
     this.wording = wording;
   }
 
-  /** Hears the answers. */
+  /** Receives the answers. */
   public interface Listener {
-    /** A page is met. */
+    /** A page was reached. */
     void page(Page page, Map<String, Answer> answers) throws java.io.IOException;
 
     /**
-     * A question is answered.
+     * A question was answered.
      *
-     * @param milliseconds that it took
+     * @param milliseconds response time
      * @param place of the question on its page, from 1
      */
     void answer(Question question, Answer answer, long milliseconds, int place)
@@ -44,8 +44,8 @@ public final class SimulatedParticipant {
   }
 
   /**
-   * Answers page by page what is not yet answered; whoever sat there before may have given half an
-   * answer.
+   * Answers the open questions page by page. An earlier person may have answered some, perhaps
+   * incompletely.
    *
    * @param known answers so far
    */

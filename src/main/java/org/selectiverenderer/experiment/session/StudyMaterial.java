@@ -16,14 +16,14 @@ import org.selectiverenderer.experiment.study.StudyQuestionnaires.Moment;
 import org.selectiverenderer.experiment.study.StudyReader;
 
 /**
- * A study with all that it asks, in its words.
+ * A study with its questionnaires and messages, loaded and checked.
  *
- * @param form consent and what is asked of the person, with the id of the step {@code form}
+ * @param form consent and questions about the person; the questionnaire of the step {@code form}
  * @param asked all other questionnaires, in the study's order
  */
 public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, Wording wording) {
 
-  /** A questionnaire, and when it is asked. */
+  /** A questionnaire with the moment at which it is asked. */
   public record Asked(Questionnaire questionnaire, Moment moment) {
     SessionStep.Questions step() {
       return new SessionStep.Questions(questionnaire.name(), questionnaire.area());
@@ -35,10 +35,10 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
   }
 
   /**
-   * Reads a study file and the files that it names.
+   * Reads a study file and the files that it refers to.
    *
-   * @return empty when there are faults, which are then in {@code problems}
-   * @throws IOException if a file cannot be read at all
+   * @return empty if there are faults, which are then in {@code problems}
+   * @throws IOException if a file cannot be read
    */
   public static Optional<StudyMaterial> read(Path file, Problems problems) throws IOException {
     Optional<Study> study = StudyReader.read(file, problems);
@@ -60,28 +60,32 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
     return material.distinct(problems) ? Optional.of(material) : Optional.empty();
   }
 
-  /** Whether the questions of a step are answered inside the headset. */
+  /** Returns whether the questions of a step are answered inside the headset. */
   public boolean insideHeadset(SessionStep step) {
     return study.display().worn().asked()
         && scenery().isPresent()
         && asked.stream().anyMatch(each -> each.step().equals(step));
   }
 
-  /** What is shown behind questions inside the headset: the practice, else what is asked about. */
+  /**
+   * Returns the scene that is shown behind questions inside the headset: that of the practice, else
+   * that of the study.
+   */
   public Optional<Path> scenery() {
     return study.practice().map(Study.Practice::scene).or(study::scene);
   }
 
-  /** Says what a participant has to take the headset off for. */
+  /** Warns if the study wants questions inside the headset but has no scene to show them in. */
   private void tellDesk(Problems problems) {
     if (study.display().worn().asked() && scenery().isEmpty()) {
       problems.warning(
           Location.of(study.file().toString()),
-          "there is no scene to show questions in; all of them are asked at the desk");
+          "questions in the headset need the study's \"scene\" or \"practice\" as background, and"
+              + " there is neither; all questions are asked at the desk");
     }
   }
 
-  /** Whether each step has an id of its own: the journal knows them by it, BIDS by its letters. */
+  /** Checks that the ids of the steps, and their BIDS labels, are unique. */
   private boolean distinct(Problems problems) {
     Map<String, String> ids = new HashMap<>();
     for (SessionStep step : steps()) {
@@ -90,10 +94,11 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
         problems.error(
             Location.of(study.file().toString()),
             (other.equals(step.id())
-                    ? "two steps of a session would be called %s; give a questionnaire another"
-                        + " \"name\". The study is not used"
-                    : "two steps of a session would be called %s and %s, which names of files do not"
-                        + " tell apart; give one another \"name\". The study is not used")
+                    ? "two steps of a session would have the id %s; give one of the questionnaires"
+                        + " another \"name\". The study is not used"
+                    : "the steps %s and %s would have the same file names, which contain letters and"
+                        + " digits only; give one of the questionnaires another \"name\". The study"
+                        + " is not used")
                 .formatted(other, step.id()));
         return false;
       }
@@ -101,15 +106,15 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
     return true;
   }
 
-  /** The steps of a session, in the order of the study's file. */
+  /** Returns the steps of a session, with the areas in the order of the study file. */
   public List<SessionStep> steps() {
     return steps(study.areas());
   }
 
   /**
-   * The steps of a session, in order.
+   * Returns the steps of a session, in order.
    *
-   * @param areas all of the study's, in the order in which they are shown
+   * @param areas all areas of the study, in the order in which they are shown
    */
   List<SessionStep> steps(List<Study.Area> areas) {
     List<SessionStep> steps = new ArrayList<>();
@@ -125,7 +130,7 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
       steps.addAll(now);
       after.removeAll(now);
     }
-    steps.addAll(after); // Parts of areas: what has no exposure of its own.
+    steps.addAll(after); // Questionnaires about parts of areas, which have no exposure.
     steps.addAll(asked(Moment.END));
     return List.copyOf(steps);
   }
@@ -134,7 +139,7 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
     return asked.stream().filter(each -> each.moment() == moment).map(Asked::step).toList();
   }
 
-  /** What a participant is asked in a step: of the form, or of questions. */
+  /** Returns the questionnaire of a step in a participant's order of questions. */
   public Questionnaire questionnaire(SessionStep step, String participant) {
     if (step instanceof SessionStep.Form) {
       return form;
@@ -146,7 +151,10 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
         .orElseThrow(() -> new IllegalArgumentException("no questions in " + step.id()));
   }
 
-  /** The same of a step by its id; empty where the study has no such step, or it asks nothing. */
+  /**
+   * Returns the questionnaire of a step by the step's id; empty if the study has no such step, or
+   * it has no questionnaire.
+   */
   public Optional<Questionnaire> questionnaire(String step, String participant) {
     return steps().stream()
         .filter(one -> asks(one) && one.id().equals(step))
@@ -154,7 +162,7 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
         .map(one -> questionnaire(one, participant));
   }
 
-  /** All questionnaires of a participant, in order, without the form. */
+  /** Returns all questionnaires of a participant, in order, without the form. */
   public List<Questionnaire> questionnaires(String participant) {
     return steps().stream()
         .filter(SessionStep.Questions.class::isInstance)
@@ -162,7 +170,7 @@ public record StudyMaterial(Study study, Questionnaire form, List<Asked> asked, 
         .toList();
   }
 
-  /** Whether a step asks something: the form, and questions. */
+  /** Returns whether a step has a questionnaire: the form, and questions. */
   static boolean asks(SessionStep step) {
     return step instanceof SessionStep.Form || step instanceof SessionStep.Questions;
   }

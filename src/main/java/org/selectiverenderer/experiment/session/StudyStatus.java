@@ -15,32 +15,32 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.control.Condition;
 
 /**
- * What a study has so far: whose sessions are in what state, how the groups stand.
+ * The progress of a study: the state of each session, and the sizes of the groups.
  *
- * @param planned participants
- * @param sessions in order of participants and numbers
- * @param groups in the study's order
+ * @param planned number of planned participants
+ * @param sessions the sessions, in order of participants and numbers
+ * @param groups the groups, in the study's order of conditions
  */
 public record StudyStatus(String study, int planned, List<Row> sessions, List<Group> groups) {
 
-  /** How far a session is. */
+  /** The state of a session. */
   public enum State {
     FINISHED,
     /** Ended by the experimenter. */
     ABORTED,
     /** The participant did not consent. */
     REFUSED,
-    /** Neither finished nor ended: it is running, or was killed. */
+    /** Neither finished nor ended: the session is running, or was interrupted. */
     OPEN
   }
 
   /**
-   * A session.
+   * A row of the sessions.
    *
    * @param condition empty before it is assigned
-   * @param missing steps that are not finished
-   * @param flags what sets it apart
-   * @param excluded whether {@code collect} leaves it out, as the study says of one of its flags
+   * @param missing ids of the steps that are not finished
+   * @param flags the quality flags
+   * @param excluded whether {@code collect} leaves the session out because of a flag
    */
   public record Row(
       String participant,
@@ -50,27 +50,27 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
       List<String> missing,
       List<RaisedFlag> flags,
       boolean excluded) {
-    /** What sets it apart, for people; each once, though several steps may have it. */
+    /** Describes the flags for people, each once, though several steps may have it. */
     public List<String> notes() {
       return flags.stream().map(RaisedFlag::note).distinct().toList();
     }
   }
 
   /**
-   * A group.
+   * A group: the participants of a condition.
    *
-   * @param planned participants; one more in some groups where they cannot be equal
-   * @param assigned participants
-   * @param finished participants with a finished session
-   * @param counting those of them with a finished session that the study does not leave out
+   * @param planned number of planned participants, rounded up if the groups cannot be equal
+   * @param assigned number of assigned participants
+   * @param finished number of participants with a finished session
+   * @param counting number of participants with a finished session that the study does not exclude
    */
   public record Group(String condition, int planned, int assigned, int finished, int counting) {}
 
   /**
-   * Reads it from the study's folder.
+   * Reads the status from the study's folder.
    *
-   * @param problems hears of journals that are damaged
-   * @throws IOException if it cannot be read
+   * @param problems receives the damage of journals
+   * @throws IOException if a file cannot be read
    */
   public static StudyStatus of(StudyMaterial material, Problems problems) throws IOException {
     List<Row> rows = new ArrayList<>();
@@ -128,7 +128,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
         !history.excluding(material.study().quality()).isEmpty());
   }
 
-  /** As text for people. */
+  /** Returns the status as text for people. */
   public String text() {
     StringBuilder text = new StringBuilder();
     long finished = sessions.stream().filter(row -> row.state == State.FINISHED).count();
@@ -193,7 +193,7 @@ public record StudyStatus(String study, int planned, List<Row> sessions, List<Gr
     };
   }
 
-  /** As JSON, several lines. */
+  /** Returns the status as JSON, several lines. */
   public String json() {
     ObjectNode root = JsonTree.object();
     root.put("study", study);

@@ -1,23 +1,23 @@
 /**
- * A participant's session, without windows: its steps, its journal on disk, who gets which
- * condition, what a study has so far.
+ * A participant's session, without a user interface: steps, journal, assignment of conditions,
+ * status and collected answers of a study.
  *
- * <p>What has happened in a session is what its journal says, {@code events.jsonl}; nothing else is
- * state. One program at a time adds to it ({@link
- * org.selectiverenderer.experiment.session.SessionLock}), and knows what it says without reading it
- * again. Whatever is told is on disk before the next step; nothing is ever written over. A step's
- * id is in the journal once the step's head log is complete and forced to the disk, so to resume is
- * to read it and do what is left. What sets a session apart is told as flags. BIDS files are made
- * of head logs, in the background; tables of answers are made of the journal at the end.
+ * <p>The journal, {@code events.jsonl}, is the only state of a session (event sourcing). One
+ * program at a time writes it ({@link org.selectiverenderer.experiment.session.SessionLock}), and
+ * keeps its contents in memory. All events are on the disk before the next step begins; nothing is
+ * ever overwritten. The end of a step is logged once the step's head log is complete and forced to
+ * the disk, so a session is resumed by reading the journal and doing the unfinished steps. Quality
+ * flags mark sessions whose answers may not count. BIDS files are converted from head logs in the
+ * background; the tables of answers are built from the journal at the end.
  *
  * <p>In: a study with its questionnaires ({@link
- * org.selectiverenderer.experiment.session.StudyMaterial}), and what happens, told step by step and
- * answer by answer. Out: {@code sub-ID/ses-NN/} in the study's folder, {@code participants.tsv},
+ * org.selectiverenderer.experiment.session.StudyMaterial}), and the begin and end of each step,
+ * with its answers. Out: {@code sub-ID/ses-NN/} in the study's folder, {@code participants.tsv},
  * status and collected answers.
  *
  * <p>Uses {@code experiment.study}, {@code experiment.questionnaire}, {@code experiment.headlog},
- * {@code control} for conditions, {@code tracker} for which there is, {@code schema} for the bands
- * of ratings, and {@code base}. No GL, no AWT.
+ * {@code control} for conditions, {@code tracker} for the tracker's SPEC, {@code schema} for the
+ * bands of ratings, and {@code base}. No GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.session;

@@ -2,19 +2,19 @@ package org.selectiverenderer.experiment.study;
 
 import java.util.Locale;
 
-/** In which order a participant sees the areas. */
+/** The order in which a participant sees the areas. */
 public enum AreaOrder {
-  /** Everybody in that of the study file. */
+  /** The order of the study file, for all participants. */
   FIXED,
   /**
-   * By a square balanced for what comes before what, in the order in which participants of a
-   * condition come: each area is first, second, ... equally often in each group.
+   * Counterbalanced by the rows of a balanced Latin square (Williams), in the order in which the
+   * participants of a condition come: each area is first, second, ... equally often in each group.
    */
   COUNTERBALANCED,
-  /** Each participant in an order of his own, drawn by lot. */
+  /** A random order for each participant. */
   RANDOM;
 
-  /** As a study file writes it. */
+  /** Returns the spelling in a study file. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT);
   }

@@ -2,17 +2,18 @@ package org.selectiverenderer.experiment.study;
 
 import java.util.Locale;
 
-/** How participants come to their conditions. Both keep the groups balanced. */
+/** How participants are assigned to conditions. Both methods keep the groups balanced. */
 public enum Assignment {
-  /** Blocks that hold each condition equally often, each in an order of its own drawn by lot. */
+  /** Permuted blocks: each block contains each condition equally often, in a random order. */
   BLOCKED,
   /**
-   * Blocks that hold each condition once; of as many blocks as conditions, each condition is at
-   * each place of a block once. So none is tested first, or last, more often than another.
+   * Latin squares: each block contains each condition once, and in as many blocks as there are
+   * conditions each condition is at each place of a block once. So no condition is tested first, or
+   * last, more often than another.
    */
   LATIN_SQUARE;
 
-  /** As a study file writes it. */
+  /** Returns the spelling in a study file. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');
   }

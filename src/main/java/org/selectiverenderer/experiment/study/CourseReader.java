@@ -5,11 +5,11 @@ import java.util.Optional;
 import org.selectiverenderer.base.json.JsonMembers;
 import org.selectiverenderer.base.json.JsonValue;
 
-/** Reads the keys of a study that say how a session goes on. */
+/** Reads the keys of a study file that define the procedure of a session. */
 final class CourseReader {
   private CourseReader() {}
 
-  /** Those of the study. */
+  /** Reads the procedure of the study. */
   static StudyCourse read(JsonMembers keys) {
     StudyCourse usual = StudyCourse.USUAL;
     return new StudyCourse(
@@ -19,14 +19,14 @@ final class CourseReader {
         keys.truth("blind", usual.blind()));
   }
 
-  /** Where participants may go; empty where a study or an area says nothing of it. */
+  /** Reads the movement constraint of a study or an area; empty if it has none. */
   static Optional<Stay> stay(JsonMembers keys) {
     return keys.has("stay")
         ? Optional.of(keys.choice("stay", List.of(Stay.values()), Stay::spelling, Stay.FREE))
         : Optional.empty();
   }
 
-  /** The operator's monitor: its number, counted from 0, or its name. */
+  /** Reads the operator's monitor: its number, counted from 0, or its name. */
   static Optional<String> operator(JsonMembers display) {
     Optional<JsonValue> found = display.value("operator");
     if (found.isEmpty()) {
@@ -45,7 +45,7 @@ final class CourseReader {
     return name;
   }
 
-  /** Where the pointer is while something is shown. */
+  /** Reads where the mouse pointer is while a scene is shown. */
   static PointerPlace pointer(JsonMembers display) {
     return display.choice(
         "pointer", List.of(PointerPlace.values()), PointerPlace::spelling, PointerPlace.AUTO);

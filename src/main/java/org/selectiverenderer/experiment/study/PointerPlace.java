@@ -2,16 +2,16 @@ package org.selectiverenderer.experiment.study;
 
 import java.util.Locale;
 
-/** Where the mouse pointer is while something is shown to a participant. */
+/** Where the mouse pointer is confined while a scene is shown to a participant. */
 public enum PointerPlace {
-  /** Kept where each eye has a monitor, as nobody sees it there; else free. */
+  /** Confined if each eye has a monitor, as nobody could see the pointer there; else free. */
   AUTO,
-  /** In the participant's window, unseen. */
+  /** Confined to the participant's window, and invisible. */
   KEPT,
-  /** Wherever the hand takes it. */
+  /** Not confined. */
   FREE;
 
-  /** As a study file writes it. */
+  /** Returns the spelling in a study file. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT);
   }

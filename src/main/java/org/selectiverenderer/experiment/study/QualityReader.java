@@ -10,7 +10,7 @@ import org.selectiverenderer.base.json.JsonValue;
 
 /** Reads {@code "quality"} of a study file. */
 final class QualityReader {
-  /** A display that nobody has; a slip of the key. */
+  /** Upper limit of frames per second; a greater number is a typing error. */
   private static final double MOST_FPS = 1000;
 
   private static final double LONGEST = 3600;
@@ -30,7 +30,7 @@ final class QualityReader {
             ? OptionalDouble.of(keys.number("min_fps", 1, MOST_FPS, Double.NaN))
             : OptionalDouble.empty();
     if (minFps.isEmpty() && keys.has("max_slow_frames")) {
-      keys.fault("max_slow_frames", "\"max_slow_frames\" says nothing without \"min_fps\"");
+      keys.fault("max_slow_frames", "\"max_slow_frames\" needs \"min_fps\"");
     }
     return new StudyQuality(
         minFps,

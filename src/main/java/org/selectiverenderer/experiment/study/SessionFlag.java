@@ -5,19 +5,23 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * What sets a session apart from the others, so that its answers may not count. A session's journal
- * says it; a study says which of them leave a session out.
+ * A quality flag of a session, whose answers then may not count. Flags are raised in the session's
+ * journal; the study file lists those that exclude a session.
  */
 public enum SessionFlag {
-  /** An exposure was begun again after it had been cut off: it may have been seen twice. */
+  /**
+   * An exposure was repeated after an interruption: the participant may have seen the area twice.
+   */
   REPEATED_EXPOSURE("shown more than once"),
-  /** Both eyes were shown in one window, as monitors or driver could not do what was asked for. */
+  /**
+   * Both eyes were shown in one window, as monitors or driver did not support the study's display.
+   */
   DISPLAY_FALLBACK("not shown on the display of the study"),
   /** There was no tracker, though the study has one. */
   TRACKER_ABSENT("without the study's tracker"),
-  /** The tracker fell silent during an exposure for longer than the study allows. */
+  /** The tracker sent no records during an exposure for longer than the study allows. */
   TRACKER_LOST("tracker silent"),
-  /** The headset was taken off, or its runtime was gone, during an exposure. */
+  /** The headset was taken off, or its runtime was lost, during an exposure. */
   HEADSET_LOST("headset taken off or lost"),
   /** An exposure had fewer frames per second than the study asks for. */
   LOW_FRAME_RATE("too few frames per second"),
@@ -34,17 +38,17 @@ public enum SessionFlag {
     this.meaning = meaning;
   }
 
-  /** As journals and study files spell it. */
+  /** Returns the spelling in journals and study files. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
-  /** In a few words, for people. */
+  /** Returns the meaning in a few words, for people. */
   public String meaning() {
     return meaning;
   }
 
-  /** The flag of that spelling. */
+  /** Returns the flag with a spelling. */
   public static Optional<SessionFlag> of(String spelling) {
     return Arrays.stream(values()).filter(flag -> flag.spelling().equals(spelling)).findFirst();
   }

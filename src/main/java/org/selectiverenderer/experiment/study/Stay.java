@@ -2,16 +2,16 @@ package org.selectiverenderer.experiment.study;
 
 import java.util.Locale;
 
-/** Where a participant may go while an area is shown. */
+/** The movement constraint of a participant while an area is shown. */
 public enum Stay {
-  /** Nowhere: the view turns where the viewpoint is (thesis 6.1.1). */
+  /** No walking: the participant turns at the viewpoint (thesis 6.1.1). */
   TURN,
-  /** About the area. */
+  /** Walking within the area. */
   WALK,
-  /** Everywhere. */
+  /** Walking everywhere. */
   FREE;
 
-  /** As a study file writes it. */
+  /** Returns the spelling in a study file. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT);
   }

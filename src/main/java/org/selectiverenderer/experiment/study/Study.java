@@ -10,22 +10,24 @@ import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
- * A study. Files are resolved: relative ones are meant from the study file's folder.
+ * A study as the study file defines it. Paths of files are resolved against the study file's
+ * folder.
  *
  * @param file the study file
- * @param scene that is explored; empty for a study of questionnaires alone
- * @param conditions one for each group
- * @param participants that are planned for, in all groups together
- * @param assignment how participants come to their conditions
- * @param block participants in a block of the assignment; in each all conditions are as frequent
- * @param seed of the assignment and of the order of questions
- * @param fade seconds in which the picture of an area comes and goes, beside its exposure
+ * @param scene the scene that is shown; empty for a study of questionnaires alone
+ * @param conditions the conditions, one for each group
+ * @param participants number of planned participants, in all groups together
+ * @param assignment how participants are assigned to conditions
+ * @param block number of participants in a block of the assignment, a multiple of the number of
+ *     conditions
+ * @param seed random seed of the assignment and of the order of questions
+ * @param fade seconds in which the picture of an area fades in and out, in addition to its exposure
  * @param language of the questionnaires, a code such as {@code en}
- * @param quality what sessions must be like to count
- * @param course how a session goes on
- * @param streams what goes to, and comes from, the Lab Streaming Layer
- * @param access what the scenes may name besides their own files
- * @param mute whether the sounds of the scenes are left out
+ * @param quality quality criteria of sessions
+ * @param course procedure of a session
+ * @param streams streams to and from the Lab Streaming Layer
+ * @param access which files other than their own the scenes may refer to
+ * @param mute whether the scenes are shown without sound
  */
 public record Study(
     Path file,
@@ -55,16 +57,16 @@ public record Study(
     areas = List.copyOf(areas);
   }
 
-  /** Where the participants get to know display and mouse, until the experimenter goes on. */
+  /** The practice with display and controls, until the experimenter ends it. */
   public record Practice(Path scene, String viewpoint) {}
 
   /**
-   * A part of the scene that is seen for a while.
+   * An area of the scene that is shown in an exposure.
    *
-   * @param viewpoint DEF name of the Viewpoint where the exposure begins
-   * @param seconds of exposure
-   * @param stay where the participant may go; empty for where the study says
-   * @param within DEF of a ProximitySensor, whose box is the area, or of a room; empty for the room
+   * @param viewpoint DEF of the Viewpoint at which the exposure begins
+   * @param seconds duration of the exposure
+   * @param stay the movement constraint; empty for that of the study
+   * @param within DEF of the ProximitySensor or the room that bounds the area; empty for the room
    *     around the viewpoint
    */
   public record Area(
@@ -74,21 +76,22 @@ public record Study(
       Optional<Stay> stay,
       Optional<String> within) {}
 
-  /** Where the participant may go while an area is shown. */
+  /** Returns the movement constraint of an area. */
   public Stay stay(Area area) {
     return area.stay().orElse(course.stay());
   }
 
   /**
-   * On what it is shown.
+   * The display of a study.
    *
-   * @param hmd a built-in display profile or the file of one
-   * @param ipd distance of the pupils in millimetres
-   * @param width of the window in pixels, where the mode has one; 0 for what the display has
-   * @param height likewise
-   * @param operator number or name of the operator's monitor; empty for one that no eye uses
-   * @param pointer where the mouse pointer is meanwhile
-   * @param worn how it is shown in a headset, where the mode is that
+   * @param hmd name of a built-in display profile, or the file of one
+   * @param ipd interpupillary distance in millimetres
+   * @param width of the window in pixels, if the mode has a window; 0 for the display's width
+   * @param height of the window in pixels; 0 for the display's height
+   * @param operator number or name of the operator's monitor; empty for a monitor that shows no
+   *     eye's picture
+   * @param pointer where the mouse pointer is confined
+   * @param worn settings of a headset, if the mode is OpenXR
    */
   public record Display(
       DisplayMode mode,
@@ -101,19 +104,20 @@ public record Study(
       Worn worn) {}
 
   /**
-   * How a scene is shown in a headset.
+   * The settings of a headset.
    *
-   * @param seated whether the participant sits, so that the eyes are at the scene's height
-   * @param scale how large the participant is in the scene: 1 for as large as people are
-   * @param turn degrees by which a controller's stick turns at once; 0 to turn smoothly
-   * @param asked whether questions are asked inside the headset, where they can be
+   * @param seated whether the participant sits, so that the eyes are at the height of the scene's
+   *     viewpoint
+   * @param scale size of the participant in the scene: 1 for real size
+   * @param turn degrees of a snap turn by a controller's stick; 0 for smooth turning
+   * @param asked whether questions are asked inside the headset, where possible
    */
   public record Worn(boolean seated, double scale, double turn, boolean asked) {
-    /** Standing, as large as people are. */
+    /** A standing participant of real size, with snap turns of 30 degrees. */
     public static final Worn STANDING = new Worn(false, 1, 30, false);
   }
 
-  /** The folder that the study file lies in; sessions go there. */
+  /** Returns the study file's folder, which also contains the sessions. */
   public Path folder() {
     return file.toAbsolutePath().getParent();
   }

@@ -1,14 +1,15 @@
 package org.selectiverenderer.experiment.study;
 
 /**
- * How a session goes on: what is shown in which order, and who may do and see what meanwhile.
+ * The procedure of a session: the order of the areas, and what participant and operator may do and
+ * see.
  *
- * @param order of the areas
- * @param stay where participants may go, in areas that do not say otherwise
- * @param closed whether nobody leaves the room in which an exposure begins
- * @param blind whether the operator's windows and messages keep the condition to themselves
+ * @param order the order of the areas
+ * @param stay the movement constraint in areas without their own
+ * @param closed whether participants cannot leave the room in which an exposure begins
+ * @param blind whether the operator's windows and messages hide the condition (double-blind)
  */
 public record StudyCourse(AreaOrder order, Stay stay, boolean closed, boolean blind) {
-  /** As a study is run that says nothing of it. */
+  /** The procedure of a study file without these keys. */
   public static final StudyCourse USUAL = new StudyCourse(AreaOrder.FIXED, Stay.FREE, false, true);
 }

@@ -8,16 +8,21 @@ import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
- * What a study asks of its sessions, and which flags leave a session out of the collected answers.
+ * The quality criteria of a study: limits that raise a flag, and the flags that exclude a session
+ * from the collected answers.
  *
- * @param minFps frames per second that an exposure must have on average; empty for no matter
- * @param slowShare of an exposure's frames, 0 to 1, that may take longer than one at {@code minFps}
- * @param trackerSilence seconds for which the tracker may fall silent during an exposure
- * @param exclude flags by which {@code collect} leaves a session out
+ * @param minFps mean frames per second that an exposure must reach; empty for no limit
+ * @param slowShare share of an exposure's frames, 0 to 1, that may take longer than a frame at
+ *     {@code minFps}
+ * @param trackerSilence seconds for which the tracker may send no records during an exposure
+ * @param exclude flags by which {@code collect} excludes a session
  */
 public record StudyQuality(
     OptionalDouble minFps, double slowShare, double trackerSilence, Set<SessionFlag> exclude) {
-  /** Of a study that says nothing: silence of a second is told, nothing is left out. */
+  /**
+   * The criteria of a study file without these keys: tracker silence of a second raises a flag, no
+   * session is excluded.
+   */
   public static final StudyQuality DEFAULT =
       new StudyQuality(OptionalDouble.empty(), 0.1, 1, Set.of());
 
@@ -25,16 +30,19 @@ public record StudyQuality(
     exclude = exclude.isEmpty() ? Set.of() : Set.copyOf(EnumSet.copyOf(exclude));
   }
 
-  /** Milliseconds beyond which a frame is slow; infinite where it does not matter. */
+  /**
+   * Returns the duration in milliseconds beyond which a frame is slow; infinite without a limit.
+   */
   public double slowMs() {
     return minFps.isPresent() ? 1000 / minFps.getAsDouble() : Double.POSITIVE_INFINITY;
   }
 
   /**
-   * Why an exposure's frames are too few, in a line for people each; none where they are not.
+   * Returns why the frame rate of an exposure is too low, a line for each reason; empty if it is
+   * not.
    *
-   * @param fps frames per second on average
-   * @param slow share of the frames that took longer than {@link #slowMs}
+   * @param fps mean frames per second
+   * @param slow share of frames that took longer than {@link #slowMs}
    */
   public List<String> tooSlow(double fps, double slow) {
     List<String> why = new ArrayList<>();

@@ -9,40 +9,40 @@ import java.util.Optional;
 import org.selectiverenderer.experiment.questionnaire.ItemsKind;
 
 /**
- * What a study asks its participants.
+ * The questionnaires that a study refers to.
  *
- * @param form consent and what is asked of the person, at the very beginning; empty for consent and
- *     age alone
- * @param list in the study's order
+ * @param form file of the form at the beginning: consent and questions about the person; empty for
+ *     the built-in form, consent and age
+ * @param list the other questionnaires, in the study's order
  */
 public record StudyQuestionnaires(Optional<Path> form, List<Source> list) {
   public StudyQuestionnaires {
     list = List.copyOf(list);
   }
 
-  /** Where a questionnaire comes from. */
+  /** The source of a questionnaire's questions. */
   public sealed interface Content {
-    /** One question of each object in a table, area by area. */
+    /** A table of items, with one question about each object, by area. */
     record Items(ItemsKind kind, Path file) implements Content {}
 
-    /** A file of the author's own. */
+    /** A JSON file of the study's author. */
     record Own(Path file) implements Content {}
 
-    /** One that comes with the program. */
+    /** A standard questionnaire that comes with the program. */
     record Standard(String template) implements Content {}
   }
 
-  /** When a questionnaire is asked. */
+  /** The moment at which a questionnaire is asked. */
   public enum Moment {
     /** Before the practice. */
     BEGIN,
     AFTER_PRACTICE,
-    /** After every area; memory lists of an area after theirs. */
+    /** After every area; a recognition list of an area after that area. */
     AFTER_AREA,
     /** After all areas. */
     END;
 
-    /** As the study file spells it. */
+    /** Returns the spelling in the study file. */
     public String spelling() {
       return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
@@ -51,11 +51,11 @@ public record StudyQuestionnaires(Optional<Path> form, List<Source> list) {
   /**
    * A questionnaire of the study.
    *
-   * @param name that it has in the study; empty for its own
+   * @param name its name in the study; empty for the name in its file
    */
   public record Source(Content content, Moment moment, Optional<String> name) {}
 
-  /** The files that are asked from, by their names, each once. */
+  /** Returns the files of the questionnaires by their names, each once. */
   public Map<String, Path> files() {
     Map<String, Path> files = new LinkedHashMap<>();
     form.ifPresent(file -> files.put(String.valueOf(file.getFileName()), file));

@@ -15,7 +15,7 @@ import org.selectiverenderer.experiment.study.StudyQuestionnaires.Source;
 
 /** Reads the keys {@code form} and {@code questionnaires} of a study. */
 final class StudyQuestionnairesReader {
-  /** Steps of sessions are named so. */
+  /** Pattern of names, which become ids of steps. */
   private static final String NAME = "[0-9A-Za-z][0-9A-Za-z_-]*";
 
   private final FileOfKey files;
@@ -25,14 +25,14 @@ final class StudyQuestionnairesReader {
     this.files = files;
   }
 
-  /** Finds files that a study names. */
+  /** Resolves the files that a study refers to. */
   interface FileOfKey {
-    /** The file of a name that stands at a key; tells if it is not there. */
+    /** Returns the file with a name that is the value of a key; reports a missing file. */
     Path find(JsonMembers keys, String key, String name);
   }
 
   /**
-   * Reads them.
+   * Reads the two keys.
    *
    * @param areas whether the study has areas
    * @param practice whether it has a practice

@@ -25,12 +25,12 @@ import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.files.AllowedKeys;
 
 /**
- * Reads a study file. Whatever is wrong with it (an unknown key, a value that cannot be, a file
- * that is not there) is an error at its line and column, and then there is no study: a session is
- * never run on half of what was meant.
+ * Reads a study file. Every fault (an unknown key, an invalid value, a missing file) is an error
+ * with line and column, and a study with faults is not used: a session never runs with a part of
+ * the intended settings.
  */
 public final class StudyReader {
-  /** Participants that nobody exceeds; a slip of the key. */
+  /** Upper limit of participants; a greater number is a typing error. */
   private static final int MOST_PARTICIPANTS = 100_000;
 
   private static final double LONGEST = 36_000;
@@ -48,8 +48,8 @@ public final class StudyReader {
   /**
    * Reads a file.
    *
-   * @return empty when it has faults, which are then in {@code problems}
-   * @throws IOException if it cannot be read at all
+   * @return empty if the file has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
    */
   public static Optional<Study> read(Path file, Problems problems) throws IOException {
     return JSON.read(file, problems, new StudyReader(file)::study);
@@ -122,7 +122,10 @@ public final class StudyReader {
     return study;
   }
 
-  /** Viewpoints that the scene's text does not name are found missing now, not in a session. */
+  /**
+   * Checks that the text of the scene contains the DEFs of viewpoints and areas, so that a missing
+   * one is found before the session.
+   */
   private void viewpoints(JsonMembers keys, Study study) {
     study
         .scene()
@@ -179,7 +182,7 @@ public final class StudyReader {
   private Path file(JsonMembers keys, String key, String name) {
     Path found = folder.resolve(name).normalize();
     if (!Files.isRegularFile(found)) {
-      keys.fault(key, "there is no file '" + name + "' as seen from the study file");
+      keys.fault(key, "there is no file '" + name + "' relative to the study file");
     }
     return found;
   }

@@ -3,26 +3,26 @@ package org.selectiverenderer.experiment.study;
 import java.util.List;
 
 /**
- * What a study does with the Lab Streaming Layer.
+ * How a study uses the Lab Streaming Layer.
  *
- * @param lsl whether sessions send poses, gaze and events
- * @param record conditions on the streams of others that sessions record, such as {@code
+ * @param lsl whether sessions send poses, gaze and events as streams
+ * @param record predicates of the streams of other programs that sessions record, such as {@code
  *     type='EEG'}
  */
 public record StudyStreams(boolean lsl, List<String> record) {
-  /** Of a study that says nothing of it. */
+  /** A study without streams. */
   public static final StudyStreams NONE = new StudyStreams(false, List.of());
 
   public StudyStreams {
     record = List.copyOf(record);
   }
 
-  /** The same, sending as well. */
+  /** Returns these settings with sending switched on. */
   public StudyStreams sending() {
     return new StudyStreams(true, record);
   }
 
-  /** Whether the library is needed. */
+  /** Returns whether the library is needed. */
   public boolean wanted() {
     return lsl || !record.isEmpty();
   }

@@ -10,7 +10,10 @@ import java.util.Objects;
 import org.selectiverenderer.base.files.FileActions;
 import org.selectiverenderer.base.files.FileTransaction;
 
-/** Writes the folder of a new study: that of the thesis (5.1, 6.1), to be changed at will. */
+/**
+ * Writes the folder of a new study from a template: the study of the thesis (5.1, 6.1), to be
+ * adapted.
+ */
 public final class StudyTemplate {
   /** The name of the study file. */
   public static final String STUDY = "study.json";
@@ -36,19 +39,19 @@ public final class StudyTemplate {
   private StudyTemplate() {}
 
   /**
-   * Writes it.
+   * Writes the folder.
    *
-   * @param folder made if it is not there
-   * @param scene that the study shows; {@code practice.x3d} is looked for beside it
+   * @param folder created if it does not exist
+   * @param scene the scene of the study; {@code practice.x3d} is looked for beside it
    * @return the study file
-   * @throws IOException if one of the files is there, and then none is written; or if a file cannot
+   * @throws IOException if one of the files exists, and then none is written; or if a file cannot
    *     be written
    */
   public static Path write(Path folder, Path scene) throws IOException {
     return write(folder, scene, FileActions.REAL);
   }
 
-  /** The same by other actions. */
+  /** Writes the folder with other file actions, for tests. */
   static Path write(Path folder, Path scene, FileActions actions) throws IOException {
     Files.createDirectories(folder.resolve("pilot"));
     for (String name : FILES) {
@@ -76,7 +79,7 @@ public final class StudyTemplate {
         .getBytes(StandardCharsets.UTF_8);
   }
 
-  /** A file as seen from a folder, with slashes on every system. */
+  /** Returns the path of a file relative to a folder, with slashes on every system. */
   private static String from(Path folder, Path file) throws IOException {
     Path there = file.toRealPath();
     Path here = folder.toRealPath();

@@ -1,15 +1,15 @@
 /**
- * What a lab wants done: the study file.
+ * The study file, which defines an experiment.
  *
  * <p>In: {@code study.json}, JSON with comments. Out: a {@link
- * org.selectiverenderer.experiment.study.Study}, or what is wrong with the file, by line and
- * column; and the folder of a new study, which is the thesis's. The keys are published as a JSON
+ * org.selectiverenderer.experiment.study.Study}, or the faults of the file by line and column; and
+ * the folder of a new study, from the template of the thesis's. The keys are published as a JSON
  * Schema, {@code study.schema.json}, beside the file.
  *
- * <p>Uses {@code experiment.questionnaire} for what may be asked, {@code control} for the
- * conditions, {@code hmd} for the ways of showing, {@code tracker} and {@code runtime.walk} for
- * their spellings, {@code x3d.files} for what scenes may name, and {@code base} for files and
- * problems. No GL, no AWT.
+ * <p>Uses {@code experiment.questionnaire} for the kinds of questionnaires, {@code control} for the
+ * conditions, {@code hmd} for displays, {@code tracker} and {@code runtime.walk} for their
+ * spellings, {@code x3d.files} for the files that scenes may refer to, and {@code base} for files
+ * and problems. No GL, no AWT.
  */
 @NullMarked
 package org.selectiverenderer.experiment.study;

@@ -1,11 +1,11 @@
 package org.selectiverenderer.experiment.threshold;
 
 /**
- * Versions of an object from the fewest polygons upward until it is recognised, as pictures are
- * completed step by step (Snodgrass, J. G. and Corwin, J. 1988. Perceptual identification
- * thresholds for 150 fragmented pictures from the Snodgrass and Vanderwart picture set. Perceptual
- * and Motor Skills 67, 3-36). The right name may be a guess, so the next version must be named too;
- * the threshold is the first of the two.
+ * An ascending series (method of limits): versions of an object from the fewest polygons upward
+ * until the participant recognises it, like pictures that are completed step by step (Snodgrass, J.
+ * G. and Corwin, J. 1988. Perceptual identification thresholds for 150 fragmented pictures from the
+ * Snodgrass and Vanderwart picture set. Perceptual and Motor Skills 67, 3-36). The right name may
+ * be a guess, so the next version must be named too; the threshold is the first of the two.
  */
 final class AscendingSeries implements PilotTrack {
   private final PolygonLadder ladder;

@@ -6,10 +6,11 @@ import org.selectiverenderer.experiment.threshold.ThresholdEstimate.Kind;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * An object's threshold over participants. Means are of logarithms: polygons matter by their ratio.
+ * The threshold of an object over participants. Means are those of logarithms, as the effect of
+ * polygons depends on their ratio.
  *
- * @param original polygons of the original
- * @param estimates of the participants whose trials with it are over
+ * @param original number of polygons of the original
+ * @param estimates the estimates of the participants whose trials with the object are over
  */
 record ObjectThreshold(String object, int original, List<ThresholdEstimate> estimates) {
   private static final double CONFIDENCE = 0.95;
@@ -22,7 +23,10 @@ record ObjectThreshold(String object, int original, List<ThresholdEstimate> esti
     return estimates.stream().filter(estimate -> estimate.kind() == kind).count();
   }
 
-  /** Of those that say something: where a threshold lies beyond the versions, their end counts. */
+  /**
+   * Returns the logarithms of the known thresholds; one beyond the versions counts as that of the
+   * first or last version.
+   */
   private double[] logs() {
     return estimates.stream()
         .filter(estimate -> estimate.kind() != Kind.OPEN)
@@ -30,7 +34,7 @@ record ObjectThreshold(String object, int original, List<ThresholdEstimate> esti
         .toArray();
   }
 
-  /** The geometric mean of the participants' thresholds; NaN where there are none. */
+  /** Returns the geometric mean of the participants' thresholds; NaN if there are none. */
   double mean() {
     return Math.exp(meanOf(logs()));
   }
@@ -44,7 +48,8 @@ record ObjectThreshold(String object, int original, List<ThresholdEstimate> esti
   }
 
   /**
-   * The factor by which the 95 % confidence interval goes below and above the mean; NaN for one.
+   * Returns the factor by which the 95 % confidence interval extends below and above the mean; NaN
+   * for fewer than two participants.
    */
   private double factor() {
     double[] logs = logs();
@@ -59,19 +64,19 @@ record ObjectThreshold(String object, int original, List<ThresholdEstimate> esti
         : Math.exp(Tails.tQuantile(CONFIDENCE, n - 1) * Math.sqrt(squares / (n - 1) / n));
   }
 
-  /** The lower end of the 95 % confidence interval. */
+  /** Returns the lower end of the 95 % confidence interval. */
   double low() {
     return mean() / factor();
   }
 
-  /** Its upper end. */
+  /** Returns the upper end of the 95 % confidence interval. */
   double high() {
     return mean() * factor();
   }
 
   /**
-   * The polygons of the version to make; empty where half of the participants or more needed more
-   * than any version had, or nobody's threshold is known.
+   * Returns the number of polygons of the recommended version; empty if at least half of the
+   * participants needed more polygons than any reduced version had, or no threshold is known.
    */
   Optional<Integer> wanted() {
     int known = logs().length;

@@ -1,16 +1,21 @@
 package org.selectiverenderer.experiment.threshold;
 
-/** The trials of one participant with one object: which version comes next, and when it is over. */
+/**
+ * An adaptive track: the trials of one participant with one object, whose next version depends on
+ * the answers so far.
+ */
 sealed interface PilotTrack permits Staircase, AscendingSeries {
-  /** The rung that the next trial shows. */
+  /** Returns the rung of the version that the next trial shows. */
   int rung();
 
-  /** The participant has answered a trial at {@link #rung}. */
+  /** Records the answer to a trial at {@link #rung}. */
   void answered(boolean correct);
 
-  /** Whether there is nothing more to ask. */
+  /** Returns whether the track has ended. */
   boolean over();
 
-  /** What has been found; {@link ThresholdEstimate.Kind#OPEN} as long as it is not over. */
+  /**
+   * Returns the estimate; {@link ThresholdEstimate.Kind#OPEN} as long as the track has not ended.
+   */
   ThresholdEstimate estimate();
 }

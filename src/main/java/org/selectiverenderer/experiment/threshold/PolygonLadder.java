@@ -4,14 +4,15 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The versions of an object by their polygons, from the fewest to the original, which is the last.
+ * The stimulus levels of an object: its versions by number of polygons, from the fewest to the
+ * original, which is the last rung.
  *
- * @param polygons each more than the one before; at least three
+ * @param polygons numbers of polygons in ascending order, at least three
  */
 public record PolygonLadder(List<Integer> polygons) {
   /**
-   * @throws IllegalArgumentException if there are fewer than three, or one is no more than the one
-   *     before
+   * @throws IllegalArgumentException if there are fewer than three, or they are not in ascending
+   *     order
    */
   public PolygonLadder {
     polygons = List.copyOf(polygons);
@@ -23,11 +24,11 @@ public record PolygonLadder(List<Integer> polygons) {
   }
 
   /**
-   * Shares of an original for its reduced versions, each the same factor above the one before, the
-   * last the same factor below the whole: polygons matter by their ratio.
+   * Returns the shares of the original's polygons for the reduced versions, in a geometric sequence
+   * that ends one factor below 1, as the effect of polygons depends on their ratio.
    *
-   * @param fewest share of the first, above 0 and below 1
-   * @param rungs how many reduced versions, at least 2
+   * @param fewest share of the first version, above 0 and below 1
+   * @param rungs number of reduced versions, at least 2
    */
   public static double[] shares(double fewest, int rungs) {
     return IntStream.range(0, rungs)
@@ -35,17 +36,17 @@ public record PolygonLadder(List<Integer> polygons) {
         .toArray();
   }
 
-  /** The last rung, the original. */
+  /** Returns the last rung, that of the original. */
   public int original() {
     return polygons.size() - 1;
   }
 
-  /** The polygons of the original. */
+  /** Returns the number of polygons of the original. */
   public int all() {
     return polygons.get(original());
   }
 
-  /** The polygons of a rung. */
+  /** Returns the number of polygons of a rung. */
   public int at(int rung) {
     return polygons.get(rung);
   }

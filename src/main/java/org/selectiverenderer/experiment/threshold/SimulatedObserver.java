@@ -4,10 +4,10 @@ import java.util.Map;
 import java.util.Random;
 
 /**
- * Who answers when nobody sits there: sees, or recognises, with a probability that is a logistic
- * function of the logarithm of the polygons, guesses else, and now and then slips.
+ * A simulated observer: detects, or recognises, with a probability that is a logistic function of
+ * the logarithm of the number of polygons, else guesses, and has a small lapse rate.
  *
- * <p>Telling apart becomes harder with more polygons, recognising easier; at the threshold either
+ * <p>Discrimination becomes harder with more polygons, recognition easier; at the threshold either
  * succeeds half of the time.
  */
 public final class SimulatedObserver {
@@ -20,9 +20,9 @@ public final class SimulatedObserver {
   private final Random random;
 
   /**
-   * An observer.
+   * Makes an observer.
    *
-   * @param share of its polygons at which each object's threshold lies
+   * @param share the threshold of each object, as a share of its polygons
    */
   public SimulatedObserver(
       ThresholdTask task, Map<String, PolygonLadder> ladders, double share, long seed) {
@@ -32,7 +32,7 @@ public final class SimulatedObserver {
     random = new Random(seed * 0x9E3779B97F4A7C15L);
   }
 
-  /** What this observer says. */
+  /** Returns the answer of this observer. */
   public String answer(ThresholdTrial trial) {
     PolygonLadder ladder = ladders.get(trial.object());
     if (ladder == null) {

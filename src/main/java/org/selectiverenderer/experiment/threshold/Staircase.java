@@ -5,14 +5,14 @@ import java.util.List;
 
 /**
  * A transformed up-down staircase on a ladder of versions. It begins with the fewest polygons,
- * which are easy to tell from the original, in large steps, which are halved at each turn until
- * they are one rung. The threshold is the geometric mean of the polygons at the last turns.
+ * which are easy to tell from the original, with large steps, which are halved at each reversal
+ * until they are one rung. The threshold is the geometric mean of the polygons at the last
+ * reversals.
  */
 final class Staircase implements PilotTrack {
   /**
-   * So many steps that would lead off an end of the ladder, one after the other, settle it: by luck
-   * alone somebody who sees nothing answers the ten questions of a two-down rule right once in a
-   * thousand times.
+   * Number of consecutive steps beyond an end of the ladder that end the staircase: an observer who
+   * only guesses passes the ten trials of a two-down rule once in a thousand times.
    */
   private static final int BEYOND = 5;
 
@@ -52,6 +52,8 @@ final class Staircase implements PilotTrack {
   }
 
   /**
+   * Moves one step on the ladder.
+   *
    * @param towards 1 for more polygons, -1 for fewer
    */
   private void go(int towards) {
@@ -87,7 +89,7 @@ final class Staircase implements PilotTrack {
     return new ThresholdEstimate(ThresholdEstimate.Kind.OPEN, ladder.at(rung));
   }
 
-  /** The rungs at which the direction turned so far. */
+  /** Returns the rungs of the reversals so far. */
   List<Integer> turns() {
     return List.copyOf(turns);
   }

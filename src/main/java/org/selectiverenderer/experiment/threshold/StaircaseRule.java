@@ -1,20 +1,20 @@
 package org.selectiverenderer.experiment.threshold;
 
 /**
- * How a staircase goes (Levitt, H. 1971. Transformed up-down methods in psychoacoustics. Journal of
- * the Acoustical Society of America 49, 467-477): so many right answers in a row make it harder,
- * one wrong answer makes it easier. It settles where a right answer has the probability p with
- * p^down = 1/2: 0.707 for 2, 0.794 for 3.
+ * The rule of a transformed up-down staircase (Levitt, H. 1971. Transformed up-down methods in
+ * psychoacoustics. Journal of the Acoustical Society of America 49, 467-477): {@code down} right
+ * answers in a row make it harder, one wrong answer makes it easier. It converges to the level at
+ * which a right answer has the probability p with p^down = 1/2: 0.707 for 2, 0.794 for 3.
  *
  * @param down right answers in a row, at least 1
- * @param reversals turns of direction after which it is over
- * @param discarded of these, the first, which do not count: the staircase is still on its way
- * @param mostTrials after which it is over in any case
+ * @param reversals number of reversals after which the staircase ends
+ * @param discarded number of first reversals that do not count, as the staircase has not converged
+ * @param mostTrials number of trials after which the staircase ends in any case
  */
 record StaircaseRule(int down, int reversals, int discarded, int mostTrials) {
   /**
-   * @throws IllegalArgumentException if no even number of reversals is left to count: peaks and
-   *     valleys must weigh alike
+   * @throws IllegalArgumentException if the number of reversals that count is not even and at least
+   *     two: as many peaks as valleys must count
    */
   public StaircaseRule {
     if (down < 1 || discarded < 0 || reversals - discarded < 2) {
@@ -25,7 +25,7 @@ record StaircaseRule(int down, int reversals, int discarded, int mostTrials) {
     }
   }
 
-  /** The share of right answers at which it settles. */
+  /** Returns the share of right answers to which the staircase converges. */
   public double target() {
     return Math.pow(0.5, 1.0 / down);
   }

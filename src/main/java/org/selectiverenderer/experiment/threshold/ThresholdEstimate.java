@@ -3,23 +3,24 @@ package org.selectiverenderer.experiment.threshold;
 import java.util.Locale;
 
 /**
- * What one participant's trials with one object come to.
+ * The estimate of one participant's threshold for one object.
  *
- * @param polygons the threshold; of the fewest or the most that were shown where it lies beyond
+ * @param polygons the threshold in polygons; if it lies beyond the versions, the polygons of the
+ *     first or last one
  */
 record ThresholdEstimate(Kind kind, double polygons) {
-  /** Where a threshold lies. */
+  /** Where the threshold lies. */
   public enum Kind {
-    /** Between the versions that were shown. */
+    /** Between the versions shown. */
     FOUND,
-    /** Below the fewest polygons: these were enough already. */
+    /** Below the fewest polygons, which were enough already. */
     BELOW,
-    /** Above the most: even these were told from the original, or not recognised. */
+    /** Above the most polygons, which were still told from the original, or not recognised. */
     ABOVE,
-    /** The trials ended before it was found. */
+    /** Unknown, as the trials ended before it was found. */
     OPEN;
 
-    /** As logs and tables write it. */
+    /** Returns the spelling in logs and tables. */
     public String spelling() {
       return name().toLowerCase(Locale.ROOT);
     }

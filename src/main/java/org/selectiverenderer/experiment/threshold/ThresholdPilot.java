@@ -9,9 +9,9 @@ import java.util.Optional;
 import java.util.Random;
 
 /**
- * One participant's trials: the tracks of all objects, mixed at random so that nobody can follow
- * one, and now and then a trial that only shows whether somebody attends. What comes next follows
- * from the study's seed, the participant, the number of the trial and the answers so far.
+ * One participant's trials: the tracks of all objects, randomly interleaved so that the participant
+ * cannot follow one, with occasional catch trials, which test attention. The next trial is
+ * determined by the study's seed, the participant, the number of the trial and the answers so far.
  */
 public final class ThresholdPilot {
   private static final int NAMES = 4;
@@ -25,9 +25,9 @@ public final class ThresholdPilot {
   private String last = "";
 
   /**
-   * Before the first trial.
+   * Starts before the first trial.
    *
-   * @param ladders of all objects of the study
+   * @param ladders the versions of all objects of the study
    */
   public ThresholdPilot(
       ThresholdStudy study, Map<String, PolygonLadder> ladders, String participant) {
@@ -46,7 +46,9 @@ public final class ThresholdPilot {
     }
   }
 
-  /** The next trial, the same however often it is asked for; empty when all is found. */
+  /**
+   * Returns the next trial, the same at every call until it is answered; empty after the last one.
+   */
   public Optional<ThresholdTrial> next() {
     List<String> open = open();
     if (open.isEmpty()) {
@@ -110,9 +112,9 @@ public final class ThresholdPilot {
   }
 
   /**
-   * The participant has answered the next trial.
+   * Records the answer to the next trial.
    *
-   * @return whether that is right
+   * @return whether the answer is right
    */
   public boolean answered(ThresholdTrial trial, String response) {
     boolean correct = response.equals(trial.right());
@@ -135,32 +137,32 @@ public final class ThresholdPilot {
             .toList());
   }
 
-  /** Objects whose threshold is still looked for. */
+  /** Returns the number of objects whose track has not ended. */
   public int left() {
     return open().size();
   }
 
-  /** Whether an object's trials are over. */
+  /** Returns whether an object's track has ended. */
   public boolean over(String object) {
     return track(object).over();
   }
 
-  /** What an object's trials have come to. */
+  /** Returns the estimate of an object's threshold. */
   public ThresholdEstimate estimate(String object) {
     return track(object).estimate();
   }
 
-  /** Trials answered so far. */
+  /** Returns the number of trials answered so far. */
   public int trials() {
     return answered;
   }
 
-  /** Of those that only show whether somebody attends. */
+  /** Returns the number of catch trials answered so far. */
   public int catches() {
     return catches;
   }
 
-  /** Of these, the right ones. */
+  /** Returns the number of catch trials answered right. */
   public int caught() {
     return caught;
   }

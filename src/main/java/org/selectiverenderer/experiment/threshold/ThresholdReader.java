@@ -12,7 +12,7 @@ import org.selectiverenderer.base.json.JsonSettings;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.files.AllowedKeys;
 
-/** Reads the settings of a threshold pilot; a fault in them means none, as for a study. */
+/** Reads the settings of a threshold pilot; settings with faults are not used, as for a study. */
 public final class ThresholdReader {
   private static final JsonSettings JSON =
       new JsonSettings("a threshold pilot", "the pilot is not used");
@@ -28,8 +28,8 @@ public final class ThresholdReader {
   /**
    * Reads a file.
    *
-   * @return empty when it has faults, which are then in {@code problems}
-   * @throws IOException if it cannot be read at all
+   * @return empty if the file has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
    */
   public static Optional<ThresholdStudy> read(Path file, Problems problems) throws IOException {
     return JSON.read(file, problems, new ThresholdReader(file)::study);
@@ -44,7 +44,9 @@ public final class ThresholdReader {
             ThresholdTask.TELL_APART);
     List<ThresholdStudy.Judged> objects = objects(keys);
     if (task == ThresholdTask.RECOGNISE && objects.size() < NAMES) {
-      keys.fault("objects", "to be recognised among four names, four objects are needed");
+      keys.fault(
+          "objects",
+          "the task \"recognise\" offers four names and needs at least four \"objects\"");
     }
     return new ThresholdStudy(
         file,
@@ -68,7 +70,7 @@ public final class ThresholdReader {
     String name = keys.text("scene");
     Path scene = file.toAbsolutePath().resolveSibling(name).normalize();
     if (!name.isEmpty() && !Files.isRegularFile(scene)) {
-      keys.fault("scene", "there is no file '" + name + "' as seen from the pilot's file");
+      keys.fault("scene", "there is no file '" + name + "' relative to the pilot's file");
     }
     return scene;
   }
@@ -87,7 +89,7 @@ public final class ThresholdReader {
               return new ThresholdStudy.Judged(def, object.text("name", false).orElse(def));
             });
     if (objects.size() < FEWEST_OBJECTS) {
-      keys.fault("objects", "a threshold pilot needs \"objects\", two of them at least");
+      keys.fault("objects", "a threshold pilot needs at least two \"objects\"");
     }
     return objects;
   }
@@ -113,7 +115,7 @@ public final class ThresholdReader {
     if (reversals - discarded < 2 || (reversals - discarded) % 2 != 0) {
       keys.fault(
           "reversals",
-          "of %d reversals without the first %d an even number must be left, two at least"
+          "\"reversals\" minus \"discarded\" must be an even number, at least 2, but it is %d - %d"
               .formatted(reversals, discarded));
       return new StaircaseRule(down, 2, 0, most);
     }

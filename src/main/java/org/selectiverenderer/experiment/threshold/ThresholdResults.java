@@ -16,10 +16,10 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.threshold.ThresholdEstimate.Kind;
 
 /**
- * The thresholds of all participants of a pilot.
+ * The thresholds of all objects over the participants of a pilot.
  *
- * @param participants who count
- * @param objects in the order of the settings
+ * @param participants number of participants who count
+ * @param objects the thresholds, in the order of the settings
  */
 public record ThresholdResults(
     ThresholdStudy study, int participants, List<ObjectThreshold> objects) {
@@ -30,8 +30,9 @@ public record ThresholdResults(
   /**
    * Reads the logs of all participants.
    *
-   * @param problems hears who is left out, for too little attention, and whose trials are not over
-   * @throws IOException if one cannot be read
+   * @param problems receives who is left out for too many missed catch trials, and whose trials are
+   *     not over
+   * @throws IOException if a log cannot be read
    */
   public static ThresholdResults read(ThresholdStudy study, Problems problems) throws IOException {
     List<JsonNode> counting = new ArrayList<>();
@@ -55,8 +56,8 @@ public record ThresholdResults(
     if (shown.size() > 1) {
       problems.warning(
           Location.of(study.file().toString()),
-          ("the settings or the pictures were changed between participants (%s); what they saw was not"
-                  + " the same, and should not be in one mean")
+          ("the settings or the pictures were changed between participants (%s); their results"
+                  + " are not comparable, and should not be averaged")
               .formatted(
                   shown.values().stream()
                       .map(same -> String.join(", ", same))
@@ -90,15 +91,15 @@ public record ThresholdResults(
     if (right < study.attention() * catches.size()) {
       problems.warning(
           Location.of(TrialLog.of(folder).toString()),
-          ("%s is left out: of %d trials that show whether somebody attends, %d were answered right,"
-                  + " and \"attention\" asks for %s of them")
+          ("%s is left out: of %d catch trials %d were answered right, but \"attention\" requires"
+                  + " a share of %s")
               .formatted(folder.getFileName(), catches.size(), right, study.attention()));
       return false;
     }
     if (events.stream().noneMatch(event -> is(event, "pilot-finished"))) {
       problems.warning(
           Location.of(TrialLog.of(folder).toString()),
-          "the trials of %s are not over; the objects that are settled count, --resume goes on"
+          "the trials of %s are not finished; objects with a threshold count; --resume continues"
               .formatted(folder.getFileName()));
     }
     return true;
@@ -130,11 +131,11 @@ public record ThresholdResults(
   }
 
   /**
-   * The commands that make the versions, a line each, ready to run; where an object is to stay as
-   * it is, a comment says so.
+   * Returns the shell commands that make the recommended versions, a line each; a comment for an
+   * object without a recommendation.
    *
-   * @param program as its user types it
-   * @param scene as the commands are to name it
+   * @param program the program's name on the command line
+   * @param scene the scene's path in the commands
    */
   public String commands(String program, String scene) {
     StringBuilder text = new StringBuilder();

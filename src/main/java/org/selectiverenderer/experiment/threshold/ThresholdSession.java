@@ -11,8 +11,9 @@ import java.util.Optional;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * A participant's threshold pilot under way, kept in {@code threshold/sub-ID} beside the settings:
- * an answer is on the disk before the next trial is asked for. Belongs to one thread at a time.
+ * A running session of a participant in a threshold pilot, logged in {@code threshold/sub-ID}
+ * beside the settings: an answer is on the disk before the next trial. Belongs to one thread at a
+ * time.
  */
 public final class ThresholdSession implements AutoCloseable {
   private final ThresholdStudy study;
@@ -32,24 +33,24 @@ public final class ThresholdSession implements AutoCloseable {
   }
 
   /**
-   * What a session is opened with.
+   * The options of a session.
    *
-   * @param participant letters and digits
-   * @param material checksum of the settings and of the pictures that are shown
+   * @param participant the participant's id: letters and digits
+   * @param material checksum of the settings and of the pictures
    * @param software name and version of the program
    * @param unattended whether a simulated observer answers
-   * @param resume whether to go on with a session that was cut off
+   * @param resume whether to resume an interrupted session
    */
   public record Opening(
       String participant, String material, String software, boolean unattended, boolean resume) {}
 
   /**
-   * Begins a session, or goes on with one.
+   * Begins or resumes a session.
    *
-   * @param ladders of all objects of the study
-   * @param problems hears of damaged lines
-   * @throws IOException if it was begun before or is complete, its settings have changed, or the
-   *     disk fails
+   * @param ladders the versions of all objects of the study
+   * @param problems receives damaged lines of the log
+   * @throws IOException if the session was begun before or is complete, its settings have changed,
+   *     or a file cannot be written
    */
   public static ThresholdSession open(
       ThresholdStudy study, Map<String, PolygonLadder> ladders, Opening opening, Problems problems)
@@ -69,7 +70,7 @@ public final class ThresholdSession implements AutoCloseable {
       boolean begun =
           events.stream().anyMatch(event -> event.path("event").asText().equals("pilot-began"));
       if (begun && !opening.resume()) {
-        throw begunBefore(folder); // By another program, just before this one had the lock.
+        throw begunBefore(folder); // Another program began it before this one had the lock.
       }
       for (JsonNode event : events) {
         check(folder, event, opening);
@@ -134,7 +135,7 @@ public final class ThresholdSession implements AutoCloseable {
     pilot.answered(next.get(), event.path("response").asText());
   }
 
-  /** What was settled when a crash came before it was written down. */
+  /** Logs thresholds that were found before a crash but not logged. */
   private void keepFound(List<JsonNode> events) throws IOException {
     for (ThresholdStudy.Judged judged : study.objects()) {
       boolean told =
@@ -152,20 +153,20 @@ public final class ThresholdSession implements AutoCloseable {
     }
   }
 
-  /** The next trial; empty when all is found. */
+  /** Returns the next trial; empty after the last one. */
   public Optional<ThresholdTrial> next() {
     return pilot.next();
   }
 
-  /** How far it is. */
+  /** Returns the trials so far. */
   public ThresholdPilot pilot() {
     return pilot;
   }
 
   /**
-   * The participant has answered; on the disk when this returns.
+   * Records an answer, which is on the disk when this method returns.
    *
-   * @param ms from when the pictures were shown
+   * @param ms response time in milliseconds from when the pictures were shown
    */
   public void answer(ThresholdTrial trial, String response, long ms) throws IOException {
     Map<String, Object> event = new LinkedHashMap<>();
@@ -215,7 +216,7 @@ public final class ThresholdSession implements AutoCloseable {
     log.keep("threshold", event);
   }
 
-  /** Somebody ends it before its end; it can be continued. */
+  /** Records that the session is aborted; it can be resumed. */
   public void abort() throws IOException {
     log.keep("aborted", Map.of("trials", pilot.trials()));
   }

@@ -7,17 +7,17 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 /**
  * The settings of a threshold pilot.
  *
- * @param file that they are from
- * @param scene whose objects are judged
- * @param objects at least two
- * @param rungs reduced versions of each object
- * @param fewest share of the vertices that the lowest of them keeps
- * @param views from which an object is looked at, one drawn for each trial
+ * @param file the file of the settings
+ * @param scene the scene with the objects
+ * @param objects the objects that are judged, at least two
+ * @param rungs number of reduced versions of each object
+ * @param fewest share of the vertices that the lowest version keeps
+ * @param views views of an object, one of them at random for each trial
  * @param picture width and height of each picture in pixels
- * @param catches share of trials with another object in the version's place
- * @param attention share of these that a participant must get right to count
- * @param language of what the participant reads
- * @param access what the scene may name besides its own files
+ * @param catches share of catch trials, which show another object instead of the version
+ * @param attention share of the catch trials that a participant must answer right to count
+ * @param language of the participant's texts
+ * @param access which files other than its own the scene may refer to
  */
 public record ThresholdStudy(
     Path file,
@@ -39,16 +39,16 @@ public record ThresholdStudy(
   /**
    * An object that is judged.
    *
-   * @param object its DEF, as for {@code versions --object}
-   * @param name what participants call it
+   * @param object DEF of the object, as for {@code versions --object}
+   * @param name the name that participants read
    */
   public record Judged(String object, String name) {}
 
   /**
-   * From where an object is seen, in degrees; 0, 0 is from before, along -Z.
+   * A view of an object, in degrees; at 0, 0 the camera is in front and looks along -Z.
    *
-   * @param yaw how far the eye has gone round to its right
-   * @param pitch how far it has gone up
+   * @param yaw angle by which the camera is moved around the object to the camera's right
+   * @param pitch angle by which the camera is moved up
    */
   public record View(double yaw, double pitch) {}
 
@@ -57,7 +57,7 @@ public record ThresholdStudy(
     views = List.copyOf(views);
   }
 
-  /** Where what the pilot makes and learns is kept. */
+  /** Returns the folder of the pilot's files. */
   public Path folder() {
     return file.toAbsolutePath().resolveSibling("threshold");
   }

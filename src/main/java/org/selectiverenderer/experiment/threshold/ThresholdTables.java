@@ -8,15 +8,15 @@ import org.selectiverenderer.base.json.JsonText;
 import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.experiment.threshold.ThresholdEstimate.Kind;
 
-/** The results of a threshold pilot for people and for programs. */
+/** Formats the results of a threshold pilot as text and as JSON. */
 public final class ThresholdTables {
   private ThresholdTables() {}
 
   /**
-   * A table, what it means, and the commands.
+   * Returns a table with a legend, and the commands that make the versions.
    *
-   * @param program as its user types it
-   * @param scene as the commands are to name it
+   * @param program the program's name on the command line
+   * @param scene the scene's path in the commands
    */
   public static String text(ThresholdResults results, String program, String scene) {
     ThresholdStudy study = results.study();
@@ -69,7 +69,7 @@ public final class ThresholdTables {
     return Double.isFinite(polygons) ? String.format(Locale.ROOT, "%.0f", polygons) : "-";
   }
 
-  /** The same as JSON; what is not known is null. */
+  /** Returns the results as JSON; an unknown number is null. */
   public static String json(ThresholdResults results) {
     ObjectNode tree = JsonTree.object();
     tree.put("pilot", results.study().name());

@@ -2,14 +2,17 @@ package org.selectiverenderer.experiment.threshold;
 
 import java.util.Locale;
 
-/** What a participant of the threshold pilot does. */
+/** The task of a participant in a threshold pilot. */
 public enum ThresholdTask {
-  /** Says which of two pictures is not like the original: by chance right half of the time. */
+  /**
+   * Discrimination: which of two pictures differs from the original (two-alternative forced choice,
+   * chance level one half).
+   */
   TELL_APART,
-  /** Names an object: one of four names, or none. */
+  /** Recognition: the name of an object, one of four names, or none. */
   RECOGNISE;
 
-  /** As settings write it. */
+  /** Returns the spelling in the settings. */
   public String spelling() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');
   }

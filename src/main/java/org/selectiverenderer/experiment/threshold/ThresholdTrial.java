@@ -3,16 +3,16 @@ package org.selectiverenderer.experiment.threshold;
 import java.util.List;
 
 /**
- * A trial.
+ * A trial of a threshold pilot.
  *
  * @param number from 1
- * @param object that it is about, by its DEF
- * @param rung of the version that it shows
- * @param view from which all its pictures are taken, from 0
- * @param catching the object whose original is shown in the version's place, as whoever attends
- *     must see; empty in most trials
- * @param choices what may be answered: {@link #LEFT} and {@link #RIGHT}, or objects
- * @param right the right one of them
+ * @param object DEF of the object
+ * @param rung rung of the version shown
+ * @param view index of the view of all its pictures, from 0
+ * @param catching in a catch trial the object whose original is shown instead of the version; else
+ *     empty
+ * @param choices possible answers: {@link #LEFT} and {@link #RIGHT}, or objects
+ * @param right the right answer
  */
 public record ThresholdTrial(
     int number,
@@ -22,20 +22,20 @@ public record ThresholdTrial(
     String catching,
     List<String> choices,
     String right) {
-  /** The left picture differs. */
+  /** Answer that the left picture differs. */
   public static final String LEFT = "left";
 
-  /** The right picture differs. */
+  /** Answer that the right picture differs. */
   public static final String RIGHT = "right";
 
-  /** The object is not recognised. */
+  /** Answer that the object is not recognised. */
   public static final String NONE = "none";
 
   public ThresholdTrial {
     choices = List.copyOf(choices);
   }
 
-  /** Whether it only shows that somebody attends. */
+  /** Returns whether this is a catch trial. */
   public boolean catches() {
     return !catching.isEmpty();
   }

@@ -22,10 +22,10 @@ import org.selectiverenderer.experiment.session.JournalText;
 import org.selectiverenderer.experiment.session.SessionLock;
 
 /**
- * What has happened to one participant of a threshold pilot: {@code trials.jsonl}, one JSON object
- * a line, each forced to the disk before the next trial is shown. A person answers once in some
- * seconds, so the caller waits for the disk. It is locked, and mended after a crash, as the journal
- * of a session is.
+ * The log of one participant of a threshold pilot: {@code trials.jsonl} (JSON Lines), each event
+ * forced to the disk before the next trial is shown. As a person answers once in some seconds, the
+ * caller waits for the disk. The log is locked, and recovered after a crash, like the journal of a
+ * session.
  */
 final class TrialLog implements AutoCloseable {
   private static final String LOG = "trials.jsonl";
@@ -40,17 +40,17 @@ final class TrialLog implements AutoCloseable {
     this.channel = channel;
   }
 
-  /** The log of a participant's folder. */
+  /** Returns the log's file in a participant's folder. */
   static Path of(Path folder) {
     return folder.resolve(LOG);
   }
 
   /**
-   * Opens a participant's log for adding to it, and makes it.
+   * Opens a participant's log for appending, and creates it if it does not exist.
    *
    * @param software name and version of the program, for others' messages
-   * @param problems hears of damaged lines; half a last one is moved into a file of its own
-   * @throws IOException if another program has it, or the disk fails
+   * @param problems receives damaged lines; a truncated last line is moved to a separate file
+   * @throws IOException if another program has the lock, or a file cannot be written
    */
   static TrialLog open(Path folder, String software, Problems problems) throws IOException {
     Files.createDirectories(folder);
@@ -75,7 +75,7 @@ final class TrialLog implements AutoCloseable {
     }
   }
 
-  /** Adds an event; it is on the disk when this returns. */
+  /** Logs an event, which is on the disk when this method returns. */
   void keep(String event, Map<String, ?> more) throws IOException {
     ObjectNode line = JsonTree.object();
     line.put("time", OffsetDateTime.now().truncatedTo(ChronoUnit.MILLIS).toString());
@@ -89,16 +89,16 @@ final class TrialLog implements AutoCloseable {
     }
   }
 
-  /** The events so far, in order. */
+  /** Returns the events so far, in order. */
   List<JsonNode> events() throws IOException {
     return List.copyOf(JournalText.read(file).events());
   }
 
   /**
-   * The events of a log that another program may be writing, in order.
+   * Reads the events of a log that another program may be writing, in order.
    *
-   * @param problems hears of lines that are damaged, which are passed over
-   * @throws IOException if it cannot be read
+   * @param problems receives damaged lines, which are skipped
+   * @throws IOException if the log cannot be read
    */
   static List<JsonNode> read(Path folder, Problems problems) throws IOException {
     Path file = of(folder);
@@ -107,7 +107,7 @@ final class TrialLog implements AutoCloseable {
     if (text.tail() > 0) {
       problems.warning(
           new Location(file.toString(), text.lines() + 1, 1),
-          "the last line was cut off and is passed over; --resume mends the file");
+          "the last line is cut off and is ignored; --resume repairs the file");
     }
     return List.copyOf(text.events());
   }

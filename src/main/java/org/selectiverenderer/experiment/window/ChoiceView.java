@@ -20,9 +20,15 @@ import javax.swing.SwingConstants;
 import org.selectiverenderer.experiment.questionnaire.AnswerField;
 import org.selectiverenderer.experiment.questionnaire.Option;
 
-/** Options as buttons side by side between their ends, or one below another where they are long. */
+/**
+ * Shows a choice: as toggle buttons side by side between the labels of the ends, or as a vertical
+ * list if the labels are long.
+ */
 final class ChoiceView implements FieldView {
-  /** An answer must be seen from the chair: the look and feel's own grey is hardly seen. */
+  /**
+   * Colours of a chosen button, which must be seen from the chair; the grey of the look and feel
+   * has too little contrast.
+   */
   private static final String CHOSEN = "selectedBackground:#1f66b5; selectedForeground:#ffffff";
 
   private final AnswerField.Choice field;
@@ -32,8 +38,8 @@ final class ChoiceView implements FieldView {
   private final ButtonGroup group = new ButtonGroup();
 
   /**
-   * @param id of the question, for the names of the buttons
-   * @param asked what is asked, for people who hear the buttons' names
+   * @param id id of the question, for the names of the buttons
+   * @param asked the question's text, for the accessible names of the buttons
    */
   ChoiceView(AnswerField.Choice field, String id, String asked, RowShape shape, Listener listener) {
     this.field = field;
@@ -52,7 +58,7 @@ final class ChoiceView implements FieldView {
     panel.setAlignmentX(0);
   }
 
-  /** Whether the options stand one below another. */
+  /** Returns whether the options are laid out as a vertical list. */
   static boolean list(AnswerField.Choice field) {
     return field.several() || !field.inLine();
   }
@@ -161,10 +167,10 @@ final class ChoiceView implements FieldView {
 
   @Override
   public void settle() {
-    // Nothing is left untold.
+    // Every change has been reported.
   }
 
-  /** Room between two fields of a row. */
+  /** Returns the space between two fields of a row. */
   static JComponent gap() {
     return (JComponent) Box.createHorizontalStrut(RowShape.FIELD_GAP);
   }

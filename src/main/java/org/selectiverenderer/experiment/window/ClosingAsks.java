@@ -3,7 +3,7 @@ package org.selectiverenderer.experiment.window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 
-/** Closing a window does something else instead. */
+/** Intercepts the closing of a window and runs an action instead. */
 final class ClosingAsks extends WindowAdapter {
   private final Runnable instead;
 

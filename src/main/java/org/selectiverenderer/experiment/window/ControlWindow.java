@@ -27,8 +27,9 @@ import javax.swing.WindowConstants;
 import org.selectiverenderer.experiment.session.OperatorControls;
 
 /**
- * The experimenter's controls: where the session is, go on, pause, reset the heading, abort, notes.
- * F4, F8 and F9 do in it what they do in the other windows of the operator.
+ * The experimenter's control window: state of the session, go on, pause, reset of the heading,
+ * abort and notes. The keys F4, F8 and F9 have the same functions as in the operator's other
+ * windows.
  */
 public final class ControlWindow implements AutoCloseable {
   private final OperatorControls controls;
@@ -69,7 +70,7 @@ public final class ControlWindow implements AutoCloseable {
     refresh.start();
   }
 
-  /** Where the session is; it may also be paused by a key in another window. */
+  /** Updates the state of the session, which a key in another window may also have paused. */
   private void refresh() {
     status.setText(controls.status() + " ");
     if (pause.isSelected() != controls.paused()) {
@@ -141,7 +142,7 @@ public final class ControlWindow implements AutoCloseable {
   }
 
   /**
-   * Opens it and goes on.
+   * Opens the window without waiting for it to close.
    *
    * @param desk the operator's monitor
    */
@@ -163,7 +164,7 @@ public final class ControlWindow implements AutoCloseable {
     }
   }
 
-  /** Asks once, however often windows are closed meanwhile. */
+  /** Asks whether to end the session; shows one dialog only, however often windows are closed. */
   private void abort() {
     if (asking) {
       return;

@@ -11,19 +11,20 @@ import java.awt.geom.AffineTransform;
 import java.util.Arrays;
 
 /**
- * A monitor as the window system counts it, for windows that Swing opens.
+ * The bounds of a monitor in pixels of the window system, for placing Swing windows.
  *
- * @param screen of the window system: 0, except where an X server has several that share nothing
- * @param x its left side on the screen in pixels
- * @param y its upper side in pixels
- * @param width in pixels; 0 for wherever the desktop puts windows
+ * @param screen number of the window system's screen: 0, except on an X server with several
+ *     independent screens
+ * @param x left edge on the screen in pixels
+ * @param y upper edge in pixels
+ * @param width in pixels; 0 for the desktop's default placement of windows
  * @param height in pixels
  */
 public record DesktopPlace(int screen, int x, int y, int width, int height) {
-  /** Wherever the desktop puts windows. */
+  /** The desktop's default placement of windows. */
   public static final DesktopPlace USUAL = new DesktopPlace(0, 0, 0, 0, 0);
 
-  /** The screen that a window is to be opened on. */
+  /** Returns the graphics configuration for a window on the monitor. */
   GraphicsConfiguration configuration() {
     GraphicsEnvironment desktop = GraphicsEnvironment.getLocalGraphicsEnvironment();
     if (width == 0) {
@@ -46,7 +47,7 @@ public record DesktopPlace(int screen, int x, int y, int width, int height) {
         .orElseGet(() -> desktop.getDefaultScreenDevice().getDefaultConfiguration());
   }
 
-  /** Puts a window into the middle of it. */
+  /** Centres a window on the monitor. */
   void center(Window window) {
     Rectangle most = area();
     window.setLocation(
@@ -54,7 +55,7 @@ public record DesktopPlace(int screen, int x, int y, int width, int height) {
         most.y + (most.height - window.getHeight()) / 2);
   }
 
-  /** Where windows may lie on it, the desktop's bars left free, in Swing's units. */
+  /** Returns the monitor's work area, without the desktop's bars, in Swing's units. */
   Rectangle area() {
     if (width == 0) {
       return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();

@@ -2,37 +2,37 @@ package org.selectiverenderer.experiment.window;
 
 import javax.swing.JComponent;
 
-/** A field of an answer on the screen. */
+/** The view of an input field. */
 interface FieldView {
-  /** Hears what is filled in. */
+  /** Receives the values that are entered. */
   interface Listener {
     /**
-     * The value is another one; empty where it is taken back or is not yet one.
+     * The value has changed; it is empty if it was taken back or is not valid yet.
      *
-     * @param settled whether it may be kept as it is: not while somebody is typing
+     * @param settled whether the value is final; false while the participant is typing
      */
     void filled(String value, boolean settled);
   }
 
-  /** What is seen of it. */
+  /** Returns the Swing component. */
   JComponent component();
 
-  /** Shows a value without telling of it. */
+  /** Shows a value without notifying the listener. */
   void show(String value);
 
   /**
-   * A character was typed while the field's row is marked.
+   * Handles a character that was typed while the field's row is current.
    *
-   * @return whether it chose something
+   * @return whether the character chose an option
    */
   boolean key(char typed);
 
-  /** Takes the keys that are typed, where it takes any. */
+  /** Takes the keyboard focus if the field takes text. */
   void focus();
 
-  /** Whether keys are to be typed into it. */
+  /** Returns whether the field takes text. */
   boolean takesText();
 
-  /** Tells of what was typed and not yet told. */
+  /** Reports text that was typed and is not reported yet. */
   void settle();
 }

@@ -18,9 +18,12 @@ import javax.swing.event.DocumentListener;
 import javax.swing.text.JTextComponent;
 import org.selectiverenderer.experiment.questionnaire.AnswerField;
 
-/** A line, or some, to type words or a number. What is typed is told when the typing rests. */
+/**
+ * Shows a field for a text or a number. A value is reported as final when the participant stops
+ * typing.
+ */
 final class LineView implements FieldView {
-  /** Milliseconds without a key after which what was typed is kept. */
+  /** Milliseconds without a key after which the typed text is final. */
   private static final int REST = 800;
 
   private static final int COLUMNS = 48;
@@ -37,7 +40,7 @@ final class LineView implements FieldView {
   private boolean showing;
 
   /**
-   * @param touched somebody begins to type here
+   * @param touched runs when the participant clicks into the field
    */
   LineView(AnswerField.Line field, String id, String asked, Listener listener, Runnable touched) {
     this.field = field;
@@ -71,7 +74,7 @@ final class LineView implements FieldView {
         new FocusAdapter() {
           @Override
           public void focusGained(FocusEvent event) {
-            // A window that opens gives its first text field the focus: nobody has turned to it.
+            // A window that opens focuses its first text field; only a click is the participant's.
             if (event.getCause() == FocusEvent.Cause.MOUSE_EVENT) {
               touched.run();
             }
@@ -97,7 +100,7 @@ final class LineView implements FieldView {
 
               @Override
               public void changedUpdate(DocumentEvent event) {
-                // Of styles, which there are none of.
+                // Plain text has no styles to change.
               }
             });
   }
@@ -136,7 +139,7 @@ final class LineView implements FieldView {
   public void show(String value) {
     if (value().equals(Optional.of(value))) {
       told = value;
-      return; // It is what was typed: the caret stays.
+      return; // The value is what was typed: the caret stays.
     }
     showing = true;
     told = value;
@@ -146,7 +149,7 @@ final class LineView implements FieldView {
 
   @Override
   public boolean key(char typed) {
-    return false; // The text field has its keys itself.
+    return false; // The text field handles keys itself.
   }
 
   @Override

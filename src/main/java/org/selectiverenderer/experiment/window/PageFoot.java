@@ -14,7 +14,7 @@ import javax.swing.JTextArea;
 import javax.swing.border.Border;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
-/** What is below a page: how far one is, what is still open, the way back and on. */
+/** The footer of a page: progress, number of open questions, and the buttons back and next. */
 final class PageFoot {
   private static final Color WARNING = new Color(0xa33a00);
   private static final int HINT_WIDTH = 560;
@@ -58,7 +58,7 @@ final class PageFoot {
     panel.add(right, BorderLayout.EAST);
   }
 
-  /** The line above it. */
+  /** Returns the border with the line above the footer. */
   static Border rule() {
     return BorderFactory.createMatteBorder(1, 0, 0, 0, new Color(0xd5d5d5));
   }
@@ -68,15 +68,15 @@ final class PageFoot {
   }
 
   /**
-   * Shows where one is.
+   * Shows the progress.
    *
-   * @param at the page, from 0
-   * @param pages in all, as far as the answers tell
-   * @param open questions that are still needed
-   * @param asked questions on the page
-   * @param refused whether an answer forbids to take part
-   * @param keys what keys do; empty for a page to be read
-   * @param begins whether the session begins behind the last page
+   * @param at number of the page, from 0
+   * @param pages number of pages after the answers so far
+   * @param open number of questions of the page that still need an answer
+   * @param asked number of questions on the page
+   * @param refused whether an answer refuses consent
+   * @param keys explanation of the keys; empty for a page to be read
+   * @param begins whether the session begins after the last page
    */
   void show(int at, int pages, int open, int asked, boolean refused, String keys, boolean begins) {
     left.setText(
@@ -96,7 +96,7 @@ final class PageFoot {
     next.setEnabled(open == 0 && !refused);
   }
 
-  /** Takes no more. */
+  /** Disables the buttons. */
   void close() {
     next.setEnabled(false);
     back.setEnabled(false);

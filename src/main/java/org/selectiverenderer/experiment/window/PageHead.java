@@ -13,20 +13,20 @@ import javax.swing.JScrollPane;
 import org.selectiverenderer.experiment.questionnaire.Page;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
-/** Title, text and picture of a page; all of it where the page is only read. */
+/** The header of a page: title, text and picture; the whole page if it has no questions. */
 final class PageHead {
   private static final int SIDE = 20;
   private static final float TEXT = 15f;
 
-  /** Letters of a page that is only read. */
+  /** Font size on a page to be read. */
   private static final float READ = 16f;
 
   private PageHead() {}
 
   /**
-   * The head of a page.
+   * Returns the header of a page.
    *
-   * @param named whether the participant's id stands there
+   * @param named whether to show the participant's id
    * @param width of the window in pixels
    */
   static JComponent of(Page page, Wording wording, String participant, boolean named, int width) {
@@ -67,7 +67,7 @@ final class PageHead {
     if (!read) {
       return head;
     }
-    // Should the screen be small, what is below can be scrolled to.
+    // On a small screen the page scrolls.
     JPanel top = new JPanel(new BorderLayout());
     top.setBackground(QuestionRow.PLAIN);
     head.setOpaque(false);

@@ -23,8 +23,8 @@ import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * The questions of a page. Keys answer the row that is marked; when it is complete, the next one
- * that is not is marked. Sees when each question comes into view.
+ * Shows the questions of a page as rows. Keys answer the current row; when it is complete, the next
+ * open row becomes current. Records when each question comes into view.
  */
 final class PagePanel implements QuestionRow.Listener {
   private final Page page;
@@ -36,9 +36,9 @@ final class PagePanel implements QuestionRow.Listener {
   private int current;
 
   /**
-   * @param course told of answers and of what is in view
-   * @param width in pixels that there is for rows
-   * @param answered done after each answer, and while one is typed
+   * @param course the progress, which receives answers and the questions in view
+   * @param width available width in pixels
+   * @param answered runs after each change of an answer
    */
   PagePanel(Page page, QuestionnaireCourse course, Wording wording, int width, Runnable answered) {
     this.page = page;
@@ -65,10 +65,10 @@ final class PagePanel implements QuestionRow.Listener {
     }
     JPanel top = new JPanel(new BorderLayout());
     top.setBackground(QuestionRow.PLAIN);
-    top.add(list, BorderLayout.NORTH); // However few rows, they stand close.
+    top.add(list, BorderLayout.NORTH); // Few rows stay together at the top.
     scroll = new JScrollPane(top);
     scroll.setBorder(BorderFactory.createEmptyBorder());
-    // For a monitor that is narrower than a row of buttons; else there is nothing to scroll to.
+    // For a monitor that is narrower than a row of buttons.
     scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_AS_NEEDED);
     JComponent heading = shape.heading(page, wording);
     if (heading.getComponentCount() > 0) {
@@ -83,13 +83,13 @@ final class PagePanel implements QuestionRow.Listener {
     return scroll;
   }
 
-  /** The height in pixels with every row, for a page that is measured and not shown. */
+  /** Returns the height in pixels with all rows visible, to measure a page that is not shown. */
   int tallest() {
     rows.forEach(row -> row.panel().setVisible(true));
     return scroll.getPreferredSize().height;
   }
 
-  /** The page has come on the screen: from now on questions are in view. */
+  /** Begins to record questions in view, as the page is on the screen now. */
   void begin() {
     SwingUtilities.invokeLater(
         () -> {
@@ -100,7 +100,7 @@ final class PagePanel implements QuestionRow.Listener {
         });
   }
 
-  /** Shows the rows that are asked after the answers so far, and no others. */
+  /** Shows only the rows that are asked after the answers so far. */
   private void ask() {
     List<Question> asked = page.asked(course.answers());
     rows.forEach(row -> row.panel().setVisible(asked.contains(row.question())));
@@ -108,7 +108,7 @@ final class PagePanel implements QuestionRow.Listener {
     SwingUtilities.invokeLater(this::look);
   }
 
-  /** Notes which rows are in view for the first time: at least half of them. */
+  /** Records the rows of which at least half is in view for the first time. */
   private void look() {
     if (!scroll.isShowing()) {
       return;
@@ -129,7 +129,7 @@ final class PagePanel implements QuestionRow.Listener {
   @Override
   public void answered(QuestionRow row, Answer answer, boolean settled) {
     long now = System.nanoTime();
-    // A text is answered when its last letter is typed, not when the typing has rested.
+    // The response time of a text ends at its last key.
     long at = settled ? Optional.ofNullable(typed.remove(row)).orElse(now) : now;
     if (!settled) {
       typed.put(row, now);
@@ -150,7 +150,7 @@ final class PagePanel implements QuestionRow.Listener {
     }
   }
 
-  /** The first row from one on that is asked and not answered, going round; that one if all are. */
+  /** Returns the next open row from a row on, cyclically; that row if all are answered. */
   private int firstOpen(int from) {
     for (int i = 0; i < rows.size(); i++) {
       int number = (from + i) % rows.size();
@@ -171,7 +171,7 @@ final class PagePanel implements QuestionRow.Listener {
         .scrollRectToVisible(new Rectangle(0, 0, row.panel().getWidth(), row.panel().getHeight()));
   }
 
-  /** Has the keys go where the marked row wants them. */
+  /** Focuses the current row's text field, or else the page. */
   void focus() {
     if (!rows.isEmpty() && rows.get(current).takesText()) {
       rows.get(current).focus();
@@ -181,10 +181,10 @@ final class PagePanel implements QuestionRow.Listener {
   }
 
   /**
-   * A key was pressed or typed in the window.
+   * Handles a key that was pressed or typed in the window.
    *
-   * @param writing whether it goes into a text field
-   * @return whether it was for the page
+   * @param writing whether a text field has the focus
+   * @return whether the page has handled the key
    */
   boolean key(KeyEvent event, boolean writing) {
     if (rows.isEmpty()) {
@@ -212,7 +212,7 @@ final class PagePanel implements QuestionRow.Listener {
     }
   }
 
-  /** Marks the next row that is asked in a direction; stays at the ends. */
+  /** Makes the next row in a direction current; stays at the ends. */
   private boolean step(int by) {
     for (int number = current + by; number >= 0 && number < rows.size(); number += by) {
       if (rows.get(number).panel().isVisible()) {
@@ -223,7 +223,7 @@ final class PagePanel implements QuestionRow.Listener {
     return true;
   }
 
-  /** Tells of what was typed and not yet told. */
+  /** Reports text that was typed and is not reported yet. */
   void settle() {
     rows.forEach(QuestionRow::settle);
   }

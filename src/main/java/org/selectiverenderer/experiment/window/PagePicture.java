@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 
-/** A picture as large as there is room, never larger than it is. */
+/** Shows a picture, scaled down to fit the available width. */
 final class PagePicture extends JComponent {
   private static final long serialVersionUID = 1L;
   private static final int TALLEST = 420;
@@ -19,8 +19,8 @@ final class PagePicture extends JComponent {
   private final transient BufferedImage picture;
 
   /**
-   * @param width in pixels that it may have
-   * @throws UncheckedIOException if there is no such picture
+   * @param width maximum width in pixels
+   * @throws UncheckedIOException if the picture cannot be read
    */
   PagePicture(Path file, int width) {
     try {

@@ -16,21 +16,21 @@ import org.selectiverenderer.experiment.questionnaire.AnswerField;
 import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
-/** A question and its fields, as a row. Knows fields, and no kinds of questions. */
+/** The row of a question with its fields. Depends on fields, not on kinds of questions. */
 final class QuestionRow {
   private static final Color CURRENT = new Color(0xe3eefc);
   static final Color PLAIN = Color.WHITE;
 
-  /** Hears what becomes of the row. */
+  /** Receives the events of a row. */
   interface Listener {
     /**
-     * The answer is another one.
+     * The answer has changed.
      *
-     * @param settled whether it may be kept as it is: not while somebody is typing
+     * @param settled whether the answer is final; false while the participant is typing
      */
     void answered(QuestionRow row, Answer answer, boolean settled);
 
-    /** Somebody turns to it. */
+    /** The participant clicked into the row. */
     void touched(QuestionRow row);
   }
 
@@ -83,7 +83,7 @@ final class QuestionRow {
     return new ChoiceView((AnswerField.Choice) field, question.id(), spoken(), shape, told);
   }
 
-  /** What is asked, for people who hear it. */
+  /** Returns the accessible name of the question. */
   private String spoken() {
     AnswerField first = question.kind().fields(wording).get(0);
     return question.text().isEmpty() && first instanceof AnswerField.Choice choice
@@ -96,7 +96,7 @@ final class QuestionRow {
     panel.setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
     panel.add(Box.createRigidArea(new Dimension(0, RowShape.BUTTON_HEIGHT)));
     if (shape.name() == 0) {
-      panel.add(Box.createHorizontalGlue()); // Nothing to read but the ends: in the middle.
+      panel.add(Box.createHorizontalGlue()); // Without a question text, centre the scale.
     } else {
       JLabel name = new ScreenText.Label();
       name.setFont(name.getFont().deriveFont(16f));
@@ -157,41 +157,45 @@ final class QuestionRow {
   }
 
   /**
-   * A character was typed while the row is current.
+   * Handles a character that was typed while the row is current.
    *
-   * @return whether it was an answer
+   * @return whether the character chose an option
    */
   boolean key(char typed) {
     return views.stream().anyMatch(view -> view.key(typed));
   }
 
-  /** Marks the row that keys answer. */
+  /** Sets whether this row is current, so that keys answer it. */
   void current(boolean on) {
     panel.setBackground(on ? CURRENT : PLAIN);
   }
 
-  /** Takes the keys that are typed, where it takes any. */
+  /** Takes the keyboard focus if a field takes text. */
   void focus() {
     views.forEach(FieldView::focus);
   }
 
-  /** Whether keys are typed into it. */
+  /** Returns whether a field takes text. */
   boolean takesText() {
     return views.stream().anyMatch(FieldView::takesText);
   }
 
-  /** Whether an answer is all there is to it, so that the next row may follow at once. */
+  /**
+   * Returns whether one answer completes the row, so that the next row may become current at once.
+   */
   boolean settlesAtOnce() {
     return question.kind().fields(wording).stream()
         .allMatch(field -> field instanceof AnswerField.Choice choice && !choice.several());
   }
 
-  /** Tells of what was typed and not yet told. */
+  /** Reports text that was typed and is not reported yet. */
   void settle() {
     views.forEach(FieldView::settle);
   }
 
-  /** Whether nothing more can be answered: one that may be left out is open until it is. */
+  /**
+   * Returns whether the question has a complete answer; an optional question without one is open.
+   */
   boolean answered() {
     return question.complete(answer, wording) && !answer.equals(Answer.NONE);
   }

@@ -29,9 +29,9 @@ import org.selectiverenderer.experiment.questionnaire.QuestionnaireCourse;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * A questionnaire, a page at a time, with a way back. It ends when all is answered and the
- * participant goes on from the last page, or with the session; closing it has the experimenter
- * asked.
+ * The window of a questionnaire, which shows a page at a time with a way back. It closes when all
+ * questions are answered and the participant goes on from the last page, or when the session ends;
+ * closing it asks the experimenter whether to end the session.
  */
 public final class QuestionnaireWindow {
   private static final int WIDTH = 980;
@@ -39,11 +39,11 @@ public final class QuestionnaireWindow {
   private static final int MOST_HEIGHT = 1000;
 
   /**
-   * What is asked of whom.
+   * A questionnaire to be asked of a participant.
    *
    * @param known answers given before, by the questions' ids
-   * @param from id of the page to begin with; the first if there is none such
-   * @param mayRefuse whether the participant may say here not to take part
+   * @param from id of the page to begin with; the first page if there is none with this id
+   * @param mayRefuse whether the participant may refuse consent here
    */
   public record Asking(
       Questionnaire questionnaire,
@@ -116,11 +116,11 @@ public final class QuestionnaireWindow {
   }
 
   /**
-   * Asks, and waits until all is answered or the session ends.
+   * Asks a questionnaire, and waits until it is answered or the session ends.
    *
-   * @param listener hears of every page, every answer and every change of one, on Swing's thread
-   * @param desk the monitor that the participant answers at
-   * @return whether all was answered and the participant went on
+   * @param listener receives every page, answer and change of an answer, on Swing's thread
+   * @param desk the participant's monitor
+   * @return whether all questions were answered and the participant went on
    */
   public static boolean ask(
       Asking asking,
@@ -143,7 +143,7 @@ public final class QuestionnaireWindow {
     return through.get();
   }
 
-  /** One size for all pages: that of the tallest, as far as the screen goes. */
+  /** Sizes the window for all pages: by the tallest one, as far as the screen allows. */
   private void size() {
     Rectangle most = desk.area();
     int width = Math.min(WIDTH, most.width);

@@ -22,13 +22,14 @@ import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * Widths that all rows of a page share, in pixels, so that their buttons stand in columns.
+ * Layout metrics that all rows of a page share, in pixels, so that their buttons are aligned in
+ * columns.
  *
- * @param beside whether what is asked stands beside its fields; else above them
- * @param name of what is asked, beside its fields; 0 where nothing is to be read there
- * @param least of what stands before the first option; 0 where no row has any
- * @param most of what stands behind the last one, likewise
- * @param notesAbove whether what the options mean stands once, over all rows
+ * @param beside whether a question's text is beside its fields; if not, it is above them
+ * @param name width of the texts beside the fields; 0 if there are none
+ * @param least width of the labels before the first option; 0 if no row has one
+ * @param most width of the labels after the last option; 0 if no row has one
+ * @param notesAbove whether the notes of the options are shown once, above all rows
  */
 record RowShape(boolean beside, int name, int least, int most, boolean notesAbove) {
   static final int GAP = 4;
@@ -40,10 +41,10 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
   private static final int END_WIDTH = 200;
   private static final int LINES_APART = 12;
 
-  /** Letters of what is asked that fit beside the fields. */
+  /** Maximum length in characters of a text beside the fields. */
   private static final int BESIDE = 46;
 
-  /** The widths of a page. */
+  /** Computes the metrics of a page. */
   static RowShape of(Page page, Wording wording) {
     List<Question> questions = page.questions();
     List<AnswerField> fields =
@@ -89,7 +90,7 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
         .orElse(0);
   }
 
-  /** The width of an option's button. */
+  /** Returns the width of an option's button. */
   static int width(AnswerField.Choice field, JToggleButton button) {
     boolean numbers =
         field.options().stream().allMatch(option -> option.label().matches("-?\\d{1,2}"));
@@ -100,7 +101,7 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
     return numbers ? NUMBER_WIDTH : Math.max(64, button.getPreferredSize().width);
   }
 
-  /** A text that goes on in the next line where it is wider than there is room. */
+  /** Returns a text that wraps at a width. */
   static String wrapped(String text, int width, int side) {
     String align =
         side == SwingConstants.RIGHT ? "right" : side == SwingConstants.CENTER ? "center" : "left";
@@ -112,12 +113,15 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
             .formatted(htmlPixels(width), align, Markup.text(text));
   }
 
-  /** Swing's HTML takes a pixel for 4/3 of one: it counts 72 to the inch as 96. */
+  /**
+   * Converts pixels to Swing's HTML pixels, which are 4/3 as large: it renders CSS pixels of 96 to
+   * the inch at 72.
+   */
   private static int htmlPixels(int pixels) {
     return pixels * 3 / 4;
   }
 
-  /** What an option means, in small letters. */
+  /** Returns the note of an option in small letters. */
   static JLabel note(String text, int width) {
     JLabel label = new ScreenText.Label();
     Font small = label.getFont().deriveFont(label.getFont().getSize2D() - 1.5f);
@@ -131,7 +135,7 @@ record RowShape(boolean beside, int name, int least, int most, boolean notesAbov
     return label;
   }
 
-  /** What stands over the columns of all rows; an empty panel where there is nothing to say. */
+  /** Returns the headings above the columns of all rows; an empty panel without headings. */
   JComponent heading(Page page, Wording wording) {
     JPanel line = new JPanel();
     List<String> titles = page.headings(wording);

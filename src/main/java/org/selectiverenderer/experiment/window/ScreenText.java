@@ -10,14 +10,14 @@ import javax.swing.JToggleButton;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Parts of a page that are as wide before they are in a window as they will be there. On a display
- * of double density letters are a little wider, so that words measured for a single one would be
- * cut off; Swing asks the window for the density, and without a window takes it for single.
+ * Swing components that have the same preferred width before they are added to a window as in it.
+ * On a HiDPI display (scale 2) letters are a little wider, so that words measured at scale 1 would
+ * be cut off; Swing takes the scale from the window, and without a window assumes 1.
  */
 final class ScreenText {
   private ScreenText() {}
 
-  /** A part's own display, or where it has none yet the usual one. */
+  /** Returns a component's graphics configuration, or the default one if it has none yet. */
   private static GraphicsConfiguration display(@Nullable GraphicsConfiguration own) {
     return own != null
         ? own

@@ -7,17 +7,17 @@ import javax.swing.JFrame;
 import javax.swing.Timer;
 
 /**
- * How a participant's window ends before it is answered: whoever closes it has the experimenter
- * asked, and when the session has ended the window goes.
+ * Closes a participant's window when the session ends, and asks the experimenter when somebody else
+ * closes it.
  *
- * @param over whether the session has ended
- * @param closing somebody closes the window
+ * @param over tells whether the session has ended
+ * @param closing runs when somebody closes the window
  */
 public record SessionEnd(BooleanSupplier over, Runnable closing) {
-  /** Milliseconds between looks whether the session has ended. */
+  /** Polling interval in milliseconds. */
   private static final int LOOK = 200;
 
-  /** Minds a window until it is disposed of. */
+  /** Watches a window until it is disposed of. */
   void watch(JFrame frame, Runnable ended) {
     Timer watch =
         new Timer(

@@ -8,14 +8,14 @@ import javax.swing.JLabel;
 import javax.swing.WindowConstants;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
-/** Tells the participant that the session is over. */
+/** The window that tells the participant that the session is over. */
 public final class ThanksWindow {
   private ThanksWindow() {}
 
   /**
-   * Shows it until it is closed.
+   * Shows the window until it is closed.
    *
-   * @param desk the monitor that the participant has answered at
+   * @param desk the participant's monitor
    */
   public static void show(Wording wording, DesktopPlace desk) {
     Waiting.on(done -> frame(wording, desk, done));

@@ -4,16 +4,16 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 
 /**
- * What a {@link TrialWindow} shows for one trial.
+ * The content of a {@link TrialWindow} for one trial.
  *
- * @param question above the pictures
- * @param keys what may be pressed, below them
- * @param progress how far it is, below that
- * @param pictures side by side, from the left
- * @param caption below the middle picture; empty for none
- * @param choices buttons below the pictures, answered by the keys 1, 2 ...; where there are none,
- *     the first and the last picture are the choices, answered by the arrow keys
- * @param none what the last button says, answered by the key 0; empty for no such button
+ * @param question text above the pictures
+ * @param keys explanation of the keys, below the pictures
+ * @param progress progress of the pilot, below the keys
+ * @param pictures the pictures, side by side from the left
+ * @param caption text below the middle picture; empty for none
+ * @param choices labels of buttons below the pictures, answered by the keys 1, 2 ...; if empty, the
+ *     first and the last picture are the choices, answered by the arrow keys
+ * @param none label of the last button, answered by the key 0; empty for no such button
  */
 public record TrialPage(
     String question,
@@ -23,7 +23,7 @@ public record TrialPage(
     String caption,
     List<String> choices,
     String none) {
-  /** The choice of the last button. */
+  /** Number of the last button's choice. */
   public static final int NONE = -1;
 
   public TrialPage {

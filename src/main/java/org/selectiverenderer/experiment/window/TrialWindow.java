@@ -37,12 +37,13 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * Shows the trials of a threshold pilot, one after the other, each after a short empty grey, so
- * that nobody sees one picture turn into another. Opened and asked by one thread, which waits; the
- * rest is Swing's. Closing it asks whether the pilot is to end.
+ * Shows the trials of a threshold pilot one after the other, each after a short blank interval, so
+ * that the participant does not see one picture change into another. One thread opens the window
+ * and waits for answers; events are handled on Swing's thread. Closing the window asks whether to
+ * end the pilot.
  */
 public final class TrialWindow implements AutoCloseable {
-  /** The grey of the pictures. */
+  /** The background colour of the pictures. */
   private static final Color GREY = new Color(209, 209, 209);
 
   private static final int EMPTY_MS = 400;
@@ -60,7 +61,7 @@ public final class TrialWindow implements AutoCloseable {
    * An answer.
    *
    * @param choice from 0, or {@link TrialPage#NONE}
-   * @param ms from when the pictures were painted
+   * @param ms response time in milliseconds from when the pictures were painted
    */
   public record Reply(int choice, long ms) {}
 
@@ -79,13 +80,16 @@ public final class TrialWindow implements AutoCloseable {
     return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
   }
 
-  /** The widest pictures of which so many fit on the screen side by side, in pixels. */
+  /**
+   * Returns the greatest width, in pixels, of a number of pictures that fit on the screen side by
+   * side.
+   */
   public static int mostPixels(int pictures) {
     Rectangle screen = screen();
     return Math.min((screen.width - (pictures + 1) * GAP) / pictures, screen.height - MARGIN);
   }
 
-  /** Opens it. */
+  /** Opens the window. */
   public static TrialWindow open(Wording wording, String title) {
     TrialWindow window = Waiting.onSwing(() -> new TrialWindow(wording, title));
     EventQueue.invokeLater(() -> window.frame.setVisible(true));
@@ -93,9 +97,9 @@ public final class TrialWindow implements AutoCloseable {
   }
 
   /**
-   * Says what is to be done, and waits until the participant begins.
+   * Shows the instructions, and waits until the participant begins.
    *
-   * @return false when the pilot is to end
+   * @return false if the pilot is to end
    */
   public boolean introduce(String heading, String text) throws InterruptedException {
     EventQueue.invokeLater(() -> show(introduction(heading, text)));
@@ -137,7 +141,7 @@ public final class TrialWindow implements AutoCloseable {
   /**
    * Shows a trial and waits for the answer.
    *
-   * @return empty when the pilot is to end
+   * @return empty if the pilot is to end
    */
   public Optional<Reply> ask(TrialPage trial) throws InterruptedException {
     EventQueue.invokeLater(
@@ -181,7 +185,10 @@ public final class TrialWindow implements AutoCloseable {
     frame.getContentPane().requestFocusInWindow();
   }
 
-  /** The time runs from when the pictures are painted, not from when they are asked for. */
+  /**
+   * Returns a label with a picture; the response time starts when it is painted, not when it is
+   * made.
+   */
   private JLabel picture(TrialPage trial, int number) {
     JLabel label =
         new JLabel(new ImageIcon(trial.pictures().get(number))) {
@@ -261,7 +268,7 @@ public final class TrialWindow implements AutoCloseable {
     return true;
   }
 
-  /** What is pressed before the pictures are to be seen is about the trial before. */
+  /** Records an answer; ignores one given before the pictures are painted. */
   private void answer(int choice) {
     if (page != null && shownAt != 0) {
       page = null;

@@ -9,14 +9,14 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.JFrame;
 
-/** Opens a window on Swing's thread and waits on the caller's until the window has an answer. */
+/** Opens a window on Swing's thread and blocks the caller's thread until the window is done. */
 final class Waiting {
   private Waiting() {}
 
   /**
-   * Opens, waits, closes.
+   * Opens a window, waits until it is done, and closes it.
    *
-   * @param make makes the window; it is to call what it is given once, when it is done
+   * @param make makes the window, which runs the given callback once, when it is done
    */
   static void on(Function<Runnable, JFrame> make) {
     CountDownLatch done = new CountDownLatch(1);
@@ -35,7 +35,7 @@ final class Waiting {
     }
   }
 
-  /** Makes something on Swing's thread. */
+  /** Returns the result of a function that runs on Swing's thread. */
   static <T> T onSwing(Supplier<T> make) {
     Holder<T> holder = new Holder<>();
     try {

@@ -4,14 +4,14 @@ import java.awt.Dimension;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 
-/** Words that go on in the next line where there is no more room. */
+/** Makes text areas that wrap their text at a fixed width. */
 final class WrappedText {
   private WrappedText() {}
 
   /**
-   * Words in lines of a width.
+   * Returns a text area with wrapped text.
    *
-   * @param size of the letters in points
+   * @param size font size in points
    * @param width in pixels
    */
   static JTextArea of(String words, float size, int width) {
@@ -23,7 +23,7 @@ final class WrappedText {
     text.setWrapStyleWord(true);
     text.setOpaque(false);
     text.setBorder(BorderFactory.createEmptyBorder());
-    text.setSize(width, Short.MAX_VALUE); // Its height is known for a width only.
+    text.setSize(width, Short.MAX_VALUE); // The height depends on the width.
     Dimension needed = new Dimension(width, text.getPreferredSize().height);
     text.setPreferredSize(needed);
     text.setMaximumSize(needed);

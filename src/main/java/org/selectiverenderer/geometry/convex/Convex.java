@@ -3,18 +3,21 @@ package org.selectiverenderer.geometry.convex;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** A convex body, closed and bounded, about the origin where it is a primitive of X3D. */
+/**
+ * A closed, bounded convex body, defined by its support mapping. The X3D primitives are centred at
+ * the origin.
+ */
 @FunctionalInterface
 public interface Convex {
   /**
-   * The point of the body that is farthest in a direction.
+   * Computes the support point, the point of the body that is farthest in a direction.
    *
-   * @param direction of any length; any point is right for 0
+   * @param direction a vector of any length; for the zero vector any point is correct
    * @return {@code out}
    */
   Vector3d farthest(Vector3dc direction, Vector3d out);
 
-  /** A box by its sizes, about the origin. */
+  /** Returns a box centred at the origin. */
   static Convex box(double width, double height, double depth) {
     return (d, out) ->
         out.set(
@@ -23,7 +26,7 @@ public interface Convex {
             Math.copySign(depth / 2, d.z()));
   }
 
-  /** A ball about the origin. */
+  /** Returns a sphere centred at the origin. */
   static Convex sphere(double radius) {
     return (d, out) -> {
       double length = d.length();
@@ -31,12 +34,12 @@ public interface Convex {
     };
   }
 
-  /** A cylinder about the Y axis, its middle at the origin. */
+  /** Returns a cylinder around the Y axis, centred at the origin. */
   static Convex cylinder(double radius, double height) {
     return (d, out) -> rim(d, radius, Math.copySign(height / 2, d.y()), out);
   }
 
-  /** A cone about the Y axis, its tip up, the middle of its height at the origin. */
+  /** Returns a cone around the Y axis, apex up, with half its height at the origin. */
   static Convex cone(double radius, double height) {
     return (d, out) -> {
       double atRim = radius * Math.hypot(d.x(), d.z()) - d.y() * height / 2;
@@ -53,9 +56,9 @@ public interface Convex {
   }
 
   /**
-   * The hull of points.
+   * Returns the convex hull of points.
    *
-   * @param points x, y, z each; at least one
+   * @param points x, y, z of each point; at least one point
    */
   static Convex hull(double... points) {
     return (d, out) -> {

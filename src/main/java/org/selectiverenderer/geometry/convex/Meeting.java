@@ -3,15 +3,15 @@ package org.selectiverenderer.geometry.convex;
 import org.joml.Vector3d;
 
 /**
- * Whether two convex bodies have a point in common: whether the origin is among the differences of
- * their points, which a growing simplex of such differences closes in on (Gilbert, Johnson and
- * Keerthi 1988; cases as in Ericson 2005, 9.5). Bodies that touch meet.
+ * Tests whether two convex bodies intersect, by the algorithm of Gilbert, Johnson and Keerthi (GJK,
+ * 1988): they do if their Minkowski difference contains the origin, for which a simplex of support
+ * points is searched (cases as in Ericson 2005, 9.5). Touching bodies intersect.
  */
 public final class Meeting {
-  /** Steps after which the origin lies on the rim for all that can be computed. */
+  /** Iterations after which the origin is on the boundary within numerical precision. */
   private static final int STEPS = 64;
 
-  /** Share of the size that counts as nothing. */
+  /** The tolerance, relative to the size of the bodies. */
   private static final double NOTHING = 1e-12;
 
   private final Convex one;
@@ -27,6 +27,7 @@ public final class Meeting {
     this.two = two;
   }
 
+  /** Returns whether two bodies intersect or touch. */
   public static boolean of(Convex one, Convex two) {
     return new Meeting(one, two).found();
   }
@@ -60,7 +61,7 @@ public final class Meeting {
     size++;
   }
 
-  /** Keeps the part of the simplex that is nearest to the origin; says whether that is in it. */
+  /** Reduces the simplex to its part nearest the origin; returns whether it contains the origin. */
   private boolean closeIn() {
     return switch (size) {
       case 2 -> edge(corners[1], corners[0]);
@@ -105,7 +106,7 @@ public final class Meeting {
       return edge(a, b);
     }
     if (normal.lengthSquared() == 0) {
-      return edge(a, b); // A mere line.
+      return edge(a, b); // the three points are collinear
     }
     double side = normal.dot(toOrigin);
     if (side == 0) {
@@ -138,7 +139,7 @@ public final class Meeting {
     return true;
   }
 
-  /** Whether the origin is on the outer side of a face through the newest corner. */
+  /** Returns whether the origin is on the outer side of a face through the newest vertex. */
   private static boolean beyond(Vector3d a, Vector3d b, Vector3d c) {
     Vector3d normal = b.sub(a, new Vector3d()).cross(c.sub(a, new Vector3d()));
     return normal.dot(a) < 0;

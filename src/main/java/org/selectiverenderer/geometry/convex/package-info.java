@@ -1,8 +1,8 @@
 /**
- * Convex bodies and whether two of them meet.
+ * Convex bodies and their intersection test.
  *
- * <p>In: boxes, balls, cylinders, cones, and points whose hull is meant. Out: yes or no. A body is
- * only asked which of its points lies farthest in a direction. Uses nothing of ours.
+ * <p>In: boxes, spheres, cylinders, cones, and convex hulls of points. Out: whether two bodies
+ * intersect. A body is defined by its support mapping alone. Uses nothing of ours.
  */
 @NullMarked
 package org.selectiverenderer.geometry.convex;

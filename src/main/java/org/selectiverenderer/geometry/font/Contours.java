@@ -4,9 +4,9 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Reads glyph outlines, simple and composite, as closed polygons in font units. */
+/** Reads simple and composite glyph outlines of a TrueType font as polygons in font units. */
 final class Contours {
-  /** Composites in composites beyond this depth go round in a circle. */
+  /** The maximum nesting of composite glyphs, which stops cyclic references. */
   private static final int DEPTH = 8;
 
   private static final int ON_CURVE = 1;
@@ -30,14 +30,14 @@ final class Contours {
     this.file = file;
   }
 
-  /** The contours of a glyph, x, y per point, curves flattened, the end not repeated. */
+  /** Returns the contours of a glyph with flattened curves: x, y per point, not closed. */
   static List<float[]> of(TrueTypeFile file, int glyph) {
     Contours reader = new Contours(file);
     reader.read(glyph, new float[] {1, 0, 0, 1, 0, 0}, 0);
     return reader.contours;
   }
 
-  /** {@code m} is x' = m0 x + m2 y + m4, y' = m1 x + m3 y + m5. */
+  /** Reads a glyph; {@code m} is the transform x' = m0 x + m2 y + m4, y' = m1 x + m3 y + m5. */
   private void read(int glyph, float[] m, int depth) {
     ByteBuffer data = file.outline(glyph);
     if (data.remaining() == 0) {
@@ -101,7 +101,7 @@ final class Contours {
     return values;
   }
 
-  /** Whether a point lies on the outline rather than beside it. */
+  /** Returns whether a point is on the curve rather than an off-curve control point. */
   static boolean onCurve(byte flag) {
     return (flag & ON_CURVE) != 0;
   }
@@ -114,7 +114,7 @@ final class Contours {
       float dx = (flags & WORDS) != 0 ? data.getShort() : data.get();
       float dy = (flags & WORDS) != 0 ? data.getShort() : data.get();
       if ((flags & OFFSETS) == 0) {
-        // Placed by matching points, which the program's fonts do not do.
+        // placement by matching points does not occur in the bundled fonts
         dx = 0;
         dy = 0;
       }
@@ -142,7 +142,7 @@ final class Contours {
     } while ((flags & MORE) != 0);
   }
 
-  /** A number with 14 bits after the point. */
+  /** Reads an F2DOT14 fixed-point number, with 14 fractional bits. */
   private static float fraction(ByteBuffer data) {
     return data.getShort() / 16384f;
   }

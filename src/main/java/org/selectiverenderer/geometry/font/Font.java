@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** A font whose glyphs are made when first asked for and then kept. Safe for several threads. */
+/** A font face that tessellates its glyphs on first use and caches them. Thread-safe. */
 public final class Font {
   private final TrueTypeFile file;
   private final Map<Integer, Glyph> glyphs = new ConcurrentHashMap<>();
@@ -13,17 +13,17 @@ public final class Font {
     this.file = file;
   }
 
-  /** How far glyphs reach above the base line, in ems. */
+  /** Returns the ascent above the baseline, in ems. */
   public float ascent() {
     return (float) file.ascent() / file.unitsPerEm();
   }
 
-  /** How far glyphs reach below the base line, in ems; positive. */
+  /** Returns the descent below the baseline, in ems; positive. */
   public float descent() {
     return (float) -file.descent() / file.unitsPerEm();
   }
 
-  /** The glyph of a character: a box if the font has none, a space for control characters. */
+  /** Returns the glyph of a character; a box if it is missing, a space for control characters. */
   public Glyph glyph(int codePoint) {
     int shown = Character.isISOControl(codePoint) ? ' ' : codePoint;
     return glyphs.computeIfAbsent(file.glyphOf(shown), this::make);

@@ -1,12 +1,12 @@
 package org.selectiverenderer.geometry.font;
 
-/** The font families that every browser has (X3D 4.0, 15.2.2.2). */
+/** The font families that every X3D browser supports (X3D 4.0, 15.2.2.2). */
 public enum FontFamily {
-  /** Letters with feet. */
+  /** A serif font. */
   SERIF("Serif", "Italic"),
-  /** Letters without. */
+  /** A sans-serif font. */
   SANS("Sans", "Oblique"),
-  /** Letters of one width. */
+  /** A monospaced font. */
   TYPEWRITER("SansMono", "Oblique");
 
   private final String fileName;
@@ -17,7 +17,7 @@ public enum FontFamily {
     this.slanted = slanted;
   }
 
-  /** The first name that is a family's; SERIF if none is. Names are case-sensitive. */
+  /** Returns the family of the first known name, case-sensitive; SERIF if none is known. */
   public static FontFamily of(String... names) {
     for (String name : names) {
       for (FontFamily family : values()) {
@@ -29,7 +29,7 @@ public enum FontFamily {
     return SERIF;
   }
 
-  /** The resource that holds the family's font in a style. */
+  /** Returns the resource name of the font file for a style. */
   String resource(FontStyle style) {
     String suffix =
         switch (style) {

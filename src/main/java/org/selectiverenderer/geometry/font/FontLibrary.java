@@ -7,14 +7,11 @@ import java.nio.ByteBuffer;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
-/**
- * The fonts that come with the program, each read when first asked for and then kept. Safe for use
- * by several threads.
- */
+/** Loads the bundled fonts on first use and caches them. Thread-safe. */
 public final class FontLibrary {
   private final Map<String, Font> fonts = new ConcurrentHashMap<>();
 
-  /** The font of a family in a style. */
+  /** Returns the font of a family in a style. */
   public Font font(FontFamily family, FontStyle style) {
     return fonts.computeIfAbsent(family.resource(style), FontLibrary::read);
   }

@@ -4,16 +4,16 @@ import java.util.Optional;
 
 /** The values of the field {@code style} of the FontStyle node (X3D 4.0, 15.4.1). */
 public enum FontStyle {
-  /** Upright, of common weight. */
+  /** Upright, of normal weight. */
   PLAIN,
-  /** Heavier. */
+  /** Upright and bold. */
   BOLD,
-  /** Slanted. */
+  /** Italic or oblique. */
   ITALIC,
-  /** Heavier and slanted. */
+  /** Bold and italic or oblique. */
   BOLDITALIC;
 
-  /** The style of that name, the empty name being PLAIN's. */
+  /** Returns the style of that name; the empty name means PLAIN. */
   public static Optional<FontStyle> of(String name) {
     if (name.isEmpty()) {
       return Optional.of(PLAIN);

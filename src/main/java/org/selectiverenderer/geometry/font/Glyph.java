@@ -1,10 +1,10 @@
 package org.selectiverenderer.geometry.font;
 
 /**
- * A character's shape, in ems, from its origin on the base line; y is up. Nobody writes into the
- * arrays.
+ * The triangles of a glyph, in ems, relative to its origin on the baseline with y up. The arrays
+ * must not be modified.
  *
- * @param advance the way to the next glyph's origin
+ * @param advance the advance width, from this glyph's origin to the next one's
  * @param points x, y per point
  * @param indices three points per triangle, counter-clockwise
  */

@@ -6,7 +6,7 @@ import java.util.List;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
- * Fills outlines with triangles. As TrueType has it, contours that go clockwise bound the inside,
+ * Triangulates glyph outlines. As TrueType defines it, clockwise contours are outer boundaries and
  * the others are holes in the smallest contour around them.
  */
 final class OutlineFiller {
@@ -15,7 +15,7 @@ final class OutlineFiller {
   private OutlineFiller() {}
 
   /**
-   * The glyph of the contours.
+   * Returns the glyph of the contours.
    *
    * @param contours x, y per point
    * @param scale ems per unit of the contours
@@ -90,9 +90,9 @@ final class OutlineFiller {
   }
 
   /**
-   * Ear clipping of a contour with holes. The library misses the way to some holes, depending on
-   * the direction in which it looks for it, and fills them; the area tells, and another direction
-   * helps.
+   * Triangulates a contour with holes by ear clipping. earcut4j fails to bridge some holes,
+   * depending on the direction of its search, and fills them. This is detected by the area, and the
+   * contour is triangulated again in rotated directions.
    */
   private static List<Integer> clip(float[] points, int first, int end, int[] holes) {
     List<Integer> best = List.of();
@@ -120,7 +120,7 @@ final class OutlineFiller {
     return best;
   }
 
-  /** By how much the triangles' area differs from the one to fill, as a part of that. */
+  /** Returns the relative error of the triangles' area against the area of the outline. */
   private static double excess(double[] plane, int[] holes, List<Integer> triangles) {
     double wanted = 0;
     for (int ring = 0, from = 0; ring <= holes.length; ring++) {
@@ -151,7 +151,7 @@ final class OutlineFiller {
         < 0;
   }
 
-  /** The area of a polygon, negative when it goes clockwise. */
+  /** Returns the signed area of a polygon, negative if it is clockwise. */
   static double area(float[] polygon) {
     double sum = 0;
     for (int i = 0, j = polygon.length - 2; i < polygon.length; j = i, i += 2) {
@@ -160,7 +160,7 @@ final class OutlineFiller {
     return sum / 2;
   }
 
-  /** Whether most of the other polygon's points are inside: outlines may touch. */
+  /** Returns whether most points of the other polygon are inside; outlines may touch. */
   private static boolean contains(float[] polygon, float[] other) {
     int inside = 0;
     for (int i = 0; i < other.length; i += 2) {

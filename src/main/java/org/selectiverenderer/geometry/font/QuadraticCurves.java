@@ -2,9 +2,9 @@ package org.selectiverenderer.geometry.font;
 
 import java.util.Arrays;
 
-/** Makes polygons of contours that consist of lines and quadratic Bézier curves. */
+/** Flattens contours of lines and quadratic Bézier curves to polygons. */
 final class QuadraticCurves {
-  /** How far a polygon may be from its curve, in font units: 1/512 of an em of 2048. */
+  /** The flattening tolerance in font units: 1/512 of an em of 2048 units. */
   private static final double TOLERANCE = 4;
 
   private float[] polygon = new float[64];
@@ -13,11 +13,12 @@ final class QuadraticCurves {
   private QuadraticCurves() {}
 
   /**
-   * A contour's polygon. Between two points beside the curve lies one in the middle that is on it.
+   * Returns the polygon of a contour. The midpoint of two consecutive off-curve points is an
+   * implied on-curve point.
    *
-   * @param flags which points are on the curve
-   * @param from first point of the contour
-   * @param to after its last
+   * @param flags TrueType point flags, which tell on-curve from off-curve points
+   * @param from index of the contour's first point
+   * @param to index after its last point
    * @return x, y per point, the first not repeated at the end
    */
   static float[] flatten(float[] x, float[] y, byte[] flags, int from, int to) {
@@ -65,8 +66,8 @@ final class QuadraticCurves {
   }
 
   /**
-   * Adds a curve without its start. Cut into n parts, it is at most |start - 2 control + end| / 4
-   * n² away from them.
+   * Adds a curve without its start point. A curve divided into n segments deviates from them by at
+   * most |start - 2 control + end| / (4 n²).
    */
   private void curve(float x0, float y0, float cx, float cy, float x1, float y1) {
     double deviation = Math.hypot(x0 - 2 * cx + x1, y0 - 2 * cy + y1) / 4;

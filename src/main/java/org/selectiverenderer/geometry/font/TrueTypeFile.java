@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The tables of a TrueType font (ISO/IEC 14496-22) that outlines need: head, maxp, hhea, hmtx, cmap
+ * Reads the tables of a TrueType font (ISO/IEC 14496-22) that outlines need: head, hhea, hmtx, cmap
  * format 4, loca, glyf. Lengths are in font units.
  */
 final class TrueTypeFile {
@@ -20,6 +20,8 @@ final class TrueTypeFile {
   private final int characterMap;
 
   /**
+   * Parses the table directory.
+   *
    * @throws IllegalArgumentException if a table is missing
    */
   TrueTypeFile(ByteBuffer data) {
@@ -49,7 +51,7 @@ final class TrueTypeFile {
     return ascent;
   }
 
-  /** Negative: below the base line. */
+  /** Returns the descent, which is negative, below the baseline. */
   int descent() {
     return descent;
   }
@@ -58,7 +60,7 @@ final class TrueTypeFile {
     return unsigned(table("hmtx") + 4 * Math.min(glyph, advances - 1));
   }
 
-  /** The glyph of a character; 0, the box, if there is none. */
+  /** Returns the glyph index of a character; 0, the missing-glyph box, if there is none. */
   int glyphOf(int codePoint) {
     if (codePoint > 0xFFFF) {
       return 0;
@@ -86,7 +88,7 @@ final class TrueTypeFile {
     return 0;
   }
 
-  /** A view of a glyph's outline; without bytes for a glyph that has none, such as the space. */
+  /** Returns a view of a glyph's outline data; empty for a glyph without one, as the space. */
   ByteBuffer outline(int glyph) {
     int loca = table("loca");
     int from;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The earth ellipsoids of X3D 4.0, Table 25.3, by their codes. */
+/** The reference ellipsoids of X3D 4.0, Table 25.3, named by their codes. */
 enum Ellipsoid {
   AA(6377563.396, 299.3249646),
   AM(6377340.189, 299.3249646),
@@ -49,7 +49,7 @@ enum Ellipsoid {
     return Optional.empty();
   }
 
-  /** Metres. */
+  /** Returns the semi-major axis in metres. */
   double semiMajor() {
     return semiMajor;
   }
@@ -63,7 +63,7 @@ enum Ellipsoid {
   }
 
   /**
-   * From geodetic to geocentric coordinates (EPSG method 9602).
+   * Converts geodetic to geocentric coordinates in metres (EPSG method 9602).
    *
    * @param latitude radians, north positive
    * @param longitude radians, east positive
@@ -81,8 +81,8 @@ enum Ellipsoid {
   }
 
   /**
-   * From geocentric coordinates to latitude, longitude in radians and height in metres; exact to
-   * less than a millimetre from the depths of the earth to far above it.
+   * Converts geocentric coordinates in metres to latitude and longitude in radians and height in
+   * metres, with an error below a millimetre from deep below the surface to far above it.
    */
   Vector3d geodetic(Vector3dc at) {
     double e2 = eccentricitySquared();
@@ -90,7 +90,7 @@ enum Ellipsoid {
     if (across < 1e-9 && Math.abs(at.z()) < 1e-9) {
       return new Vector3d(0, 0, -semiMajor);
     }
-    // Bowring's reduced latitude, repeated until it rests.
+    // Bowring's iteration of the reduced latitude, until it converges
     double minor = semiMajor * (1 - flattening);
     double reduced = Math.atan2(at.z(), (1 - flattening) * across);
     double latitude = 0;

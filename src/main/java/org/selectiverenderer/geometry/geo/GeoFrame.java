@@ -7,10 +7,10 @@ import org.joml.Vector3dc;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * How a geospatial node's coordinates lie in the scene: its {@code geoSystem}, and its {@code
- * geoOrigin} if it has one (X3D 4.0, 25.2.5 and 25.3.5). Without an origin scene coordinates are
- * geocentric; with one they are metres from it, and with {@code rotateYUp} turned so that up is +Y
- * and north is -Z there.
+ * Converts between a geospatial node's coordinates and scene coordinates, by its {@code geoSystem}
+ * and its {@code geoOrigin}, if any (X3D 4.0, 25.2.5 and 25.3.5). Without an origin, scene
+ * coordinates are geocentric; with one they are metres relative to it, with {@code rotateYUp}
+ * rotated so that up is +Y and north is -Z there.
  */
 public final class GeoFrame {
   private final GeoSystem system;
@@ -22,7 +22,9 @@ public final class GeoFrame {
   }
 
   /**
-   * @param node with the fields {@code geoSystem} and {@code geoOrigin}
+   * Returns the frame of a node.
+   *
+   * @param node a node with the fields {@code geoSystem} and {@code geoOrigin}
    */
   public static GeoFrame of(NodeView node) {
     GeoFrame frame = new GeoFrame(GeoSystem.of(node.strings("geoSystem")));
@@ -38,7 +40,7 @@ public final class GeoFrame {
     return frame;
   }
 
-  /** East, up and south as columns: the axes x, y, z of a place on the earth. */
+  /** Returns the local axes x, y, z of a place on the earth: east, up and south as columns. */
   private static Matrix3d axes(Vector3dc geodetic) {
     double sinLat = Math.sin(geodetic.x());
     double cosLat = Math.cos(geodetic.x());
@@ -56,25 +58,26 @@ public final class GeoFrame {
         -cosLat);
   }
 
-  /** The system that its coordinates are in. */
+  /** Returns the spatial reference system of the node's coordinates. */
   public GeoSystem system() {
     return system;
   }
 
-  /** From three numbers of the node to the scene, metres. */
+  /** Converts a coordinate of the node to scene coordinates in metres. */
   public Vector3d scene(double a, double b, double c) {
     return turn.transform(system.geocentric(a, b, c).sub(origin));
   }
 
-  /** From a point of the scene to three numbers of the node. */
+  /** Converts a point of the scene to a coordinate of the node. */
   public double[] coordinates(Vector3dc scene) {
     return system.coordinates(turn.transformTranspose(scene, new Vector3d()).add(origin));
   }
 
   /**
-   * From coordinates about a place, x east, y up, z south, metres, to the scene (X3D 4.0, 25.3.7).
+   * Returns the transform to the scene from the local frame of a place, in metres with x east, y
+   * up, z south (X3D 4.0, 25.3.7).
    *
-   * @param at three numbers of the node
+   * @param at the place, a coordinate of the node
    */
   public Matrix4d place(double[] at) {
     Vector3d geocentric = system.geocentric(at[0], at[1], at[2]);

@@ -7,8 +7,8 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the numbers of a geospatial node mean: its field {@code geoSystem} (X3D 4.0, 25.2.3). The
- * names of VRML's GeoVRML, {@code GDC} and {@code GCC}, are understood too.
+ * The spatial reference system of a geospatial node's coordinates, given by its field {@code
+ * geoSystem} (X3D 4.0, 25.2.3). GeoVRML's names {@code GDC} and {@code GCC} are accepted, too.
  */
 public final class GeoSystem {
   private enum Kind {
@@ -37,7 +37,9 @@ public final class GeoSystem {
   }
 
   /**
-   * @param words the field's value; none are geodetic coordinates on WGS 84
+   * Parses the field.
+   *
+   * @param words the field's value; an empty one means geodetic coordinates on WGS 84
    */
   public static GeoSystem of(String[] words) {
     Kind kind = Kind.GEODETIC;
@@ -60,19 +62,18 @@ public final class GeoSystem {
         case "N", "latitude_first", "northing_first" -> {}
         case "longitude_first", "easting_first" -> secondFirst = true;
         case "WGS84" ->
-            problem = "gives heights above the geoid; they are taken as above the ellipsoid";
+            problem = "gives heights above the geoid; they are read as above the ellipsoid";
         default -> {
           if (word.matches("Z[0-9]{1,2}")) {
             zone = Integer.parseInt(word.substring(1));
           } else {
-            problem =
-                "has \"" + word + "\" in its geoSystem, which is not known; it is passed over";
+            problem = "has the unknown word \"" + word + "\" in its geoSystem; the word is ignored";
           }
         }
       }
     }
     if (kind == Kind.UTM && (zone < 1 || zone > 60)) {
-      problem = "has a geoSystem without a UTM zone from Z1 to Z60; zone 1 is taken";
+      problem = "has a geoSystem without a UTM zone from Z1 to Z60; zone 1 is used";
       zone = 1;
     }
     return new GeoSystem(
@@ -83,12 +84,12 @@ public final class GeoSystem {
         problem);
   }
 
-  /** What is wrong with the field, as the end of a sentence; the rest of it is used. */
+  /** Returns an error in the field as the predicate of a sentence; the rest of it is used. */
   public Optional<String> problem() {
     return Optional.ofNullable(problem);
   }
 
-  /** From a node's three numbers to geocentric metres. */
+  /** Converts a node's coordinate to geocentric metres. */
   public Vector3d geocentric(double a, double b, double c) {
     double first = secondFirst ? b : a;
     double second = secondFirst ? a : b;
@@ -102,7 +103,7 @@ public final class GeoSystem {
     return ellipsoid.geocentric(Math.toRadians(first), Math.toRadians(second), c);
   }
 
-  /** From geocentric metres to three numbers as a node with this system gives them. */
+  /** Converts geocentric metres to a coordinate in this system. */
   public double[] coordinates(Vector3dc geocentric) {
     if (kind == Kind.GEOCENTRIC) {
       return new double[] {geocentric.x(), geocentric.y(), geocentric.z()};
@@ -119,12 +120,12 @@ public final class GeoSystem {
   }
 
   /**
-   * A place some steps away.
+   * Returns a coordinate displaced by an offset.
    *
-   * @param at three numbers
-   * @param east steps along longitude or easting, in the system's unit
-   * @param north steps along latitude or northing
-   * @param up metres
+   * @param at a coordinate in this system
+   * @param east offset along longitude or easting, in the system's unit
+   * @param north offset along latitude or northing, in the system's unit
+   * @param up offset in metres
    */
   public double[] step(double[] at, double east, double north, double up) {
     boolean eastFirst = secondFirst || kind == Kind.GEOCENTRIC;
@@ -133,7 +134,7 @@ public final class GeoSystem {
     };
   }
 
-  /** Latitude and longitude in radians and height, of a geocentric point on the ellipsoid. */
+  /** Converts geocentric metres to latitude and longitude in radians and height in metres. */
   Vector3d geodetic(Vector3dc geocentric) {
     return ellipsoid.geodetic(geocentric);
   }

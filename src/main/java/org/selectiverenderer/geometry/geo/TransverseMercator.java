@@ -4,9 +4,9 @@ import org.joml.Vector2d;
 
 /**
  * The transverse Mercator projection of a UTM zone by Krüger's series to the sixth order in the
- * third flattening, as C. F. F. Karney gives it (Transverse Mercator with an accuracy of a few
- * nanometers, Journal of Geodesy 85, 2011, equations 10 to 36): exact to nanometres within 3000 km
- * of the central meridian.
+ * third flattening, after C. F. F. Karney (Transverse Mercator with an accuracy of a few
+ * nanometers, Journal of Geodesy 85, 2011, equations 10 to 36); accurate to nanometres within 3000
+ * km of the central meridian.
  */
 final class TransverseMercator {
   private static final double SCALE = 0.9996;
@@ -59,7 +59,7 @@ final class TransverseMercator {
     return sum;
   }
 
-  /** From easting and northing in metres to latitude and longitude in radians. */
+  /** Converts easting and northing in metres to latitude and longitude in radians. */
   Vector2d geographic(double easting, double northing) {
     double xi = (northing - falseNorthing) / radius;
     double eta = (easting - FALSE_EASTING) / radius;
@@ -73,7 +73,7 @@ final class TransverseMercator {
     return new Vector2d(Math.atan(tau), centralMeridian + Math.atan2(Math.sinh(y), Math.cos(x)));
   }
 
-  /** From latitude and longitude in radians to easting and northing in metres. */
+  /** Converts latitude and longitude in radians to easting and northing in metres. */
   Vector2d projected(double latitude, double longitude) {
     double tau = conformalTangent(Math.tan(latitude));
     double across = longitude - centralMeridian;
@@ -89,7 +89,7 @@ final class TransverseMercator {
     return new Vector2d(FALSE_EASTING + radius * y, falseNorthing + radius * x);
   }
 
-  /** The tangent of the conformal latitude. */
+  /** Returns the tangent of the conformal latitude. */
   private double conformalTangent(double tau) {
     double sine = tau / Math.hypot(1, tau);
     double sigma = Math.sinh(eccentricity * atanh(eccentricity * sine));
@@ -100,7 +100,7 @@ final class TransverseMercator {
     return Math.log((1 + x) / (1 - x)) / 2;
   }
 
-  /** Newton's method on {@link #conformalTangent}; three steps are enough, five are taken. */
+  /** Inverts {@link #conformalTangent} by Newton's method; it converges in three steps. */
   private double latitudeTangent(double conformal) {
     double e2 = eccentricity * eccentricity;
     double tau = conformal / (1 - e2);

@@ -1,11 +1,11 @@
 /**
- * Places on the earth (X3D 4.0, clause 25): geodetic, UTM and geocentric coordinates on the
- * standard's ellipsoids, and where they lie in a scene.
+ * Geospatial coordinates (X3D 4.0, clause 25): conversion between geodetic, UTM and geocentric
+ * coordinates on the standard's ellipsoids and scene coordinates.
  *
  * <p>In: coordinates as geospatial nodes give them, in the order of their {@code geoSystem}. Out:
- * metres in double precision, geocentric or, with a GeoOrigin, about that. Scene coordinates of
- * nodes without an origin are geocentric; what is drawn is kept as floats about a point of its own
- * ({@code geometry.tessellate.GeoAnchor}), so that nothing trembles.
+ * metres in double precision, geocentric or, with a GeoOrigin, relative to it. Meshes are stored in
+ * floats relative to a local origin ({@code geometry.tessellate.GeoAnchor}), since geocentric
+ * floats would be too coarse and make the picture jitter.
  *
  * <p>Uses {@code x3d.catalogue} and JOML.
  */

@@ -1,29 +1,29 @@
 package org.selectiverenderer.geometry.mesh;
 
 /**
- * Edges as keys of hash tables. Two numbers side by side in a long would meet in few places of such
- * a table: {@link Long#hashCode} is the one exclusive-or the other, which is small for numbers that
- * are near each other, as those of an edge's ends are.
+ * Packs a directed edge, two vertex indices, into a {@code long} key for hash tables. The packed
+ * indices are multiplied by an odd constant (Fibonacci hashing), since {@link Long#hashCode} is the
+ * exclusive or of the two halves, which for the nearby indices of an edge takes only few values.
  */
 public final class EdgeKey {
-  /** An odd number spreads all that it multiplies over all bits; another takes that back. */
+  /** An odd multiplier that mixes the bits; {@link #GATHER} is its inverse modulo 2^64. */
   private static final long SPREAD = 0x9E3779B97F4A7C15L;
 
   private static final long GATHER = 0xF1DE83E19937733DL;
 
   private EdgeKey() {}
 
-  /** The key of the edge from a point to another; other than that of the way back. */
+  /** Returns the key of a directed edge; the opposite direction has another key. */
   public static long of(int from, int to) {
     return ((long) from << 32 | to & 0xffffffffL) * SPREAD;
   }
 
-  /** The point from which a key's edge leads. */
+  /** Returns the start vertex of a key's edge. */
   public static int from(long key) {
     return (int) (key * GATHER >>> 32);
   }
 
-  /** The point to which a key's edge leads. */
+  /** Returns the end vertex of a key's edge. */
   public static int to(long key) {
     return (int) (key * GATHER);
   }

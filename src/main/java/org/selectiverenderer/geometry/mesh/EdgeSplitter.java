@@ -8,27 +8,26 @@ import java.util.PriorityQueue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Adds triangles to a surface without changing its form: the longest edge is split in its middle
- * with the triangles on both of its sides, again and again. An edge within the surface adds two
- * triangles, one on a border adds one; there are no T-junctions, and seams stay seams.
- * Deterministic.
+ * Refines a triangle mesh by longest-edge bisection, without changing its shape: the longest edge
+ * is repeatedly split at its midpoint together with its adjacent triangles. An inner edge adds two
+ * triangles, a border edge one. There are no T-junctions, and seams are kept. Deterministic.
  */
 public final class EdgeSplitter {
   private static final int[] NONE = {};
 
-  /** The vertices that triangles refer to; several lie at one point where a seam runs. */
+  /** The vertices of the mesh; along a seam several vertices have the same position. */
   public interface Vertices {
-    /** The point that a vertex lies at: the number of one vertex there. */
+    /** Returns the point of a vertex: the index of one representative vertex at its position. */
     int point(int vertex);
 
-    /** The square of the distance between two points. */
+    /** Returns the squared distance between two points. */
     double square(int a, int b);
 
     /**
-     * Makes the vertex in the middle of two others.
+     * Creates the vertex at the midpoint of two others.
      *
-     * @param point that it lies at, or -1 when it is the first there
-     * @return its number
+     * @param point the point of the new vertex, or -1 if it is the first vertex there
+     * @return its index
      */
     int middle(int a, int b, int point);
   }
@@ -48,6 +47,8 @@ public final class EdgeSplitter {
   private final PriorityQueue<Edge> border = new PriorityQueue<>(Edge.LONGEST_FIRST);
 
   /**
+   * Creates a splitter for a mesh.
+   *
    * @param indices three vertices per triangle
    */
   public EdgeSplitter(Vertices vertices, int[] indices) {
@@ -62,26 +63,26 @@ public final class EdgeSplitter {
     }
   }
 
-  /** How many triangles there are now. */
+  /** Returns the current number of triangles. */
   public int triangles() {
     return triangles;
   }
 
-  /** Three vertices per triangle. */
+  /** Returns the current triangles, three vertices each. */
   public int[] indices() {
     return Arrays.copyOf(indices, 3 * triangles);
   }
 
-  /** The squared length of the edge that would be split; negative when there is none. */
+  /** Returns the squared length of the edge that {@link #split} would split; -1 if none. */
   public double longest(int most) {
     Edge edge = next(most);
     return edge == null ? -1 : edge.square;
   }
 
   /**
-   * Splits the longest edge that adds at most so many triangles.
+   * Splits the longest edge whose split adds at most {@code most} triangles.
    *
-   * @return by how many triangles there are more; 0 when there is no such edge
+   * @return the number of triangles added; 0 if there is no such edge
    */
   public int split(int most) {
     Edge edge = next(most);
@@ -114,7 +115,9 @@ public final class EdgeSplitter {
   }
 
   /**
-   * @param middle the point in the middle of the edge, or -1 before it has been made
+   * Splits a triangle at an edge.
+   *
+   * @param middle the point at the edge's midpoint, or -1 before it has been created
    * @return that point
    */
   private int cut(int triangle, Edge edge, Map<Long, Integer> middles, int middle) {
@@ -158,7 +161,7 @@ public final class EdgeSplitter {
     beside.put(key(a, b), more);
   }
 
-  /** Edges of more than two triangles are left alone: they are no surface's. */
+  /** Queues an edge for splitting; non-manifold edges of more than two triangles are not split. */
   private void queue(int a, int b) {
     int sides = beside.get(key(a, b)).length;
     if (sides <= 2 && a != b) {

@@ -4,20 +4,20 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Geometry as primitive arrays, ready for a vertex and an index buffer: local coordinates, right
- * handed, lengths in the scene's unit. Immutable by convention: nobody writes into the arrays.
+ * An indexed mesh in primitive arrays, ready for a vertex buffer and an index buffer, in
+ * right-handed local coordinates and the scene's unit of length. The arrays must not be modified.
  *
- * @param primitive what three, two or one indices make
+ * @param primitive the primitive that three, two or one indices form
  * @param positions x, y, z per vertex; all finite
  * @param normals unit vectors, x, y, z per vertex; null for lines and points without normals, which
  *     are drawn unlit
- * @param colors r, g, b, a per vertex, or null: they replace the material's diffuse colour
- * @param texCoords s, t per vertex, or null when the geometry has none
- * @param moreTexCoords what else a MultiTextureCoordinate, a TextureCoordinate3D or 4D gives, then
- *     the attributes of the geometry; what refines, merges or simplifies a mesh leaves them out
- * @param indices into the vertices; triangles are wound counter-clockwise seen from their front
- * @param solid whether only the front is seen
- * @param bounds min x, y, z, max x, y, z of the positions used; empty geometry has min above max
+ * @param colors r, g, b, a per vertex, or null; they replace the material's diffuse colour
+ * @param texCoords s, t per vertex, or null if the geometry has none
+ * @param moreTexCoords further texture coordinates of a MultiTextureCoordinate, TextureCoordinate3D
+ *     or 4D, then vertex attributes for shaders; refining, merging or simplifying a mesh drops them
+ * @param indices vertex indices; triangles are wound counter-clockwise seen from their front
+ * @param solid whether back faces are culled
+ * @param bounds min x, y, z, max x, y, z of the vertices used; min is above max in an empty mesh
  */
 public record Mesh(
     Primitive primitive,
@@ -31,41 +31,38 @@ public record Mesh(
     float[] bounds) {
 
   /**
-   * Texture coordinates of any size, or an attribute for programs of shaders.
+   * Texture coordinates of any dimension, or a vertex attribute for shader programs.
    *
-   * @param components numbers per vertex: of coordinates 2, 3 or 4, s, t, r, q; of an attribute 1
-   *     to 4
-   * @param values of all vertices one after the other
-   * @param name of the attribute, with {@code [n]} behind it for each further column of a matrix;
+   * @param components numbers per vertex: 2, 3 or 4 for texture coordinates (s, t, r, q), 1 to 4
+   *     for an attribute
+   * @param values the numbers of all vertices
+   * @param name the attribute's name, followed by {@code [n]} for each further column of a matrix;
    *     empty for texture coordinates
    */
   public record TexCoords(int components, float[] values, String name) {
-    /** Texture coordinates. */
+    /** Creates texture coordinates. */
     public TexCoords(int components, float[] values) {
       this(components, values, "");
     }
   }
 
   /**
-   * The name of the attribute that has the depths of fog (X3D 4.0, 24.4.2), one for each vertex.
+   * The name of the attribute for the fog depth of each vertex (FogCoordinate, X3D 4.0, 24.4.2).
    */
   public static final String FOG_DEPTH = "sr_FogCoord";
 
-  /**
-   * Where the depths of fog are among the further texture coordinates and attributes; -1 for a mesh
-   * without any.
-   */
+  /** Returns the index of the fog depths in {@link #moreTexCoords}; -1 if there are none. */
   public int fogDepth() {
     return place(FOG_DEPTH);
   }
 
   /**
-   * The name of the attribute that has the tangents (draft of X3D 4.1, Tangent), x, y, z and the
-   * side of the third axis, 1 or -1, for each vertex. X_ITE's programs know them by it too.
+   * The name of the attribute for tangents (draft of X3D 4.1, Tangent): x, y, z and the handedness
+   * of the tangent frame, 1 or -1, for each vertex. X_ITE's shader programs use the same name.
    */
   public static final String TANGENTS = "x3d_Tangent";
 
-  /** Where the tangents are, likewise. */
+  /** Returns the index of the tangents in {@link #moreTexCoords}; -1 if there are none. */
   public int tangents() {
     return place(TANGENTS);
   }
@@ -79,7 +76,7 @@ public record Mesh(
     return -1;
   }
 
-  /** A mesh with one set of texture coordinates at most. */
+  /** Creates a mesh with at most one set of texture coordinates. */
   public Mesh(
       Primitive primitive,
       float[] positions,
@@ -92,32 +89,32 @@ public record Mesh(
     this(primitive, positions, normals, colors, texCoords, List.of(), indices, solid, bounds);
   }
 
-  /** What the indices make. */
+  /** The primitive type. */
   public enum Primitive {
-    /** Three indices for each. */
+    /** Triangles of three indices each. */
     TRIANGLES,
-    /** Two indices for each. */
+    /** Line segments of two indices each. */
     LINES,
-    /** One index for each. */
+    /** Points of one index each. */
     POINTS
   }
 
-  /** How many vertices it has. */
+  /** Returns the number of vertices. */
   public int vertexCount() {
     return positions.length / 3;
   }
 
-  /** The number of triangles; lines and points are no polygons. */
+  /** Returns the number of triangles; lines and points do not count as polygons. */
   public int polygons() {
     return primitive == Primitive.TRIANGLES ? indices.length / 3 : 0;
   }
 
-  /** Whether it has nothing to draw. */
+  /** Returns whether there is nothing to draw. */
   public boolean isEmpty() {
     return indices.length == 0;
   }
 
-  /** The bounds of the vertices that the indices use. */
+  /** Returns the bounds of the vertices that the indices use: min x, y, z, max x, y, z. */
   public static float[] boundsOf(float[] positions, int[] indices) {
     float[] b = {
       Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY,

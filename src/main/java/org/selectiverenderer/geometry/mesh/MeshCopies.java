@@ -6,16 +6,16 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
-/** One mesh of many copies of another. */
+/** Merges many transformed copies of a mesh into one mesh. */
 public final class MeshCopies {
-  /** Vertices and indices of all copies together, beyond which no more are made. */
+  /** The maximum number of vertices of all copies together. */
   private static final int MOST_VERTICES = 4_000_000;
 
   private static final int MOST_INDICES = 12_000_000;
 
   private MeshCopies() {}
 
-  /** How many copies of a mesh are made at most. */
+  /** Returns the maximum number of copies of a mesh. */
   public static int most(Mesh mesh) {
     return Math.min(
         MOST_VERTICES / Math.max(1, mesh.vertexCount()),
@@ -23,10 +23,10 @@ public final class MeshCopies {
   }
 
   /**
-   * The copies, in order; no more than {@link #most}. One that is mirrored is turned inside out, so
-   * that its outside stays its front.
+   * Returns the mesh of the copies, in order; no more than {@link #most}. The winding of a mirrored
+   * copy is reversed, so that its outside stays its front.
    *
-   * @param places from the mesh's coordinates to those of all
+   * @param places the transform of each copy
    */
   public static Mesh of(Mesh mesh, List<? extends Matrix4dc> places) {
     int copies = Math.min(places.size(), most(mesh));
@@ -82,7 +82,7 @@ public final class MeshCopies {
     return new Mesh.TexCoords(more.components(), repeatedAll(more.values(), copies), more.name());
   }
 
-  /** Tangents go with the surface; in a mirrored copy the third axis is on the other side. */
+  /** Transforms tangents with the surface; a mirrored copy has the opposite handedness. */
   private static Mesh.TexCoords turned(
       Mesh.TexCoords tangents, List<? extends Matrix4dc> places, int copies) {
     Mesh.TexCoords all = repeated(tangents, copies);
@@ -101,7 +101,7 @@ public final class MeshCopies {
     return all;
   }
 
-  /** A number beyond a float's range stays in it. */
+  /** Stores a vector, clamped to a float's range. */
   private static void put(Vector3d v, float[] to, int at) {
     for (int axis = 0; axis < 3; axis++) {
       double value = v.get(axis);

@@ -5,12 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import org.joml.Vector3d;
 
-/** What can be measured of a mesh. */
+/** Measures triangle meshes: volume, area, normals, border. */
 public final class MeshMeasures {
 
   private MeshMeasures() {}
 
-  /** The enclosed volume, cubic metres, by the divergence theorem; negative when inside out. */
+  /** Returns the enclosed volume in cubic metres (divergence theorem); negative if inside out. */
   public static double volume(TriangleMesh mesh) {
     double six = 0;
     int[] t = mesh.triangles();
@@ -21,7 +21,7 @@ public final class MeshMeasures {
     return six / 6;
   }
 
-  /** The area of all triangles, square metres. */
+  /** Returns the area of all triangles in square metres. */
   public static double area(TriangleMesh mesh) {
     double sum = 0;
     for (int t = 0; t < mesh.triangleCount(); t++) {
@@ -30,7 +30,7 @@ public final class MeshMeasures {
     return sum;
   }
 
-  /** A vector across a triangle, outwards, twice as long as the triangle's area. */
+  /** Returns the outward normal of a triangle, whose length is twice the triangle's area. */
   public static Vector3d normal(TriangleMesh mesh, int triangle) {
     int[] t = mesh.triangles();
     Vector3d a = mesh.point(t[3 * triangle]);
@@ -40,8 +40,8 @@ public final class MeshMeasures {
   }
 
   /**
-   * Directed edges without exactly one partner in the other direction: a closed orientable surface
-   * has none.
+   * Returns the number of directed edges without exactly one opposite edge; 0 for a closed
+   * orientable surface.
    */
   public static int openEdges(TriangleMesh mesh) {
     long[] edges = edges(mesh);
@@ -55,7 +55,7 @@ public final class MeshMeasures {
     return open;
   }
 
-  /** The directed edges of all triangles, sorted. */
+  /** Returns the directed edges of all triangles, sorted. */
   private static long[] edges(TriangleMesh mesh) {
     int[] t = mesh.triangles();
     long[] edges = new long[t.length];
@@ -70,7 +70,7 @@ public final class MeshMeasures {
     return Arrays.binarySearch(edges, edge) >= 0;
   }
 
-  /** The border's edges, from and to, as the triangles beside them run; in the triangles' order. */
+  /** Returns the directed border edges (from, to), in the order of their triangles. */
   public static List<int[]> border(TriangleMesh mesh) {
     long[] edges = edges(mesh);
     int[] t = mesh.triangles();
@@ -84,7 +84,7 @@ public final class MeshMeasures {
     return border;
   }
 
-  /** From and to, side by side. */
+  /** Packs a directed edge. */
   private static long edge(int from, int to) {
     return (long) from << 32 | to;
   }

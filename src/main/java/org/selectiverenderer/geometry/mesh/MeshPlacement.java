@@ -6,15 +6,15 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
-/** Meshes put where a Transform places its children. */
+/** Transforms meshes by affine matrices. */
 public final class MeshPlacement {
   private MeshPlacement() {}
 
   /**
-   * The mesh in its parent's frame, normals of length 1; a mirror turns the triangles, so that the
-   * front stays.
+   * Returns the mesh in its parent's frame, with unit normals. A mirroring matrix reverses the
+   * winding of triangles, so that fronts stay fronts.
    *
-   * @param placement from the mesh's frame to the parent's, affine
+   * @param placement the affine transform from the mesh's frame to the parent's
    */
   public static Mesh place(Mesh mesh, Matrix4dc placement) {
     if (new Matrix4d().equals(placement)) {
@@ -41,7 +41,7 @@ public final class MeshPlacement {
         Mesh.boundsOf(positions, indices));
   }
 
-  /** Triangles of a mesh so that their fronts stay where it is placed: a mirror turns them. */
+  /** Returns triangles with the winding that keeps their fronts: reversed if mirrored. */
   public static int[] triangles(int[] indices, Matrix4dc placement) {
     if (placement.determinant3x3() >= 0) {
       return indices;

@@ -9,42 +9,42 @@ import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.geometry.Degrees;
 
 /**
- * A surface of triangles. A value: operations return new meshes, and nobody writes into the arrays.
+ * An immutable triangle mesh: operations return new meshes, and the arrays must not be modified.
  *
  * @param positions x, y, z per point, metres
  * @param triangles three point indices each, counter-clockwise seen from outside
  */
 public record TriangleMesh(float[] positions, int[] triangles) {
 
-  /** No triangles. */
+  /** The mesh without triangles. */
   public static final TriangleMesh EMPTY = new TriangleMesh(new float[0], new int[0]);
 
-  /** How many triangles it has. */
+  /** Returns the number of triangles. */
   public int triangleCount() {
     return triangles.length / 3;
   }
 
-  /** How many points it has. */
+  /** Returns the number of points. */
   public int pointCount() {
     return positions.length / 3;
   }
 
-  /** A point, by its index. */
+  /** Returns a point by its index. */
   public Vector3d point(int index) {
     return new Vector3d(positions[3 * index], positions[3 * index + 1], positions[3 * index + 2]);
   }
 
-  /** The box around its points. */
+  /** Returns the bounding box of the points. */
   public Bounds bounds() {
     return Bounds.around(positions);
   }
 
-  /** All of them side by side; points are not joined. */
+  /** Concatenates meshes without welding their points. */
   public static TriangleMesh of(TriangleMesh... meshes) {
     return of(List.of(meshes));
   }
 
-  /** All of them side by side; points are not joined. */
+  /** Concatenates meshes without welding their points. */
   public static TriangleMesh of(Collection<TriangleMesh> meshes) {
     float[] positions = new float[meshes.stream().mapToInt(m -> m.positions.length).sum()];
     int[] triangles = new int[meshes.stream().mapToInt(m -> m.triangles.length).sum()];
@@ -60,12 +60,12 @@ public record TriangleMesh(float[] positions, int[] triangles) {
     return new TriangleMesh(positions, triangles);
   }
 
-  /** This one and another, side by side. */
+  /** Concatenates this mesh and another without welding. */
   public TriangleMesh append(TriangleMesh other) {
     return of(this, other);
   }
 
-  /** Every point moved by a function; triangles keep the order of their corners. */
+  /** Maps every point by a function; the winding of the triangles is kept. */
   public TriangleMesh deform(UnaryOperator<Vector3d> function) {
     float[] moved = new float[positions.length];
     for (int i = 0; i < pointCount(); i++) {
@@ -77,54 +77,54 @@ public record TriangleMesh(float[] positions, int[] triangles) {
     return new TriangleMesh(moved, triangles);
   }
 
-  /** The same elsewhere. */
+  /** Returns the mesh translated, in metres. */
   public TriangleMesh move(double x, double y, double z) {
     return deform(p -> p.add(x, y, z));
   }
 
-  /** The same, larger or smaller. */
+  /** Returns the mesh scaled about the origin. */
   public TriangleMesh scale(double factor) {
     return scale(factor, factor, factor);
   }
 
-  /** Scales about the origin; a negative factor mirrors, and the outside stays outside. */
+  /** Returns the mesh scaled about the origin; a mirrored mesh is not turned inside out. */
   public TriangleMesh scale(double x, double y, double z) {
     TriangleMesh scaled = deform(p -> p.mul(x, y, z));
     return x * y * z < 0 ? scaled.flip() : scaled;
   }
 
-  /** Turns about the x axis; positive brings +y towards +z. */
+  /** Returns the mesh rotated about the x axis; positive turns +y towards +z. */
   public TriangleMesh turnX(double degrees) {
     double s = Degrees.sin(degrees);
     double c = Degrees.cos(degrees);
     return deform(p -> p.set(p.x, c * p.y - s * p.z, s * p.y + c * p.z));
   }
 
-  /** Turns about the y axis; positive brings +z towards +x. */
+  /** Returns the mesh rotated about the y axis; positive turns +z towards +x. */
   public TriangleMesh turnY(double degrees) {
     double s = Degrees.sin(degrees);
     double c = Degrees.cos(degrees);
     return deform(p -> p.set(c * p.x + s * p.z, p.y, c * p.z - s * p.x));
   }
 
-  /** Turns about the z axis; positive brings +x towards +y. */
+  /** Returns the mesh rotated about the z axis; positive turns +x towards +y. */
   public TriangleMesh turnZ(double degrees) {
     double s = Degrees.sin(degrees);
     double c = Degrees.cos(degrees);
     return deform(p -> p.set(c * p.x - s * p.y, s * p.x + c * p.y, p.z));
   }
 
-  /** Its image in the plane x = 0, its faces still outwards. */
+  /** Returns the mesh mirrored at the plane x = 0, its faces still outwards. */
   public TriangleMesh mirrorX() {
     return scale(-1, 1, 1);
   }
 
-  /** Its image in the plane z = 0, its faces still outwards. */
+  /** Returns the mesh mirrored at the plane z = 0, its faces still outwards. */
   public TriangleMesh mirrorZ() {
     return scale(1, 1, -1);
   }
 
-  /** Inside out. */
+  /** Returns the mesh with reversed winding. */
   public TriangleMesh flip() {
     int[] turned = triangles.clone();
     for (int t = 0; t < turned.length; t += 3) {
@@ -134,12 +134,12 @@ public record TriangleMesh(float[] positions, int[] triangles) {
     return new TriangleMesh(positions, turned);
   }
 
-  /** The same surface, turned inside out if it encloses a negative volume. */
+  /** Returns the mesh with reversed winding if it encloses a negative volume. */
   public TriangleMesh outward() {
     return MeshMeasures.volume(this) < 0 ? flip() : this;
   }
 
-  /** Whether every edge has exactly one neighbour that runs the other way: no border, no fold. */
+  /** Returns whether the mesh is a closed 2-manifold: each edge has exactly one opposite. */
   public boolean isClosed() {
     return triangles.length > 0 && MeshMeasures.openEdges(this) == 0;
   }

@@ -3,14 +3,14 @@ package org.selectiverenderer.geometry.mesh;
 import java.util.Arrays;
 import org.joml.Vector3dc;
 
-/** Collects the points and triangles of a mesh. */
+/** Builds a triangle mesh point by point. */
 public final class TriangleMeshBuilder {
   private float[] positions = new float[96];
   private int[] triangles = new int[96];
   private int points;
   private int corners;
 
-  /** Adds a point and returns its number. */
+  /** Adds a point and returns its index. */
   public int point(double x, double y, double z) {
     if (3 * points + 3 > positions.length) {
       positions = Arrays.copyOf(positions, 2 * positions.length);
@@ -21,7 +21,7 @@ public final class TriangleMeshBuilder {
     return points++;
   }
 
-  /** Adds a point, and gives its index. */
+  /** Adds a point and returns its index, for a vector. */
   public int point(Vector3dc p) {
     return point(p.x(), p.y(), p.z());
   }
@@ -36,13 +36,13 @@ public final class TriangleMeshBuilder {
     triangles[corners++] = c;
   }
 
-  /** The quadrangle a, b, c, d, cut from a to c. */
+  /** Adds the quadrilateral a, b, c, d, split along its diagonal from a to c. */
   public void quad(int a, int b, int c, int d) {
     triangle(a, b, c);
     triangle(a, c, d);
   }
 
-  /** What has been built. */
+  /** Returns the mesh. */
   public TriangleMesh mesh() {
     return new TriangleMesh(
         Arrays.copyOf(positions, 3 * points), Arrays.copyOf(triangles, corners));

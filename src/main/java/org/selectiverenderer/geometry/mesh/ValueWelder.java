@@ -2,7 +2,7 @@ package org.selectiverenderer.geometry.mesh;
 
 import org.jspecify.annotations.Nullable;
 
-/** Finds vertices whose values are all equal; minus zero counts as zero. */
+/** Welds vertices whose attributes are all equal; minus zero counts as zero. */
 public final class ValueWelder {
   private final int count;
   private final float[][] arrays;
@@ -10,7 +10,7 @@ public final class ValueWelder {
   private final int[] renamed;
   private int unique;
 
-  /** Each array holds {@code count} tuples: x, y, z; x, y, z; r, g, b, a; s, t. */
+  /** Creates a welder; arrays hold {@code count} tuples: x, y, z; x, y, z; r, g, b, a; s, t. */
   public ValueWelder(
       int count,
       float[] positions,
@@ -35,7 +35,7 @@ public final class ValueWelder {
     this.renamed = new int[count];
   }
 
-  /** Numbers the vertices anew, in order of first appearance; returns how many differ. */
+  /** Renumbers vertices in order of first appearance; returns the number of distinct ones. */
   public int weld() {
     int[] hashes = hashes();
     int[] table = new int[Integer.highestOneBit(Math.max(8, count)) * 4];
@@ -87,19 +87,19 @@ public final class ValueWelder {
     return true;
   }
 
-  /** The new number of each vertex. Not a copy. */
+  /** Returns the new index of each vertex; not a copy. */
   public int[] numbers() {
     return renamed;
   }
 
-  /** Replaces vertex numbers by the new ones. */
+  /** Replaces vertex indices by the new ones. */
   public void rename(int[] indices) {
     for (int i = 0; i < indices.length; i++) {
       indices[i] = renamed[indices[i]];
     }
   }
 
-  /** The tuples of the vertices that are left. */
+  /** Returns the tuples of the distinct vertices. */
   public float[] compact(float[] values, int size) {
     float[] kept = new float[unique * size];
     int next = 0;

@@ -1,9 +1,9 @@
 /**
- * Surfaces of triangles: one immutable mesh, what builds it, what measures it, what divides it and
- * what puts it elsewhere.
+ * Immutable triangle meshes, and classes that build, weld, measure, refine, copy and transform
+ * them.
  *
- * <p>In: points and triangles. Out: meshes. Triangles go counter-clockwise seen from outside. The
- * same call gives the same bits on every machine. Uses {@code geometry} only.
+ * <p>In: points and triangles. Out: meshes. Triangles are wound counter-clockwise seen from
+ * outside. Results are bit-identical on every machine. Uses {@code geometry} only.
  */
 @NullMarked
 package org.selectiverenderer.geometry.mesh;

@@ -3,17 +3,17 @@ package org.selectiverenderer.geometry.nurbs;
 import java.util.TreeSet;
 
 /**
- * The B-spline basis functions of one parameter. Immutable.
+ * The B-spline basis functions over a knot vector. Immutable.
  *
- * @param degree the order less one, at least 1
- * @param knots ascending, as many as control points and order together
- * @param count control points, at least the order
+ * @param degree the order minus 1, at least 1
+ * @param knots the knot vector, non-decreasing, with {@code count + degree + 1} knots
+ * @param count the number of control points, at least the order
  */
 public record Basis(int degree, double[] knots, int count) {
-  /** The highest order taken; those of models are 2 to 6. */
+  /** The highest order supported; models use 2 to 6. */
   public static final int MAX_ORDER = 32;
 
-  /** Whether knots can be those of a basis. */
+  /** Returns whether a knot vector is valid for an order and a number of control points. */
   public static boolean fits(int order, double[] knots, int count) {
     if (knots.length != order + count) {
       return false;
@@ -26,12 +26,12 @@ public record Basis(int degree, double[] knots, int count) {
     return knots[order - 1] < knots[count];
   }
 
-  /** The basis over knots that {@link #fits} finds fit. */
+  /** Returns the basis over a knot vector that {@link #fits}. */
   public static Basis of(int order, double[] knots, int count) {
     return new Basis(order - 1, knots, count);
   }
 
-  /** Knots at equal distances, the first and last {@code order} of them the same. */
+  /** Returns the basis over a clamped uniform knot vector, its end knots {@code order}-fold. */
   public static Basis uniform(int order, int count) {
     double[] knots = new double[order + count];
     for (int i = 0; i < knots.length; i++) {
@@ -40,7 +40,7 @@ public record Basis(int degree, double[] knots, int count) {
     return new Basis(order - 1, knots, count);
   }
 
-  /** Knots at equal distances throughout: a curve whose last points are its first is smooth. */
+  /** Returns the basis over an unclamped uniform knot vector, for smoothly closed curves. */
   public static Basis periodic(int order, int count) {
     double[] knots = new double[order + count];
     for (int i = 0; i < knots.length; i++) {
@@ -49,26 +49,26 @@ public record Basis(int degree, double[] knots, int count) {
     return new Basis(order - 1, knots, count);
   }
 
-  /** The least parameter. */
+  /** Returns the least parameter. */
   public double from() {
     return knots[degree];
   }
 
-  /** The greatest parameter. */
+  /** Returns the greatest parameter. */
   public double to() {
     return knots[count];
   }
 
-  /** The parameter at a part of the way, 0 to 1. */
+  /** Returns the parameter at a fraction, 0 to 1, of the parameter range. */
   public double at(double part) {
     return from() + Math.max(0, Math.min(part, 1)) * (to() - from());
   }
 
   /**
-   * Parameters that divide the range evenly, and besides those where the curve may have a corner,
-   * ascending.
+   * Returns ascending parameters that divide the range evenly, and in addition the knots of
+   * multiplicity {@code degree}, at which the curve may have a corner.
    *
-   * @param parts at least 1
+   * @param parts the number of intervals, at least 1
    */
   public double[] parameters(int parts) {
     TreeSet<Double> all = new TreeSet<>();
@@ -85,7 +85,7 @@ public record Basis(int degree, double[] knots, int count) {
     return all.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
-  /** The first control point that counts at a parameter; the next {@code degree} do too. */
+  /** Returns the first of the {@code degree + 1} control points that affect a parameter. */
   int first(double u) {
     int low = degree;
     int high = count - 1;
@@ -98,17 +98,17 @@ public record Basis(int degree, double[] knots, int count) {
       }
     }
     while (low > degree && knots[low] == knots[low + 1]) {
-      low--; // At the end of the last span that has a length.
+      low--; // at the end of the last non-empty knot span
     }
     return low - degree;
   }
 
   /**
-   * The values of the functions from {@link #first} on, and their derivatives (The NURBS Book,
+   * Computes the basis functions from {@link #first} on, and their derivatives (The NURBS Book,
    * algorithm A2.2 and equation 2.7).
    *
-   * @param values {@code degree + 1} long
-   * @param slopes likewise
+   * @param values receives the {@code degree + 1} values
+   * @param slopes receives the {@code degree + 1} derivatives
    */
   void evaluate(double u, int first, double[] values, double[] slopes) {
     int span = first + degree;

@@ -1,19 +1,19 @@
 package org.selectiverenderer.geometry.nurbs;
 
 /**
- * A curve of any number of dimensions. Immutable.
+ * A NURBS curve in any number of dimensions. Immutable.
  *
- * @param basis its basis functions
- * @param points homogeneous, one after the other
- * @param dimensions numbers per point
- * @param weights one per point, above 0
+ * @param basis the B-spline basis
+ * @param points control points in homogeneous form, each already multiplied by its weight
+ * @param dimensions numbers per control point
+ * @param weights one weight per control point, above 0
  */
 public record RationalCurve(Basis basis, double[] points, int dimensions, double[] weights) {
 
   /**
-   * The point at a parameter, and the direction.
+   * Evaluates the point and the first derivative at a parameter.
    *
-   * @return the point's numbers, then those of the derivative
+   * @return the coordinates of the point, then those of the derivative
    */
   public double[] at(double u) {
     int order = basis.degree() + 1;

@@ -1,20 +1,21 @@
 package org.selectiverenderer.geometry.nurbs;
 
 /**
- * A surface over two parameters. Immutable.
+ * A NURBS surface. Immutable.
  *
- * @param u the basis along the rows of control points
- * @param v the basis across them
- * @param points homogeneous, a row of {@code u.count()} after the other
- * @param dimensions numbers per point
- * @param weights one per point, above 0
+ * @param u the B-spline basis along the rows of control points
+ * @param v the B-spline basis along the columns of control points
+ * @param points control points in homogeneous form, each already multiplied by its weight, in rows
+ *     of {@code u.count()}
+ * @param dimensions numbers per control point
+ * @param weights one weight per control point, above 0
  */
 public record RationalSurface(Basis u, Basis v, double[] points, int dimensions, double[] weights) {
 
   /**
-   * The point at two parameters, and the directions.
+   * Evaluates the point and the partial derivatives at two parameters.
    *
-   * @return the point's numbers, those of the derivative by u, those of the derivative by v
+   * @return the coordinates of the point, then of the derivative by u, then of that by v
    */
   public double[] at(double atU, double atV) {
     int orderU = u.degree() + 1;

@@ -2,9 +2,9 @@ package org.selectiverenderer.geometry.tessellate;
 
 import org.selectiverenderer.geometry.mesh.Mesh;
 
-/** Box (X3D 4.0, 13.3.1): 12 triangles, 24 vertices; each face shows the whole texture. */
+/** Tessellates Box nodes (X3D 4.0, 13.3.1): 12 triangles; each face shows the whole texture. */
 final class BoxShape {
-  /** Per face: its normal, the direction of S, the direction of T. */
+  /** For each face its normal, the direction of S, and the direction of T. */
   private static final int[][] FACES = {
     {0, 0, 1, 1, 0, 0, 0, 1, 0},
     {0, 0, -1, -1, 0, 0, 0, 1, 0},

@@ -4,15 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** The closed contours that trim a NURBS surface (X3D 4.0, 27.4.1), as polygons in u and v. */
+/** Reads the trimming loops of a NURBS surface (X3D 4.0, 27.4.1) as polygons in u and v. */
 final class Contours2D {
-  /** Beyond this many points of all contours the surface is drawn untrimmed. */
+  /** A surface whose trimming contours have more points than this is drawn untrimmed. */
   private static final int MAX_POINTS = 20_000;
 
   private Contours2D() {}
 
   /**
-   * Each Contour2D as one polygon: its curves one after the other.
+   * Returns each Contour2D as one polygon, the concatenation of its curves.
    *
    * @return u, v per point, the end not repeated
    */
@@ -45,7 +45,7 @@ final class Contours2D {
     return polygons;
   }
 
-  /** Without points that repeat the one before, as where one curve ends and the next begins. */
+  /** Removes points that repeat the previous one, as where one curve meets the next. */
   private static double[] distinct(List<Double> values) {
     double[] kept = new double[values.size()];
     int count = 0;

@@ -1,11 +1,11 @@
 package org.selectiverenderer.geometry.tessellate;
 
-/** The angles of triangles at their corners, by which face normals are weighted. */
+/** Computes the interior angles of triangles, by which face normals are weighted. */
 final class CornerAngles {
   private CornerAngles() {}
 
   /**
-   * The angle at each corner in radians, to about 1e-4: enough for a weight.
+   * Returns the angle at each corner in radians, to about 1e-4, which is enough for a weight.
    *
    * @param xyz the points
    * @param corners point per corner, three per triangle of non-zero area
@@ -38,10 +38,10 @@ final class CornerAngles {
     return angles;
   }
 
-  /** Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.45; error below 7e-5. */
+  /** Approximates arccos with an error below 7e-5 (Abramowitz and Stegun, 1964, 4.4.45). */
   private static float arcCosine(double cosine) {
     double size = Math.abs(cosine);
-    double x = size > 1 ? 1 : size; // Math.min heeds the sign of zero, and takes longer than this.
+    double x = size > 1 ? 1 : size; // faster than Math.min, which treats signed zeros
     double angle =
         Math.sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - x * 0.0187293)));
     return (float) (cosine < 0 ? Math.PI - angle : angle);

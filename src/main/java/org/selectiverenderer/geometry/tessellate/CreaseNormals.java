@@ -3,16 +3,16 @@ package org.selectiverenderer.geometry.tessellate;
 import java.util.Arrays;
 
 /**
- * Normals by crease angle (X3D 4.0, 11.2.3): around each point, faces that meet in an edge at less
- * than the crease angle belong to one group, and a group shares the sum of its faces' normals,
- * weighted by their angles at the point. Takes time linear in the number of corners, however many
- * of them meet in one point.
+ * Generates normals by crease angle (X3D 4.0, 11.2.3): at each point, faces that share an edge with
+ * a dihedral angle below the crease angle form a smoothing group, and the group's normal is the sum
+ * of its face normals weighted by their angles at the point. Takes time linear in the number of
+ * corners, however many of them meet at one point.
  */
 final class CreaseNormals {
-  /** Faces tried per edge; more than two only meet in edges that are no surface's. */
+  /** The maximum number of faces compared per edge; only non-manifold edges have more than two. */
   private static final int FACES_PER_EDGE = 16;
 
-  /** Faces back to back stay apart at any crease angle: their normals would cancel out. */
+  /** Opposite faces are never smoothed, at any crease angle, as their normals would cancel out. */
   private static final float BACK_TO_BACK = -0.99999f;
 
   private final int pointCount;
@@ -26,16 +26,16 @@ final class CreaseNormals {
   private float[] normals;
   private int normalCount;
 
-  // Corners by point: those of point p are atPoint[start[p]] up to start[p + 1].
+  // Corners sorted by point: those of point p are atPoint[start[p]] up to start[p + 1].
   private final int[] start;
   private final int[] atPoint;
 
-  // For the point at hand, by the position of a corner among the point's corners.
+  // For the current point, indexed by the position of a corner among the point's corners.
   private final int[] parent;
   private final int[] groupNormal;
   private final float[] sums;
 
-  // Edges of the point at hand: the corners beside the edge to point q form a list from head[q].
+  // Edges of the current point: the corners beside the edge to q are a linked list from head[q].
   private final int[] edgeOwner;
   private final int[] head;
   private final int[] next;
@@ -70,7 +70,7 @@ final class CreaseNormals {
     Arrays.fill(edgeOwner, -1);
   }
 
-  /** The normal of each corner. */
+  /** Returns the normal of each corner. */
   VertexAttribute attribute() {
     for (int point = 0; point < pointCount; point++) {
       int from = start[point];
@@ -84,7 +84,9 @@ final class CreaseNormals {
     return new VertexAttribute(normals, 3, ids);
   }
 
-  /** Fills {@link #start} and {@link #atPoint}; returns the most corners that meet in a point. */
+  /**
+   * Fills {@link #start} and {@link #atPoint}; returns the maximum number of corners at a point.
+   */
   private int sortByPoint() {
     for (int point : corners) {
       start[point]++;
@@ -115,7 +117,7 @@ final class CreaseNormals {
     }
   }
 
-  /** Joins the corner to those met before beside the edge from {@code point} to {@code other}. */
+  /** Unites a corner with earlier ones at the edge from {@code point} to {@code other}. */
   private void visitEdge(int point, int from, int i, int triangle, int other, int entry) {
     int previous = -1;
     if (edgeOwner[other] == point) {

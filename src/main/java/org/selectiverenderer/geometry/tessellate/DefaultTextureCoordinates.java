@@ -1,12 +1,12 @@
 package org.selectiverenderer.geometry.tessellate;
 
-/** Texture coordinates of surfaces that give none (X3D 4.0, 13.3.6). */
+/** Computes texture coordinates for surfaces that specify none (X3D 4.0, 13.3.6). */
 final class DefaultTextureCoordinates {
   private DefaultTextureCoordinates() {}
 
   /**
-   * S runs from 0 to 1 along the longest side of the bounding box, T along the second longest from
-   * 0 to the ratio of the two; of equal sides X comes before Y before Z.
+   * Returns coordinates in which S runs from 0 to 1 along the longest side of the bounding box, and
+   * T along the second longest from 0 to the ratio of the two. Of equal sides X precedes Y and Z.
    *
    * @return s, t per vertex
    */
@@ -26,7 +26,7 @@ final class DefaultTextureCoordinates {
     return texCoords;
   }
 
-  /** The axis of the greatest size other than {@code except}; the first of equals. */
+  /** Returns the axis of the greatest size other than {@code except}; the first of equals. */
   private static int longest(double[] size, int except) {
     int longest = except == 0 ? 1 : 0;
     for (int axis = longest + 1; axis < 3; axis++) {

@@ -4,10 +4,11 @@ import java.util.Arrays;
 import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
-/** Leaves the triangles without area out of a mesh that a formula has made. */
+/** Removes degenerate triangles, those without area, from a computed mesh. */
 final class Degenerate {
   private Degenerate() {}
 
+  /** Returns the mesh without degenerate triangles; an empty one if a point is not finite. */
   static Mesh without(Mesh mesh, TessellationJob job) {
     int[] indices = mesh.indices();
     float[] xyz = mesh.positions();

@@ -3,7 +3,7 @@ package org.selectiverenderer.geometry.tessellate;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** ElevationGrid (X3D 4.0, 13.3.4): heights over the x-z plane, seen from above when ccw. */
+/** Tessellates ElevationGrid nodes (X3D 4.0, 13.3.4): heights over the x-z plane. */
 final class ElevationGrid {
   private ElevationGrid() {}
 
@@ -32,7 +32,7 @@ final class ElevationGrid {
     return mesh(job, xyz, columns, rows, false, job.node().number("creaseAngle"));
   }
 
-  /** Whether there are fewer heights than points; says so. */
+  /** Returns whether there are fewer heights than points, and reports it. */
   static boolean tooFew(TessellationJob job, int heights, int columns, int rows) {
     if (heights >= (long) columns * rows) {
       return false;
@@ -52,9 +52,9 @@ final class ElevationGrid {
   }
 
   /**
-   * The faces between the points of a grid, seen from above when ccw.
+   * Returns the faces between the points of a grid, which with ccw face upwards.
    *
-   * @param northwards whether the second row lies north of the first, not south
+   * @param northwards whether the second row lies north of the first rather than south
    */
   static Mesh mesh(
       TessellationJob job,

@@ -7,12 +7,13 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * Extrusion (X3D 4.0, 13.3.5). Around a closed cross-section and along a closed spine the surface
- * is one, and smooth if the crease angle says so; the caps always stand apart from the sides.
- * Texture coordinates run from 0 to 1 by length along the cross-section (S) and the spine (T).
+ * Tessellates Extrusion nodes (X3D 4.0, 13.3.5). Around a closed cross-section and along a closed
+ * spine the surface is continuous, and smooth depending on the crease angle; the caps never share
+ * normals with the sides. Texture coordinates run from 0 to 1 by length along the cross-section (S)
+ * and the spine (T).
  */
 final class Extrusion {
-  /** More corners than this do not fit a mesh's arrays. */
+  /** The maximum product of cross-section and spine lengths, which bounds the size of the mesh. */
   private static final long LIMIT = 100_000_000;
 
   private final TessellationJob job;
@@ -102,7 +103,7 @@ final class Extrusion {
     return Arrays.copyOf(triangles.corners(), 3 * triangles.count());
   }
 
-  /** The rings of points along the spine, then those of the caps. */
+  /** Returns the points of the rings along the spine, then those of the caps. */
   private float[] points(boolean begin, boolean end) {
     SpineFrames frames = new SpineFrames(spine);
     float[] xyz = new float[3 * ring * (along + (begin ? 1 : 0) + (end ? 1 : 0))];
@@ -148,7 +149,7 @@ final class Extrusion {
         : new Quaterniond();
   }
 
-  /** Whether the last ring of points is the first, so that the surface goes on there. */
+  /** Returns whether the last ring of points equals the first, so that the surface is closed. */
   private boolean closesOnItself(float[] xyz) {
     int last = 3 * ring * (along - 1);
     double size = 0;
@@ -176,7 +177,7 @@ final class Extrusion {
     }
   }
 
-  /** A cap; the one at the beginning is seen from below, so it goes round the other way. */
+  /** Adds a cap; the begin cap faces backwards along the spine, so its order is reversed. */
   private void cap(int[] stream, float[] texCoords, int at, int firstPoint, boolean reverse) {
     float minX = Float.POSITIVE_INFINITY;
     float minZ = Float.POSITIVE_INFINITY;
@@ -206,7 +207,7 @@ final class Extrusion {
     return at + 1;
   }
 
-  /** How far along a polyline each of its points is, from 0 to 1. */
+  /** Returns the arc length of each point of a polyline, normalized to 0 to 1. */
   private static double[] lengths(float[] polyline, int components) {
     int count = polyline.length / components;
     double[] lengths = new double[count];

@@ -1,6 +1,6 @@
 package org.selectiverenderer.geometry.tessellate;
 
-/** Decides which faces of an index stream can be drawn, and reports the others once per node. */
+/** Checks which faces of an index stream can be drawn, and reports the others once per node. */
 final class FaceCorners {
   private final int[] stream;
   private final Points points;
@@ -11,6 +11,8 @@ final class FaceCorners {
   private int tooShort;
 
   /**
+   * Creates a check of an index stream.
+   *
    * @param least the fewest points that make a face (3) or a line (2)
    */
   FaceCorners(int[] stream, Points points, int least) {
@@ -19,7 +21,7 @@ final class FaceCorners {
     this.least = least;
   }
 
-  /** Whether the face of the stream positions {@code from} up to {@code to} can be drawn. */
+  /** Returns whether the face of stream positions {@code from} up to {@code to} can be drawn. */
   boolean accepts(int from, int to) {
     if (to - from < least) {
       tooShort++;
@@ -33,7 +35,7 @@ final class FaceCorners {
     return true;
   }
 
-  /** Whether a triangle of three stream positions can be drawn. */
+  /** Returns whether a triangle of three stream positions can be drawn. */
   boolean accepts(int a, int b, int c) {
     return inRange(stream[a]) && inRange(stream[b]) && inRange(stream[c]);
   }
@@ -54,16 +56,16 @@ final class FaceCorners {
   }
 
   /**
-   * Reports what was refused.
+   * Reports the refused faces.
    *
-   * @param what the name of one of them, for example {@code face}
+   * @param what the noun for one of them, for example {@code face}
    */
   void report(TessellationJob job, String what) {
     if (outOfRange > 0) {
       job.problem(
-          "refers to point "
+          "refers to point index "
               + firstOutOfRange
-              + " of "
+              + ", but the number of points is "
               + points.count()
               + "; "
               + counted(outOfRange, what)

@@ -2,13 +2,13 @@ package org.selectiverenderer.geometry.tessellate;
 
 import org.selectiverenderer.geometry.TriangleMath;
 
-/** Normals of faces as a whole. */
+/** Computes one normal per face. */
 final class FaceNormals {
   private FaceNormals() {}
 
   /**
-   * The unit normal of each face: the sum of its triangles' area vectors, which for a polygon that
-   * is not quite flat is the direction in which it shows the largest area (Newell's method).
+   * Returns the unit normal of each face, the direction of the sum of its triangles' area vectors.
+   * For a non-planar polygon it is the direction of the largest projected area (Newell's method).
    *
    * @param xyz the points
    * @param corners point per corner, three per triangle
@@ -40,7 +40,7 @@ final class FaceNormals {
         normals[f + 1] = (float) (y * scale);
         normals[f + 2] = (float) (z * scale);
       } else if (corners.length > 0) {
-        // Triangles that cancel out, as in a bow tie: any unit vector will do.
+        // triangles that cancel out, as in a bow tie: any unit vector is acceptable
         normals[f + 1] = 1;
       }
     }

@@ -5,16 +5,16 @@ import java.util.List;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
- * Splits polygons in space into triangles: convex ones into a fan, others by ear clipping in the
- * plane that shows most of them. Large ones that cross themselves become fans too, as clipping them
- * would take too long. Whether a polygon is convex is found out, not believed: files that leave
- * {@code convex} at TRUE with concave faces are common.
+ * Triangulates polygons in space: convex ones as a fan, others by ear clipping after projection to
+ * the coordinate plane of their largest projected area. Large self-intersecting ones also become
+ * fans, as clipping them would take too long. Convexity is computed, since files with {@code
+ * convex} TRUE and concave faces are common.
  */
 final class FaceSplitter {
-  /** Points up to which a face is clipped, whatever its form. */
+  /** Faces up to this number of points are always clipped. */
   private static final int FEW = 256;
 
-  /** Squared points of the larger faces of a node that are clipped though they cross themselves. */
+  /** The budget per node, in squared points, for clipping larger self-intersecting faces. */
   private static final long WORK = 1 << 22;
 
   private final float[] xyz;
@@ -23,8 +23,10 @@ final class FaceSplitter {
   private int crossing;
 
   /**
+   * Creates a splitter for the faces of a node.
+   *
    * @param xyz the points that the list's stream refers to
-   * @param triangles where triangles are added, wound as their polygon is
+   * @param triangles receives the triangles, wound as their polygons are
    */
   FaceSplitter(float[] xyz, TriangleList triangles) {
     this.xyz = xyz;
@@ -46,16 +48,16 @@ final class FaceSplitter {
     }
   }
 
-  /** Says which faces could not be split as they should be, once all are. */
+  /** Reports the faces that were not clipped, after all faces have been split. */
   void report(TessellationJob job) {
     if (crossing > 0) {
       job.problem(
-          "has %s of more than %s points that cross themselves; they are filled roughly"
+          "has %s of more than %s points that intersect themselves; they are filled roughly"
               .formatted(crossing == 1 ? "a face" : crossing + " faces", FEW));
     }
   }
 
-  /** Ear clipping takes quadratic time where edges cross: there is so much for it in a node. */
+  /** Returns whether clipping exceeds the budget; it takes quadratic time where edges cross. */
   private boolean tooMuchWork(double[] plane) {
     long count = plane.length / 2;
     if (count <= FEW || !new PlanePolygon(plane).mayCrossItself()) {
@@ -69,7 +71,7 @@ final class FaceSplitter {
     return xyz[3 * triangles.point(position) + axis];
   }
 
-  /** Whether the polygon turns the same way at all corners, or not at all. */
+  /** Returns whether the polygon is convex: it turns the same way at all corners, or not at all. */
   private boolean convex(int from, int to, double[] normal) {
     double largest = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
     double tolerance = -1e-6 * largest;
@@ -92,7 +94,7 @@ final class FaceSplitter {
     return true;
   }
 
-  /** Ear clipping in the coordinate plane that the polygon faces most; false if it finds no ear. */
+  /** Clips ears in the coordinate plane of the largest projection; false if no ear is found. */
   private boolean clip(int from, int to, double[] normal, int face) {
     int up = 0;
     for (int axis = 1; axis < 3; axis++) {
@@ -116,7 +118,7 @@ final class FaceSplitter {
     for (int i = 0; i + 2 < ears.size(); i += 3) {
       area += TriangleMath.turn(plane, ears.get(i), ears.get(i + 1), ears.get(i + 2));
     }
-    // Ear clipping winds its triangles in one way whichever way the polygon goes.
+    // earcut4j always winds its triangles in the same direction
     boolean turned = area * normal[up] < 0;
     for (int i = 0; i + 2 < ears.size(); i += 3) {
       int b = from + ears.get(turned ? i + 2 : i + 1);

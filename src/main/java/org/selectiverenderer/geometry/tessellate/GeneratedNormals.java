@@ -2,15 +2,15 @@ package org.selectiverenderer.geometry.tessellate;
 
 import org.jspecify.annotations.Nullable;
 
-/** Normals for nodes that give none (X3D 4.0, 11.2.3 and 13.2.2). */
+/** Generates normals for nodes that specify none (X3D 4.0, 11.2.3 and 13.2.2). */
 final class GeneratedNormals {
-  /** From this crease angle on every edge is smooth, save between back and front of one face. */
+  /** From this crease angle on every edge is smooth, except between opposite faces. */
   private static final double ALL_SMOOTH = 3.1;
 
   private GeneratedNormals() {}
 
   /**
-   * Normals for all corners.
+   * Returns the normals of all corners.
    *
    * @param xyz the points
    * @param corners point per corner, three per triangle of non-zero area
@@ -34,7 +34,7 @@ final class GeneratedNormals {
         .attribute();
   }
 
-  /** Each corner takes its face's normal. */
+  /** Returns normals in which each corner has its face's normal. */
   static VertexAttribute perFace(float[] faceNormals, int cornerCount, int[] faces) {
     int[] ids = new int[cornerCount];
     for (int corner = 0; corner < cornerCount; corner++) {
@@ -44,8 +44,8 @@ final class GeneratedNormals {
   }
 
   /**
-   * One normal per point, the angle-weighted sum of its faces' normals; null if at some point they
-   * cancel out, as they do where a file gives each face once per side.
+   * Returns one normal per point, the angle-weighted sum of its faces' normals; null if they cancel
+   * out at some point, as they do where a file gives each face once per side.
    */
   private static float @Nullable [] smooth(
       int pointCount, int[] corners, int[] faces, float[] faceNormals, float[] angles) {

@@ -6,19 +6,19 @@ import org.selectiverenderer.geometry.geo.GeoFrame;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * The point about which the mesh of a geospatial geometry is kept. A float tells places on the
- * earth's surface half a metre apart; so such a mesh holds the differences from a point near it,
- * and whoever places the mesh adds the point in double precision.
+ * Chooses the local origin of a geospatial geometry's mesh (relative-to-center rendering). Floats
+ * resolve geocentric coordinates only to half a metre, so the mesh stores offsets from a point near
+ * it, which is added in double precision when the mesh is placed.
  */
 public final class GeoAnchor {
-  /** Distances from the scene's origin up to which floats are fine. */
+  /** The distance from the scene's origin up to which floats are precise enough. */
   private static final double NEAR = 4096;
 
   private GeoAnchor() {}
 
   /**
-   * What is to be added to the mesh of a geometry node, in the geometry's coordinates; nothing for
-   * nodes without geospatial coordinates and for those near the origin.
+   * Returns the local origin of a geometry node's mesh, in scene coordinates; empty for nodes
+   * without geospatial coordinates and for those near the scene's origin.
    */
   public static Optional<Vector3d> of(NodeView geometry) {
     if (geometry.type().name().equals("GeoElevationGrid")) {

@@ -5,11 +5,11 @@ import org.selectiverenderer.geometry.geo.GeoFrame;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** GeoElevationGrid and the points of a GeoCoordinate (X3D 4.0, 25.3.2, 25.3.1). */
+/** Tessellates GeoElevationGrid, and converts GeoCoordinate points (X3D 4.0, 25.3.2, 25.3.1). */
 final class GeoShapes {
   private GeoShapes() {}
 
-  /** The points of a GeoCoordinate in the scene, less the anchor of the job's geometry. */
+  /** Returns the points of a GeoCoordinate relative to the geometry's {@link GeoAnchor}. */
   static float[] points(TessellationJob job, NodeView coord) {
     double[] given = (double[]) coord.value("point");
     GeoFrame frame = frame(job, coord);
@@ -33,7 +33,7 @@ final class GeoShapes {
     xyz[i + 2] = (float) at.z;
   }
 
-  /** Heights over the ellipsoid: rows from south to north, each from west to east. */
+  /** Tessellates a GeoElevationGrid, whose rows run from south to north, each west to east. */
   static Mesh grid(TessellationJob job) {
     NodeView node = job.node();
     int columns = node.integer("xDimension");

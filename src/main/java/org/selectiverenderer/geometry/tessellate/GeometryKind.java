@@ -2,9 +2,9 @@ package org.selectiverenderer.geometry.tessellate;
 
 import org.selectiverenderer.geometry.mesh.Mesh;
 
-/** Turns one kind of geometry node into a mesh. */
+/** Tessellates one type of geometry node. */
 @FunctionalInterface
 interface GeometryKind {
-  /** The mesh of the job's node; empty when nothing of it can be drawn. */
+  /** Returns the mesh of the job's node; empty if nothing of it can be drawn. */
   Mesh mesh(TessellationJob job);
 }

@@ -3,8 +3,8 @@ package org.selectiverenderer.geometry.tessellate;
 import java.util.Arrays;
 
 /**
- * The faces, strips, fans or polylines that a node's index stream consists of: run {@code r} takes
- * the stream positions {@code bounds[2r]} up to, not including, {@code bounds[2r + 1]}.
+ * The ranges of a node's index stream that form its faces, strips, fans or polylines: range {@code
+ * r} has the stream positions {@code bounds[2r]} up to but not including {@code bounds[2r + 1]}.
  */
 record IndexRuns(int[] bounds, int count) {
 
@@ -16,7 +16,7 @@ record IndexRuns(int[] bounds, int count) {
     return bounds[2 * run + 1];
   }
 
-  /** Runs that end with -1; the last one may go without. */
+  /** Splits a stream into ranges that end with -1, which is optional after the last one. */
   static IndexRuns separated(int[] stream) {
     int[] bounds = new int[Math.max(8, stream.length / 2)];
     int count = 0;
@@ -37,11 +37,11 @@ record IndexRuns(int[] bounds, int count) {
   }
 
   /**
-   * Runs of given lengths, one after the other.
+   * Returns consecutive ranges of given lengths.
    *
-   * @param field the field that gives the lengths, for the message when they ask for more than
-   *     {@code available}; the runs from there on are left out
-   * @param least the smallest length that makes sense; shorter runs come out empty
+   * @param field the field with the lengths; ranges beyond {@code available} points are left out
+   *     and reported
+   * @param least the least valid length; shorter ranges draw nothing and are reported
    */
   static IndexRuns counted(TessellationJob job, String field, int least, int available) {
     int[] lengths = job.node().ints(field);
@@ -66,7 +66,7 @@ record IndexRuns(int[] bounds, int count) {
     return new IndexRuns(bounds, lengths.length);
   }
 
-  /** The stream of a node without an index: 0, 1, 2 ... */
+  /** Returns the stream of a node without an index: 0, 1, 2 ... */
   static int[] identity(int length) {
     int[] stream = new int[length];
     for (int i = 0; i < length; i++) {

@@ -3,7 +3,7 @@ package org.selectiverenderer.geometry.tessellate;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** IndexedFaceSet (X3D 4.0, 13.3.6). */
+/** Tessellates IndexedFaceSet nodes (X3D 4.0, 13.3.6). */
 final class IndexedFaceSet {
   private IndexedFaceSet() {}
 

@@ -6,9 +6,9 @@ import org.joml.Matrix4d;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * Where an InstancedShape places its copies (X_ITE 11): each as a Transform would, T C R SR S -SR
- * -C. A list that is shorter than the longest goes on with its last value, an empty one with the
- * default of a Transform.
+ * Computes the transforms of an InstancedShape's instances (X_ITE 11), each T C R SR S -SR -C as in
+ * a Transform. A list shorter than the longest repeats its last value; an empty one has the default
+ * of a Transform.
  */
 public final class InstancePlaces {
   private static final float[] NOWHERE = {0, 0, 0};
@@ -17,7 +17,7 @@ public final class InstancePlaces {
 
   private InstancePlaces() {}
 
-  /** How many copies there are: as many as the longest list has values. */
+  /** Returns the number of instances, the length of the longest list. */
   public static int count(NodeView shape) {
     int most = shape.floats("translations").length / 3;
     most = Math.max(most, shape.floats("rotations").length / 4);
@@ -27,9 +27,9 @@ public final class InstancePlaces {
   }
 
   /**
-   * From the geometry's coordinates to the shape's, of each copy.
+   * Returns the transform of each instance from the geometry's coordinates to the shape's.
    *
-   * @param most copies that are wanted
+   * @param most the maximum number of instances
    */
   public static List<Matrix4d> of(NodeView shape, int most) {
     float[] t = shape.floats("translations");

@@ -4,7 +4,10 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
-/** IndexedLineSet, LineSet and PointSet (X3D 4.0, 11.4.3, 11.4.5, 11.4.11): drawn unlit. */
+/**
+ * Converts IndexedLineSet, LineSet and PointSet nodes to unlit meshes (X3D 4.0, 11.4.3, 11.4.5,
+ * 11.4.11).
+ */
 final class LineSets {
   private final TessellationJob job;
   private final Points points;
@@ -47,7 +50,7 @@ final class LineSets {
   private void segments(IndexRuns runs) {
     FaceCorners check = new FaceCorners(stream, points, 2);
     for (int run = 0; run < runs.count(); run++) {
-      // Runs of a vertexCount that is too small have been reported as such.
+      // ranges with too small a vertexCount are empty and have been reported
       if (runs.to(run) > runs.from(run) && check.accepts(runs.from(run), runs.to(run))) {
         for (int i = runs.from(run); i + 1 < runs.to(run); i++) {
           add(i, run);

@@ -12,8 +12,8 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * Which nodes a group of a file or of a running scene holds, and where it places them. Inlines hold
- * another file, which is not known here.
+ * Returns the children and the transform of each kind of grouping node, in a file or a running
+ * scene. The content of Inlines is not known here.
  */
 public final class NodeContent {
   private static final Set<String> TRANSFORMS =
@@ -47,7 +47,7 @@ public final class NodeContent {
 
   private NodeContent() {}
 
-  /** Whether nodes of a type hold others of the same file that are drawn. */
+  /** Returns whether a node type is a grouping node, whose children are in the same file. */
   public static boolean isGroup(NodeType type) {
     return WITH_CHILDREN.contains(type.name())
         || type.name().equals("CADFace")
@@ -57,7 +57,7 @@ public final class NodeContent {
         || type.name().equals("HAnimHumanoid");
   }
 
-  /** The nodes in a group or the layers of a LayerSet, shown or not; none for all others. */
+  /** Returns the children of a group or the layers of a LayerSet, shown or not; else none. */
   public static List<? extends NodeView> of(NodeView node) {
     return switch (node.type().name()) {
       case "CADFace", "CollidableShape" -> one(node.node("shape"));
@@ -74,8 +74,8 @@ public final class NodeContent {
   }
 
   /**
-   * A humanoid's skeleton, skin and motions, and those of its viewpoints that do not stand in the
-   * skeleton (X3D 4.0, 26.3.2).
+   * Returns a humanoid's skeleton, skin and motions, and those of its viewpoints that are not part
+   * of the skeleton (X3D 4.0, 26.3.2).
    */
   private static List<? extends NodeView> figure(NodeView humanoid) {
     List<NodeView> all = new ArrayList<>(humanoid.nodes("skeleton"));
@@ -100,7 +100,7 @@ public final class NodeContent {
     }
   }
 
-  /** From the coordinates of a group's content to those of its parent; empty when the same. */
+  /** Returns the transform from a group's local coordinates to its parent's; empty if identity. */
   public static Optional<Matrix4d> placement(NodeView node) {
     return switch (node.type().name()) {
       case "GeoLocation" -> Optional.of(GeoPlacement.location(node));

@@ -9,19 +9,19 @@ import org.selectiverenderer.geometry.nurbs.RationalSurface;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * Reads curves and surfaces from the fields of NURBS nodes (X3D 4.0, 27.3 and 27.4). Knots that do
- * not fit are taken as uniform; weights that are missing or not above 0 as 1.
+ * Reads curves and surfaces from the fields of NURBS nodes (X3D 4.0, 27.3 and 27.4). An invalid
+ * knot vector is replaced by a uniform one; weights that are missing or not above 0 are read as 1.
  */
 public final class NurbsFields {
-  /** Parts that a curve or an edge of a surface is divided into at most. */
+  /** The maximum number of segments of a curve or of a surface in one parameter. */
   private static final int MAX_PARTS = 1000;
 
   private NurbsFields() {}
 
   /**
-   * A NurbsCurve, NurbsCurve2D or an interpolator along a curve; nothing without enough points.
+   * Reads a NurbsCurve, NurbsCurve2D or NURBS interpolator; empty if it cannot be evaluated.
    *
-   * @param problem hears what is wrong, as the end of a sentence
+   * @param problem receives each error as the predicate of a sentence
    */
   public static Optional<RationalCurve> curve(NodeView node, Consumer<String> problem) {
     double[] points = controlPoints(node, problem);
@@ -40,7 +40,7 @@ public final class NurbsFields {
             && count > order
             && same(points, dimensions, count);
     if (closed) {
-      // Without its last point, which is the first, and going on with as many as the degree.
+      // drop the last point, which equals the first, and repeat the first points, degree many
       int distinct = count - 1;
       double[] around = Arrays.copyOf(points, dimensions * (distinct + order - 1));
       System.arraycopy(points, 0, around, dimensions * distinct, dimensions * (order - 1));
@@ -58,13 +58,13 @@ public final class NurbsFields {
     return Arrays.equals(points, 0, dimensions, points, last, last + dimensions);
   }
 
-  /** A node with {@code uDimension} times {@code vDimension} control points. */
+  /** Reads a surface of {@code uDimension} times {@code vDimension} control points. */
   public static Optional<RationalSurface> surface(NodeView node, Consumer<String> problem) {
     boolean plane = node.type().name().equals("NurbsTextureCoordinate");
     return surface(node, controlPoints(node, problem), plane ? 2 : 3, problem);
   }
 
-  /** The same surface with other control points, such as texture coordinates. */
+  /** Reads a node's surface with other control points, such as texture coordinates. */
   static Optional<RationalSurface> surface(
       NodeView node, double[] points, int dimensions, Consumer<String> problem) {
     int columns = node.integer("uDimension");
@@ -74,7 +74,7 @@ public final class NurbsFields {
     }
     if (points.length / dimensions < (long) columns * rows) {
       problem.accept(
-          "has %d control points for %d x %d; it is left out"
+          "has %d control points, too few for its dimensions %d x %d; it is left out"
               .formatted(points.length / dimensions, columns, rows));
       return Optional.empty();
     }
@@ -100,7 +100,7 @@ public final class NurbsFields {
     }
     if (order < 2 || order > Basis.MAX_ORDER || order > count) {
       problem.accept(
-          "has %s %d, which is not between 2 and its %d control points (%d at most); it is left out"
+          "has %s %d, not from 2 to its number of control points, %d (at most %d); it is left out"
               .formatted(field, order, count, Basis.MAX_ORDER));
       return false;
     }
@@ -120,7 +120,7 @@ public final class NurbsFields {
     }
     if (knots.length > 0) {
       problem.accept(
-          "has a %s that is not %d ascending values; equal distances are taken"
+          "has a %s that is not a list of %d ascending values; a uniform knot vector is used"
               .formatted(field, order + count));
     }
     return Basis.uniform(order, count);
@@ -138,7 +138,7 @@ public final class NurbsFields {
     return weights;
   }
 
-  /** The control points of a node, in a field of its own or in a Coordinate node. */
+  /** Returns the control points of a node, from its own field or from a Coordinate node. */
   private static double[] controlPoints(NodeView node, Consumer<String> problem) {
     Object value = node.value("controlPoint");
     if (value instanceof double[] own) {
@@ -169,8 +169,8 @@ public final class NurbsFields {
   }
 
   /**
-   * The parts to divide into (X3D 4.0, 27.4.4): as many as said; for less than 0 that many per
-   * control point, for 0 two.
+   * Returns the number of segments for a {@code tessellation} field (X3D 4.0, 27.4.4): its value if
+   * positive, its absolute value per control point if negative, 2 per control point if 0.
    */
   static int parts(int tessellation, int controlPoints) {
     long parts =
@@ -181,8 +181,8 @@ public final class NurbsFields {
   }
 
   /**
-   * The points of a NurbsCurve, NurbsCurve2D or ContourPolyline2D, one after the other; none when
-   * it has none that can be used.
+   * Returns the points of a NurbsCurve, NurbsCurve2D or ContourPolyline2D as a polyline; none if it
+   * is invalid.
    */
   static double[] polyline(NodeView node, Consumer<String> problem) {
     if (node.type().name().equals("ContourPolyline2D")) {

@@ -8,12 +8,12 @@ import org.selectiverenderer.geometry.nurbs.RationalSurface;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * NurbsPatchSurface and NurbsTrimmedSurface (X3D 4.0, 27.4.11, 27.4.15): divided evenly in both
- * parameters, normals and texture coordinates computed at every vertex. The front is where u, v and
- * the normal make a right-handed system.
+ * Tessellates NurbsPatchSurface and NurbsTrimmedSurface nodes (X3D 4.0, 27.4.11, 27.4.15) evenly in
+ * both parameters, with normals and texture coordinates evaluated at every vertex. On the front, u,
+ * v and the normal form a right-handed system.
  */
 final class NurbsSurfaces {
-  /** Quadrilaterals of a surface at most. */
+  /** The maximum number of grid cells of a surface. */
   private static final int MAX_CELLS = 250_000;
 
   private final RationalSurface surface;
@@ -48,7 +48,7 @@ final class NurbsSurfaces {
       double share = Math.sqrt((double) MAX_CELLS / columns / rows);
       columns = Math.max(1, (int) (columns * share));
       rows = Math.max(1, MAX_CELLS / columns);
-      job.problem("is divided into %d x %d parts, no finer".formatted(columns, rows));
+      job.problem("asks for too many parts; it is divided into %d x %d".formatted(columns, rows));
     }
     double[] us = surface.u().parameters(columns);
     double[] vs = surface.v().parameters(rows);
@@ -82,7 +82,7 @@ final class NurbsSurfaces {
     double[] at = surface.at(u, v);
     Vector3d normal = normal(at);
     if (!(normal.lengthSquared() > 0.5)) {
-      // Where an edge is drawn together to a point: as a little further inside.
+      // at a degenerate edge, collapsed to a point, take the normal slightly inside the surface
       double insideU = u + 1e-4 * (surface.u().at(0.5) - u);
       double insideV = v + 1e-4 * (surface.v().at(0.5) - v);
       normal = normal(surface.at(insideU, insideV));
@@ -108,7 +108,7 @@ final class NurbsSurfaces {
     return normal.length() > 1e-9 * scale && scale > 0 ? normal.normalize() : normal.zero();
   }
 
-  /** Texture coordinates of their own, or one for each control point. */
+  /** Returns the texture coordinates as a surface: a node of their own or one per control point. */
   private static @Nullable RationalSurface texture(TessellationJob job, RationalSurface surface) {
     NodeView given = job.node().node("texCoord");
     if (given == null) {

@@ -7,20 +7,20 @@ import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * NurbsSweptSurface and NurbsSwungSurface (X3D 4.0, 27.4.13, 27.4.14), with smooth normals, and
- * NurbsCurve as lines.
+ * Tessellates NurbsSweptSurface and NurbsSwungSurface nodes (X3D 4.0, 27.4.13, 27.4.14) with smooth
+ * normals, and NurbsCurve nodes as lines.
  */
 final class NurbsSweeps {
   private static final int LIMIT = 1_000_000;
 
   private NurbsSweeps() {}
 
-  /** A line along the curve. */
+  /** Returns a NurbsCurve as lines. */
   static Mesh curve(TessellationJob job) {
     return PlanarShapes.lines(job, floats(NurbsFields.polyline(job.node(), job::problem)));
   }
 
-  /** A cross-section, in x and z of its plane as an Extrusion's, along a trajectory. */
+  /** Sweeps a cross-section, in x and z of its plane as in an Extrusion, along a trajectory. */
   static Mesh swept(TessellationJob job) {
     double[] section = polyline(job, "crossSectionCurve");
     double[] path = polyline(job, "trajectoryCurve");
@@ -45,8 +45,8 @@ final class NurbsSweeps {
   }
 
   /**
-   * A profile in the y-z plane swung along a trajectory in the x-z plane: each point of the
-   * trajectory scales and turns the profile about the y axis (The NURBS Book, 8.4).
+   * Swings a profile in the y-z plane along a trajectory in the x-z plane: each point of the
+   * trajectory scales and rotates the profile about the y axis (The NURBS Book, 8.4).
    */
   static Mesh swung(TessellationJob job) {
     double[] profile = polyline(job, "profileCurve");

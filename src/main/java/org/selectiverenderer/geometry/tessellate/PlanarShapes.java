@@ -5,15 +5,15 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * The Geometry2D component (X3D 4.0, clause 14): shapes in the plane z = 0 that face +z, circles in
- * {@value #SLICES} parts.
+ * Tessellates the nodes of the Geometry2D component (X3D 4.0, clause 14): shapes in the plane z = 0
+ * that face +z, with circles of {@value #SLICES} segments.
  */
 final class PlanarShapes {
   private static final int SLICES = 64;
 
   private PlanarShapes() {}
 
-  /** Rectangle2D: 2 triangles with the whole texture. */
+  /** Tessellates a Rectangle2D: 2 triangles with the whole texture. */
   static Mesh rectangle(TessellationJob job) {
     ShapeBuilder builder = new ShapeBuilder();
     if (job.positive("size")) {
@@ -28,7 +28,7 @@ final class PlanarShapes {
     return builder.mesh(job.node().bool("solid"));
   }
 
-  /** Disk2D: 62 triangles without, 128 with a hole; a circle cut out of the texture. */
+  /** Tessellates a Disk2D: 62 triangles, or 128 with a hole; a circle is cut out of the texture. */
   static Mesh disk(TessellationJob job) {
     double outer = job.node().number("outerRadius");
     double inner = job.node().number("innerRadius");
@@ -64,7 +64,7 @@ final class PlanarShapes {
     return builder.vertex(x, y, 0, 0, 0, 1, 0.5 + 0.5 * x / outer, 0.5 + 0.5 * y / outer);
   }
 
-  /** TriangleSet2D; triangles that go clockwise are turned, since the shape faces +z. */
+  /** Tessellates a TriangleSet2D; clockwise triangles are reversed, since the shape faces +z. */
   static Mesh triangles(TessellationJob job) {
     float[] points = spatial(job.node().floats("vertices"));
     int[] stream = IndexRuns.identity(points.length / 9 * 3);
@@ -89,7 +89,7 @@ final class PlanarShapes {
         .mesh(Mesh.Primitive.TRIANGLES, job.node().bool("solid"), true);
   }
 
-  /** ArcClose2D: a sector (PIE) or segment (CHORD) of a disk. */
+  /** Tessellates an ArcClose2D: a sector (PIE) or segment (CHORD) of a disk. */
   static Mesh arcClose(TessellationJob job) {
     NodeView node = job.node();
     ShapeBuilder builder = new ShapeBuilder();
@@ -144,7 +144,7 @@ final class PlanarShapes {
     return plain(job, xyz, IndexRuns.identity(xyz.length / 3), 1, Mesh.Primitive.POINTS, "point");
   }
 
-  /** Lines from each point to the next. */
+  /** Returns lines from each point to the next. */
   static Mesh lines(TessellationJob job, float[] xyz) {
     int[] ends = new int[Math.max(0, 2 * (xyz.length / 3) - 2)];
     for (int i = 0; i < ends.length; i++) {
@@ -174,7 +174,7 @@ final class PlanarShapes {
         .mesh(primitive, false, false);
   }
 
-  /** Start and extent of an arc in radians, counter-clockwise; equal angles are a full circle. */
+  /** Returns start and extent of an arc in radians, counter-clockwise; equal angles: a circle. */
   private static double[] arc(NodeView node) {
     double start = node.number("startAngle");
     double extent = (node.number("endAngle") - start) % (2 * Math.PI);

@@ -4,21 +4,23 @@ import java.util.Arrays;
 import java.util.Comparator;
 import org.selectiverenderer.geometry.TriangleMath;
 
-/** Finds out whether a polygon in the plane crosses itself, by sweeping over its edges. */
+/** Tests whether a 2D polygon intersects itself, by a plane sweep over its edges. */
 final class PlanePolygon {
-  /** Pairs of edges looked at: enough for simple polygons of any ordinary form. */
+  /** The maximum number of edge pairs compared, which ordinary polygons do not reach. */
   private static final int PAIRS = 20_000_000;
 
-  /** And those for each point: more edges side by side are rare in very large ones. */
+  /** The maximum number of edge pairs per point, for very large polygons. */
   private static final int PAIRS_PER_POINT = 200;
 
   private final double[] plane;
   private final int count;
 
-  /** The axis along which the edges are shorter, compared with the polygon. */
+  /** The sweep axis, along which the edges are shorter relative to the polygon's extent. */
   private final int axis;
 
   /**
+   * Prepares the test of a polygon.
+   *
    * @param plane x, y per point
    */
   PlanePolygon(double[] plane) {
@@ -53,8 +55,8 @@ final class PlanePolygon {
   }
 
   /**
-   * Whether two edges cross, touching left aside. Also true when that takes too many comparisons to
-   * find out.
+   * Returns whether two edges properly cross; touching does not count. Also true if the test would
+   * take too many comparisons.
    */
   boolean mayCrossItself() {
     Integer[] order = new Integer[count];
@@ -80,7 +82,7 @@ final class PlanePolygon {
         && side(b, a) * side(b, next(a)) < 0;
   }
 
-  /** On which side of an edge's line a point is: -1, 0 or 1. */
+  /** Returns the side of an edge's line on which a point is: -1, 0 or 1. */
   private double side(int edge, int point) {
     return Math.signum(TriangleMath.turn(plane, edge, next(edge), point));
   }

@@ -4,11 +4,11 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * The points that a node's indices refer to.
+ * The points that a geometry node's indices refer to.
  *
- * @param xyz x, y, z per point, shared with the node when it holds floats
+ * @param xyz x, y, z per point; the array of the node itself if that stores floats
  * @param count the number of points
- * @param bad marks the points with a NaN or infinite component; null when there is none
+ * @param bad marks the points with a NaN or infinite component; null if there are none
  */
 record Points(float[] xyz, int count, boolean @Nullable [] bad) {
 
@@ -26,7 +26,7 @@ record Points(float[] xyz, int count, boolean @Nullable [] bad) {
     return new Points(xyz, count, bad);
   }
 
-  /** The points of the job's {@code coord}; none when it has no usable one. */
+  /** Returns the points of the job's {@code coord}; none if it has no usable one. */
   static Points of(TessellationJob job) {
     NodeView coord = job.node().node("coord");
     if (coord == null) {

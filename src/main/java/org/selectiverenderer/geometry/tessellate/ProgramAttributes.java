@@ -7,14 +7,14 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * What a geometry's {@code attrib} gives the programs of shaders, a tuple for each point (X3D 4.0,
- * 31.4.2, 31.4.3, 31.4.4), and its {@code fogCoord} (24.4.2). A matrix is several attributes, one
- * for each column.
+ * Reads a geometry's vertex attributes for shader programs, one tuple per point, from {@code
+ * attrib} (X3D 4.0, 31.4.2, 31.4.3, 31.4.4) and {@code fogCoord} (24.4.2). A matrix takes one
+ * attribute per column.
  */
 final class ProgramAttributes {
   /**
-   * Columns of all attributes of a geometry, with its further texture coordinates: what every
-   * graphics card takes beside the others.
+   * The maximum number of columns of all attributes and further texture coordinates of a geometry,
+   * which every graphics card supports beside the standard attributes.
    */
   static final int MOST = 12;
 
@@ -30,8 +30,10 @@ final class ProgramAttributes {
   }
 
   /**
+   * Reads the attributes of the job's node.
+   *
    * @param corners the point of each corner
-   * @param before how many columns of other kinds there are
+   * @param before the number of columns used by further texture coordinates
    */
   static List<VertexAttribute> of(TessellationJob job, int[] corners, int before) {
     NodeView node = job.node();
@@ -49,7 +51,7 @@ final class ProgramAttributes {
     return all.found;
   }
 
-  /** Points that have no depth of their own have the last that is given. */
+  /** Extends the depths to all points by repeating the last one. */
   private static float[] toTheLast(float[] depths, int points) {
     if (depths.length == 0 || depths.length >= points) {
       return depths;
@@ -66,7 +68,7 @@ final class ProgramAttributes {
       case "Matrix3VertexAttribute" -> add(attribute, 3, 3);
       case "Matrix4VertexAttribute" -> add(attribute, 4, 4);
       default -> {
-        // No attribute: the reader has said so.
+        // not an attribute; the file reader has reported it
       }
     }
   }
@@ -89,7 +91,7 @@ final class ProgramAttributes {
       }
     }
     if (found.size() + columns > room) {
-      job.problem("has more attributes than %s columns; its %s is left out".formatted(room, what));
+      job.problem("has more than %s attribute columns; its %s is left out".formatted(room, what));
       return;
     }
     int count = values.length / size;

@@ -5,11 +5,11 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** Reads the values of the property nodes of a geometry: colours, normals, texture coordinates. */
+/** Reads a geometry's property nodes: colours, normals, tangents, texture coordinates. */
 final class PropertyValues {
   private PropertyValues() {}
 
-  /** The values of {@code color} as r, g, b, a between 0 and 1; null when there are none. */
+  /** Returns the values of {@code color} as r, g, b, a between 0 and 1; null if there are none. */
   static float @Nullable [] colors(TessellationJob job) {
     NodeView color = job.node().node("color");
     if (color == null) {
@@ -45,7 +45,7 @@ final class PropertyValues {
     return true;
   }
 
-  /** Out of range or NaN: the catalogue's range has been reported by whoever read the file. */
+  /** Clamps values to 0 to 1, NaN to 0; the file reader has reported those out of range. */
   private static float[] clamp(float[] values) {
     for (int i = 0; i < values.length; i++) {
       values[i] = values[i] >= 0 ? Math.min(values[i], 1) : 0;
@@ -54,8 +54,8 @@ final class PropertyValues {
   }
 
   /**
-   * The vectors of {@code normal}, normalised; null when there are none. A vector without a
-   * direction comes out as zeros.
+   * Returns the vectors of {@code normal}, normalized; null if there are none. A vector without a
+   * direction becomes zero.
    */
   static float @Nullable [] normals(TessellationJob job) {
     NodeView normal = job.node().node("normal");
@@ -81,13 +81,13 @@ final class PropertyValues {
   }
 
   /**
-   * The vectors of {@code tangent} (draft of X3D 4.1), x, y, z and the side of the third axis each;
-   * null when there are none, or only where they cannot be used.
+   * Returns the vectors of {@code tangent} (draft of X3D 4.1), each x, y, z and handedness; null if
+   * there are none or they cannot be used.
    */
   static float @Nullable [] tangents(TessellationJob job) {
     NodeView node = job.node();
     NodeView tangent = node.type().field("tangent").isEmpty() ? null : node.node("tangent");
-    // Without the normals that they are perpendicular to they have no use.
+    // tangents are useless without the normals to which they are perpendicular
     if (tangent == null
         || !tangent.type().name().equals("Tangent")
         || node.node("normal") == null) {
@@ -101,8 +101,8 @@ final class PropertyValues {
   }
 
   /**
-   * The points of the first TextureCoordinate of {@code texCoord}; null when there is none, so that
-   * the geometry's own coordinates are used.
+   * Returns the points of the first TextureCoordinate of {@code texCoord}; null if there is none,
+   * so that default coordinates are used.
    */
   static float @Nullable [] texCoords(TessellationJob job) {
     for (TexCoordSource source : TexCoordSource.of(job.node())) {
@@ -119,7 +119,7 @@ final class PropertyValues {
     return null;
   }
 
-  /** The points of the other nodes of {@code texCoord} that hold some, in their order. */
+  /** Returns the points of the further nodes of {@code texCoord}, in their order. */
   static List<VertexAttribute> moreTexCoords(TessellationJob job) {
     List<VertexAttribute> more = new ArrayList<>();
     for (TexCoordSource source : TexCoordSource.of(job.node())) {

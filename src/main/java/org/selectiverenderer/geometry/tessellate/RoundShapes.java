@@ -4,11 +4,11 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * Sphere, Cone and Cylinder (X3D 4.0, 13.3.7, 13.3.2, 13.3.3), in {@value #SLICES} slices around
- * the y axis; the Sphere in {@value #STACKS} stacks. Triangles: Sphere 960; Cone 32 for the side
- * and 30 for the bottom; Cylinder 64 for the side and 30 for each cap. Textures wrap round the
- * sides counter-clockwise seen from above, beginning at the back (negative z); caps cut a circle
- * out of the texture.
+ * Tessellates Sphere, Cone and Cylinder nodes (X3D 4.0, 13.3.7, 13.3.2, 13.3.3) with {@value
+ * #SLICES} slices around the y axis, and the Sphere with {@value #STACKS} stacks. A Sphere has 960
+ * triangles, a Cone 32 for the side and 30 for the bottom, a Cylinder 64 for the side and 30 for
+ * each cap. Textures wrap around the sides counter-clockwise seen from above, starting at the back
+ * (negative z); caps cut a circle out of the texture.
  */
 final class RoundShapes {
   static final int SLICES = 32;
@@ -25,7 +25,7 @@ final class RoundShapes {
         double polar = Math.PI * stack / STACKS;
         double y = stack == STACKS ? -1 : Math.cos(polar);
         double ring = stack % STACKS == 0 ? 0 : Math.sin(polar);
-        // Each triangle at a pole has its own pole vertex, with S between those of its base.
+        // each triangle at a pole has its own pole vertex, with S midway between its base vertices
         double shift = stack % STACKS == 0 ? 0.5 : 0;
         int[] row = new int[SLICES + 1];
         for (int slice = 0; slice <= SLICES; slice++) {
@@ -121,7 +121,7 @@ final class RoundShapes {
     }
   }
 
-  /** A disk at height y that faces up (side 1) or down (-1), as a fan of its rim. */
+  /** Adds a disk at height y that faces up (side 1) or down (-1), as a triangle fan. */
   private static void cap(ShapeBuilder builder, double radius, double y, int side) {
     int first = -1;
     for (int slice = 0; slice < SLICES; slice++) {

@@ -5,13 +5,13 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
 
-/** Collects the vertices and triangles of shapes whose formula gives every value. */
+/** Builds a mesh from vertices with computed positions, normals and texture coordinates. */
 final class ShapeBuilder {
   private final TriangleMeshBuilder form = new TriangleMeshBuilder();
   private float[] normals = new float[96];
   private float[] texCoords = new float[64];
 
-  /** Adds a vertex and returns its number. */
+  /** Adds a vertex and returns its index. */
   int vertex(double x, double y, double z, double nx, double ny, double nz, double s, double t) {
     int vertex = form.point(x, y, z);
     if (3 * vertex == normals.length) {
@@ -49,7 +49,7 @@ final class ShapeBuilder {
         Mesh.boundsOf(made.positions(), made.triangles()));
   }
 
-  /** A mesh without triangles. */
+  /** Returns a mesh without triangles. */
   static Mesh empty(boolean solid) {
     return new ShapeBuilder().mesh(solid);
   }

@@ -6,8 +6,9 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The spine-aligned cross-section planes of an Extrusion (X3D 4.0, 13.3.5.3 and 13.3.5.4): at each
- * spine point three unit axes, Y along the spine, Z normal to its bend, X the third.
+ * Computes the spine-aligned cross-section planes of an Extrusion (X3D 4.0, 13.3.5.3 and 13.3.5.4):
+ * at each spine point an orthonormal frame with Y along the spine, Z normal to the plane of its
+ * bend, and X = Y x Z.
  */
 final class SpineFrames {
   private final Vector3d[] spine;
@@ -18,6 +19,8 @@ final class SpineFrames {
   private final int[] frameOf;
 
   /**
+   * Computes the frames.
+   *
    * @param points x, y, z per spine point, finite, at least one
    */
   SpineFrames(float[] points) {
@@ -27,7 +30,7 @@ final class SpineFrames {
     int last = -1;
     for (int i = 0; i < given; i++) {
       Vector3d point = new Vector3d(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
-      // Coincident neighbours have the same plane.
+      // coincident neighbours share a plane
       if (last < 0 || !distinct[last].equals(point)) {
         distinct[++last] = point;
       }
@@ -67,7 +70,7 @@ final class SpineFrames {
     if (count > 1) {
       spine[next(i)].sub(spine[previous(i)], direction);
       if (direction.lengthSquared() == 0) {
-        // The spine turns back on itself.
+        // the spine reverses its direction here
         spine[next(i)].sub(spine[i], direction);
       }
     }
@@ -82,7 +85,7 @@ final class SpineFrames {
     return i > 0 ? i - 1 : closed ? count - 2 : i;
   }
 
-  /** The unit normal of the bend at a point; zero where the spine is straight or ends. */
+  /** Returns the unit normal of the bend at a point; zero where the spine is straight or ends. */
   private Vector3d bend(int i) {
     Vector3d ahead = spine[next(i)].sub(spine[i], new Vector3d());
     Vector3d behind = spine[previous(i)].sub(spine[i], new Vector3d());
@@ -91,7 +94,7 @@ final class SpineFrames {
     return normal.lengthSquared() <= straightness ? new Vector3d() : normal.normalize();
   }
 
-  /** The first Z axis that is defined; null if the spine is straight. */
+  /** Returns the first Z axis that is defined; null if the spine is straight. */
   private @Nullable Vector3d firstBend() {
     for (Vector3d axis : z) {
       if (axis.lengthSquared() > 0) {
@@ -101,7 +104,7 @@ final class SpineFrames {
     return null;
   }
 
-  /** The whole spine is collinear: the planes are turned as its direction is from the y axis. */
+  /** Sets the frames of a collinear spine by the rotation from the y axis to its direction. */
   private void straight() {
     Quaterniond turn = new Quaterniond().rotationTo(new Vector3d(0, 1, 0), y[0]);
     for (int i = 0; i < count; i++) {
@@ -112,7 +115,7 @@ final class SpineFrames {
     }
   }
 
-  /** Undefined Z axes are those of the point before; axes that flip are turned back. */
+  /** Copies undefined Z axes from the previous point, and negates axes that flip. */
   private void fillIn(Vector3d firstBend) {
     Vector3d before = firstBend;
     for (int i = 0; i < count; i++) {
@@ -120,7 +123,7 @@ final class SpineFrames {
       if (axis.dot(before) < 0) {
         axis.negate();
       }
-      // At a right angle to Y again, in case it was taken over from another point.
+      // orthogonalize to Y, in case the axis was copied from another point
       Vector3d square = axis.sub(y[i].mul(axis.dot(y[i]), new Vector3d()), new Vector3d());
       z[i] = square.lengthSquared() < 1e-12 ? anyNormal(y[i]) : square.normalize();
       before = z[i];

@@ -5,9 +5,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
-/** The last steps from triangles to a mesh, common to all surfaces made of faces. */
+/** Assembles a mesh from triangulated faces and per-vertex or per-face attributes. */
 final class SurfaceMesher {
-  /** The index streams of a node that has its own for each property; empty: those of the points. */
+  /** The index streams of a node for each property; an empty one stands for coordIndex. */
   record Indices(int[] color, int[] normal, int[] texCoord) {
     static final Indices NONE = new Indices(new int[0], new int[0], new int[0]);
   }
@@ -19,10 +19,10 @@ final class SurfaceMesher {
   private final int[] corners;
 
   /**
-   * Turns the triangles round if the node's {@code ccw} is FALSE, and leaves out the degenerate.
+   * Reverses the triangles if the node's {@code ccw} is FALSE, and removes degenerate ones.
    *
-   * @param triangles of points in range and finite
-   * @param faceCount above all face numbers of the triangles
+   * @param triangles the triangles, whose points are in range and finite
+   * @param faceCount a number above all face indices of the triangles
    */
   SurfaceMesher(TessellationJob job, Points points, TriangleList triangles, int faceCount) {
     this.job = job;
@@ -37,11 +37,11 @@ final class SurfaceMesher {
   }
 
   /**
-   * The mesh of a node with the fields of X3DComposedGeometryNode (X3D 4.0, 11.3.2).
+   * Returns the mesh of an X3DComposedGeometryNode (X3D 4.0, 11.3.2).
    *
-   * @param creaseAngle radians, for nodes that give no normals
-   * @param ownTexCoords what the node takes when it gives no texture coordinates; null for those of
-   *     {@link DefaultTextureCoordinates}
+   * @param creaseAngle radians, for nodes that specify no normals
+   * @param ownTexCoords the texture coordinates of a node that specifies none; null for those of
+   *     X3D 4.0, 13.3.6
    */
   Mesh composed(Indices indices, double creaseAngle, @Nullable VertexAttribute ownTexCoords) {
     boolean colorPerVertex = job.node().bool("colorPerVertex");
@@ -74,17 +74,17 @@ final class SurfaceMesher {
         creaseAngle);
   }
 
-  /** Texture coordinates beside the first; their places in the list stay, whatever they hold. */
+  /** Returns further texture coordinates and attributes; unusable sets keep their position. */
   private List<VertexAttribute> more(Indices indices, boolean normalPerVertex) {
     List<VertexAttribute> more = new ArrayList<>();
     int[] index = indices.texCoord();
     for (VertexAttribute given : PropertyValues.moreTexCoords(job)) {
       if (more.size() == ProgramAttributes.MOST) {
-        job.problem("has more texture coordinates than graphics cards take; the last are all 0");
+        job.problem("has more texture coordinates than graphics cards support; the last are all 0");
         break;
       }
       int size = given.components();
-      // One without any points is there to keep a place.
+      // an empty set only keeps its position in the list
       VertexAttribute usable =
           given.count() == 0
               ? null
@@ -99,7 +99,7 @@ final class SurfaceMesher {
     return more;
   }
 
-  /** Tangents stand beside normals and are chosen as these are. */
+  /** Adds the tangents, which are indexed like the normals. */
   private void tangents(Indices indices, boolean normalPerVertex, List<VertexAttribute> more) {
     float[] given = more.size() < ProgramAttributes.MOST ? PropertyValues.tangents(job) : null;
     VertexAttribute tangents =
@@ -115,7 +115,7 @@ final class SurfaceMesher {
     }
   }
 
-  /** The mesh with given properties; normals that are null are generated. */
+  /** Returns the mesh with given attributes; normals that are null are generated. */
   Mesh mesh(
       @Nullable VertexAttribute colors,
       @Nullable VertexAttribute normals,
@@ -157,7 +157,7 @@ final class SurfaceMesher {
     return new VertexAttribute(values, components, ids);
   }
 
-  /** Whether each point that is used has a tuple of its own number. */
+  /** Returns whether each point used has a tuple of the same index. */
   private boolean covers(int count) {
     if (count >= points.count()) {
       return true;
@@ -201,7 +201,7 @@ final class SurfaceMesher {
     return ids;
   }
 
-  /** Puts the face's normal wherever the given one has no direction. */
+  /** Replaces normals of length 0 by the face normals. */
   private VertexAttribute complete(VertexAttribute given) {
     float[] values = given.values();
     int[] ids = given.ids();

@@ -3,10 +3,10 @@ package org.selectiverenderer.geometry.tessellate;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * What became of a geometry node.
+ * The result of tessellating a geometry node.
  *
- * @param mesh what is drawn
- * @param degenerateFaces triangles that the node gives but that have no area: left out of the mesh
- *     without a word, because exporters write them by the thousand and nobody can see them
+ * @param mesh the mesh
+ * @param degenerateFaces the number of triangles without area that were left out; they are not
+ *     reported as problems, because exporters write thousands of them and they are invisible
  */
 record Tessellation(Mesh mesh, int degenerateFaces) {}

@@ -3,7 +3,7 @@ package org.selectiverenderer.geometry.tessellate;
 import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** One node on its way to a mesh: where its fields, its problems and its tally are. */
+/** The context of tessellating one node: its fields, its problems and its statistics. */
 final class TessellationJob {
   private final NodeView node;
   private final Problems problems;
@@ -18,7 +18,7 @@ final class TessellationJob {
     return node;
   }
 
-  /** Reports what is wrong with the node: {@code text} goes on where the node's name ends. */
+  /** Reports a problem of the node; {@code text} is the predicate after the node's name. */
   void problem(String text) {
     String name = node.name();
     String subject = name == null ? node.type().name() : node.type().name() + " " + name;
@@ -34,7 +34,8 @@ final class TessellationJob {
   }
 
   /**
-   * Whether the fields are finite and above zero; if not, says so and that the node is left out.
+   * Returns whether the fields are finite and above zero; otherwise reports that the node is left
+   * out.
    */
   boolean positive(String... fields) {
     for (String field : fields) {

@@ -9,22 +9,24 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * Turns geometry nodes into meshes. Safe for use by several threads; glyphs that one call has
- * outlined are kept for the next, so share one tessellator.
+ * Tessellates geometry nodes into meshes. Thread-safe; glyphs are cached, so that one tessellator
+ * should be shared.
  *
- * <p>Whatever a node holds, a mesh comes out, if need be an empty one: what cannot be drawn is left
- * out and reported, once per node and kind of problem.
+ * <p>The result is always a mesh, possibly an empty one: invalid parts are left out and reported
+ * once per node and kind of problem.
  */
 public final class Tessellator {
   private final Map<String, GeometryKind> kinds = new HashMap<>();
 
-  /** A tessellator with the usual limits. */
+  /** Creates a tessellator with a glyph cache of its own. */
   public Tessellator() {
     this(new TextMesher());
   }
 
   /**
-   * @param mesher whose glyphs are used, so that they are made once
+   * Creates a tessellator that shares the glyph cache of a mesher.
+   *
+   * @param mesher the mesher whose glyphs are used
    */
   public Tessellator(TextMesher mesher) {
     kinds.put("Box", BoxShape::mesh);
@@ -62,23 +64,24 @@ public final class Tessellator {
     kinds.put("IndexedQuadSet", TriangleSets::indexedQuads);
   }
 
-  /** Whether nodes of that type can be turned into meshes. */
+  /** Returns whether nodes of a type can be tessellated. */
   public boolean handles(NodeType type) {
     return kinds.containsKey(type.name());
   }
 
   /**
-   * The mesh of a geometry node.
+   * Returns the mesh of a geometry node.
    *
-   * @param problems hears what is left out or replaced; a value that is fine but draws nothing,
-   *     such as an empty coordIndex, is no problem
-   * @return nothing if {@link #handles} says no: whose business the node's type is reports it
+   * @param problems receives what is left out or replaced; a valid value that draws nothing, such
+   *     as an empty coordIndex, is not a problem
+   * @return empty for a node type that is not supported ({@link #handles}), which the caller
+   *     reports
    */
   public Optional<Mesh> tessellate(NodeView geometry, Problems problems) {
     return examine(geometry, problems).map(Tessellation::mesh);
   }
 
-  /** Like {@link #tessellate}, with the number of degenerate triangles left out. */
+  /** Tessellates like {@link #tessellate}, and returns the number of degenerate triangles, too. */
   public Optional<Tessellation> examine(NodeView geometry, Problems problems) {
     GeometryKind kind = kinds.get(geometry.type().name());
     if (kind == null) {

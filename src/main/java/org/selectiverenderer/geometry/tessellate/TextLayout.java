@@ -3,13 +3,13 @@ package org.selectiverenderer.geometry.tessellate;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * How a FontStyle (X3D 4.0, 15.4.1) or ScreenFontStyle (36.4.4) lays out text. A ScreenFontStyle's
- * units are pixels: whoever draws it sees to that.
+ * The text layout defined by a FontStyle (X3D 4.0, 15.4.1) or ScreenFontStyle (36.4.4). The units
+ * of a ScreenFontStyle are pixels, to which the renderer must scale them.
  *
- * @param size of an em
- * @param spacing of lines, in ems
- * @param major alignment of each line by itself along the direction of writing
- * @param minor alignment of all lines together across it
+ * @param size the size of an em
+ * @param spacing the line spacing, in ems
+ * @param major alignment of each line along the direction of writing
+ * @param minor alignment of the block of lines across the direction of writing
  */
 record TextLayout(
     double size,
@@ -33,10 +33,10 @@ record TextLayout(
 
   private static final String ON_SCREEN = "ScreenFontStyle";
 
-  /** Pixels of a point, which is a 72nd of an inch, at the 96 pixels per inch of CSS. */
+  /** Pixels per point, a 72nd of an inch, at the 96 pixels per inch of CSS. */
   private static final double PIXELS_PER_POINT = 96.0 / 72;
 
-  /** Whether a node is one of the two. */
+  /** Returns whether a node is a FontStyle or ScreenFontStyle. */
   static boolean known(NodeView fontStyle) {
     String name = fontStyle.type().name();
     return name.equals("FontStyle") || name.equals(ON_SCREEN);
@@ -86,10 +86,9 @@ record TextLayout(
   }
 
   /**
-   * Where the range that a line or block covers goes, measured in the direction of its advance.
+   * Returns the start position of a line or block, along the direction of its advance.
    *
-   * @param length of the range
-   * @return where its beginning goes
+   * @param length the length of the line or block
    */
   static double begin(Justify justify, double length) {
     return switch (justify) {

@@ -9,17 +9,17 @@ import org.selectiverenderer.geometry.font.Glyph;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * Single lines of text as flat triangles that face +z, for Text nodes and for what is drawn over
- * the scene. Safe for use by several threads; keeps the glyphs it has made.
+ * Tessellates single lines of text as flat triangles that face +z, for Text nodes and overlays.
+ * Caches the glyphs. Thread-safe.
  */
 public final class TextMesher {
   private final FontLibrary library = new FontLibrary();
 
   /**
-   * A line that starts at the origin and goes along +x, its base line at y = 0. Characters that the
-   * font lacks show as boxes, control characters as spaces.
+   * Returns a line of text that starts at the origin and runs along +x, with its baseline at y = 0.
+   * Characters missing in the font are shown as boxes, control characters as spaces.
    *
-   * @param size length of an em; capitals are about 0.73 of it
+   * @param size the size of an em; capitals are about 0.73 of it high
    */
   public Mesh mesh(String line, FontFamily family, FontStyle style, float size) {
     Font font = font(family, style);
@@ -33,7 +33,7 @@ public final class TextMesher {
     return sheet.mesh(false, 0, 0, size);
   }
 
-  /** The extent of the line that {@link #mesh} makes. */
+  /** Returns the extent of the line that {@link #mesh} returns. */
   public TextMetrics metrics(String line, FontFamily family, FontStyle style, float size) {
     Font font = font(family, style);
     double width = 0;
@@ -47,7 +47,7 @@ public final class TextMesher {
     return library.font(family, style);
   }
 
-  /** Glyphs side by side in the plane z = 0. */
+  /** Collects glyphs in the plane z = 0. */
   static final class Sheet {
     private float[] positions = new float[512];
     private int[] indices = new int[512];
@@ -58,7 +58,7 @@ public final class TextMesher {
       return indexCount / 3;
     }
 
-    /** Adds a glyph with its origin at x, y, an em being that wide and high. */
+    /** Adds a glyph with its origin at x, y and an em of the given width and height. */
     void add(Glyph glyph, double x, double y, double emX, double emY) {
       float[] points = glyph.points();
       int needed = 3 * (vertexCount + points.length / 2);
@@ -81,9 +81,10 @@ public final class TextMesher {
     }
 
     /**
-     * The mesh, its texture's origin at x, y and one em large (X3D 4.0, 15.2.1.2).
+     * Returns the mesh, with texture coordinates of origin x, y and scale 1 per em (X3D 4.0,
+     * 15.2.1.2).
      *
-     * @param solid whether only the front is seen
+     * @param solid whether back faces are culled
      */
     Mesh mesh(boolean solid, double x, double y, double em) {
       float[] xyz = Arrays.copyOf(positions, 3 * vertexCount);

@@ -3,8 +3,8 @@ package org.selectiverenderer.geometry.tessellate;
 /**
  * The extent of a line of text, in the unit of its size.
  *
- * @param width from the origin of the first character to where the next line's would follow
- * @param ascent above the base line
- * @param descent below the base line, positive
+ * @param width the advance width of the line
+ * @param ascent the ascent above the baseline
+ * @param descent the descent below the baseline, positive
  */
 public record TextMetrics(float width, float ascent, float descent) {}

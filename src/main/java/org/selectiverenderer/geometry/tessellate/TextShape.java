@@ -8,11 +8,11 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * Text (X3D 4.0, 15.4.2). In vertical text each character stands in the middle of a square of one
- * em. Lines that {@code length} or {@code maxExtent} stretch or compress do so with their letters.
+ * Tessellates Text nodes (X3D 4.0, 15.4.2). In vertical text each character is centred in a square
+ * of one em. {@code length} and {@code maxExtent} stretch or compress the letters of a line.
  */
 final class TextShape {
-  /** Triangles of one node: some hundred thousand letters. */
+  /** The maximum number of triangles of a node, some hundred thousand letters. */
   static final int MAX_TRIANGLES = 5_000_000;
 
   private final TessellationJob job;
@@ -79,7 +79,7 @@ final class TextShape {
     }
     if (full) {
       job.problem(
-          "has more than %s triangles; the rest of the letters is left out"
+          "has more than %s triangles; the remaining letters are left out"
               .formatted(MAX_TRIANGLES));
     }
     Mesh mesh = sheet.mesh(solid, textureX(lengths, compression), textureY(), layout.size());
@@ -103,14 +103,14 @@ final class TextShape {
     return length * layout.size();
   }
 
-  /** The length that the node asks for; the natural one if it does not. */
+  /** Returns the line's {@code length} in the node, or its natural length if unspecified. */
   private double wanted(int line, double natural) {
     float[] wanted = job.node().floats("length");
     boolean given = line < wanted.length && wanted[line] > 0 && wanted[line] < 1e30f;
     return given ? wanted[line] : natural;
   }
 
-  /** Where the first line goes, measured in the direction in which lines advance. */
+  /** Returns the position of the first line, measured in the direction in which lines advance. */
   private double blockBegin(int lines) {
     double advance = (lines - 1) * layout.size() * layout.spacing();
     TextLayout.Justify minor = layout.minor();
@@ -164,7 +164,7 @@ final class TextShape {
     return !full;
   }
 
-  /** The x of the origin of the first line. */
+  /** Returns the x of the origin of the first line. */
   private double textureX(double[] lengths, double compression) {
     if (!layout.horizontal()) {
       return layout.leftToRight() ? blockBegin(lengths.length) : -blockBegin(lengths.length);
@@ -177,7 +177,7 @@ final class TextShape {
     return layout.leftToRight() ? begin : -begin - length;
   }
 
-  /** The y of the base line of the first row. */
+  /** Returns the y of the baseline of the first line. */
   private double textureY() {
     if (!layout.horizontal()) {
       return 0;

@@ -4,13 +4,13 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** Where a Transform places its children (X3D 4.0, 10.4.4). */
+/** Computes the matrix of a Transform node (X3D 4.0, 10.4.4). */
 public final class TransformPlacement {
   private TransformPlacement() {}
 
   /**
-   * From the children's coordinates over those of a Transform or CADPart, T C R SR S -SR -C, to
-   * those that the parent's placement leads to.
+   * Returns the parent's matrix times the matrix T C R SR S -SR -C of a Transform or CADPart, which
+   * maps its children's coordinates.
    */
   public static Matrix4d of(NodeView transform, Matrix4dc parent) {
     return of(
@@ -23,10 +23,10 @@ public final class TransformPlacement {
   }
 
   /**
-   * Likewise, of the fields' values.
+   * Multiplies a matrix by the matrix T C R SR S -SR -C of field values.
    *
-   * @param matrix the parent's, which is changed and returned
-   * @param r an axis of any length but 0, which turns nothing, and an angle in radians
+   * @param matrix the parent's matrix, which is changed and returned
+   * @param r a rotation axis of any length (0 means no rotation) and an angle in radians
    */
   public static Matrix4d of(
       Matrix4d matrix, float[] t, float[] c, float[] r, float[] s, float[] sr) {
@@ -38,7 +38,7 @@ public final class TransformPlacement {
     return matrix.translate(-(double) c[0], -(double) c[1], -(double) c[2]);
   }
 
-  /** What only has a translation and a rotation, T R: a collidable (X3D 4.0, 37.3.2). */
+  /** Returns the matrix T R of a collidable node (X3D 4.0, 37.3.2). */
   static Matrix4d ofCollidable(NodeView collidable) {
     float[] t = collidable.floats("translation");
     Matrix4d matrix = new Matrix4d().translation(t[0], t[1], t[2]);

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
- * Triangles under construction. A corner is known by its position in the node's index stream, from
- * which its point and the indices of its colour, normal and texture coordinate follow.
+ * The growing list of a node's triangles. A corner is represented by its position in the node's
+ * index stream, which determines its point and the indices of its colour, normal and texture
+ * coordinate.
  */
 final class TriangleList {
   private final int[] stream;
@@ -14,8 +15,10 @@ final class TriangleList {
   private int count;
 
   /**
+   * Creates an empty list.
+   *
    * @param stream point index per stream position
-   * @param expected a guess of the number of triangles
+   * @param expected the expected number of triangles
    */
   TriangleList(int[] stream, int expected) {
     this.stream = stream;
@@ -40,27 +43,27 @@ final class TriangleList {
     return count;
   }
 
-  /** Point index per stream position. */
+  /** Returns the point index per stream position. */
   int[] stream() {
     return stream;
   }
 
-  /** The stream's point index at a position. */
+  /** Returns the point index at a stream position. */
   int point(int position) {
     return stream[position];
   }
 
-  /** Stream positions, three per triangle; longer than needed. */
+  /** Returns stream positions, three per triangle; the array may be longer than needed. */
   int[] corners() {
     return corners;
   }
 
-  /** The face that each triangle is a part of; longer than needed. */
+  /** Returns the face of each triangle; the array may be longer than needed. */
   int[] faces() {
     return faces;
   }
 
-  /** The point of each corner, three per triangle, exactly as long as needed. */
+  /** Returns the point of each corner, three per triangle, in an array of exact length. */
   int[] points() {
     int[] points = new int[3 * count];
     for (int i = 0; i < points.length; i++) {
@@ -69,7 +72,7 @@ final class TriangleList {
     return points;
   }
 
-  /** Turns every triangle round: for nodes whose {@code ccw} is FALSE. */
+  /** Reverses the winding of all triangles, for nodes whose {@code ccw} is FALSE. */
   void reverse() {
     for (int i = 0; i < 3 * count; i += 3) {
       int kept = corners[i + 1];
@@ -79,11 +82,11 @@ final class TriangleList {
   }
 
   /**
-   * Leaves out the triangles without area: those whose height is less than about 1e-8 of their
-   * longest side, which are lines that rounding has bent.
+   * Removes degenerate triangles, whose height is less than about 1e-8 of their longest side; these
+   * are lines bent by rounding.
    *
    * @param xyz the points
-   * @return how many were left out
+   * @return the number of triangles removed
    */
   int dropDegenerate(float[] xyz) {
     int kept = 0;

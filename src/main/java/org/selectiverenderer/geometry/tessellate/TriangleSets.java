@@ -3,9 +3,9 @@ package org.selectiverenderer.geometry.tessellate;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * The triangle and quadrilateral sets (X3D 4.0, 11.4.7 to 11.4.9, 11.4.13 to 11.4.15, 32.4.4,
- * 32.4.5). Faces, for {@code colorPerVertex} and {@code normalPerVertex} FALSE, are their triangles
- * or quadrilaterals in order.
+ * Tessellates the triangle and quadrilateral set nodes (X3D 4.0, 11.4.7 to 11.4.9, 11.4.13 to
+ * 11.4.15, 32.4.4, 32.4.5). With {@code colorPerVertex} or {@code normalPerVertex} FALSE, each
+ * triangle or quadrilateral is a face.
  */
 final class TriangleSets {
   private final TessellationJob job;
@@ -59,7 +59,7 @@ final class TriangleSets {
     return set.fans(IndexRuns.separated(set.stream));
   }
 
-  /** Faces of {@code size} points each, one after the other. */
+  /** Adds consecutive faces of {@code size} points each. */
   private Mesh single(int size) {
     if (stream.length % size != 0) {
       int extra = stream.length % size;
@@ -104,7 +104,7 @@ final class TriangleSets {
     faces++;
   }
 
-  /** Without normals, {@code normalPerVertex} TRUE asks for smooth ones (X3D 4.0, 11.2.3). */
+  /** Builds the mesh; without normals, {@code normalPerVertex} makes it smooth (11.2.3). */
   private Mesh finish() {
     check.report(job, "face");
     double creaseAngle = job.node().bool("normalPerVertex") ? Math.PI : 0;

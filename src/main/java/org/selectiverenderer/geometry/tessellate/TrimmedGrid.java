@@ -8,18 +8,18 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Fills what trimming contours leave of a surface's parameters with triangles that follow an even
- * grid: the inside of the contours is divided into triangles, and each of these along the lines of
- * the grid. A contour inside another is a hole in it, one inside a hole is an island (even-odd).
+ * Triangulates the trimmed parameter domain of a surface: the interior of the trimming loops is
+ * triangulated, and each triangle is clipped to the cells of a regular grid. By the even-odd rule,
+ * a loop inside another is a hole, and one inside a hole is an island.
  */
 final class TrimmedGrid {
-  /** Makes a vertex at u and v and returns its number. */
+  /** Creates the vertex at u and v and returns its index. */
   @FunctionalInterface
   interface Vertices {
     int at(double u, double v);
   }
 
-  /** Takes three numbers of vertices, counter-clockwise in u and v. */
+  /** Receives triangles as three vertex indices, counter-clockwise in u and v. */
   @FunctionalInterface
   interface Triangles {
     void add(int a, int b, int c);
@@ -32,8 +32,10 @@ final class TrimmedGrid {
   private final Map<Place, Integer> known = new HashMap<>();
 
   /**
-   * @param us the lines of the grid along u, ascending
-   * @param vs those along v
+   * Creates a grid.
+   *
+   * @param us the ascending grid parameters in u
+   * @param vs the ascending grid parameters in v
    */
   TrimmedGrid(double[] us, double[] vs) {
     this.us = us;
@@ -41,7 +43,9 @@ final class TrimmedGrid {
   }
 
   /**
-   * @param contours u, v per point; none leave the whole surface
+   * Triangulates the domain inside the contours.
+   *
+   * @param contours u, v per point; without any, the domain is the whole surface
    */
   void fill(List<double[]> contours, Vertices vertices, Triangles triangles) {
     List<double[]> all = new ArrayList<>();
@@ -77,7 +81,7 @@ final class TrimmedGrid {
     return depth;
   }
 
-  /** Whether most of the points of the second lie in the first: contours may touch. */
+  /** Returns whether most points of the second polygon lie in the first; contours may touch. */
   private static boolean holds(double[] polygon, double[] other) {
     int inside = 0;
     for (int i = 0; i < other.length; i += 2) {
@@ -128,7 +132,7 @@ final class TrimmedGrid {
     }
   }
 
-  /** Cuts a triangle into columns, and these into the cells of the grid. */
+  /** Clips a triangle to the columns of the grid, and these to its cells. */
   private void divide(double[] triangle, Vertices vertices, Triangles triangles) {
     double[] range = range(triangle, 0);
     int firstColumn = cell(us, range[0]);
@@ -155,7 +159,7 @@ final class TrimmedGrid {
     return range;
   }
 
-  /** The cell that a value lies in; the last one when it is at the end. */
+  /** Returns the cell that contains a value. */
   private static int cell(double[] lines, double value) {
     int found = Arrays.binarySearch(lines, value);
     int cell = found >= 0 ? found : -found - 2;
@@ -166,7 +170,7 @@ final class TrimmedGrid {
     return cut(cut(polygon, axis, lines[cell], 1), axis, lines[cell + 1], -1);
   }
 
-  /** The part of a convex polygon on one side of a line of the grid (Sutherland and Hodgman). */
+  /** Clips a convex polygon to one side of a grid line (Sutherland-Hodgman). */
   private static double[] cut(double[] polygon, int axis, double line, int side) {
     double[] out = new double[2 * polygon.length + 4];
     int count = 0;

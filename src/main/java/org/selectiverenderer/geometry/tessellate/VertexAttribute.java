@@ -3,12 +3,13 @@ package org.selectiverenderer.geometry.tessellate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Colours, normals, texture coordinates or others and which of them each corner takes.
+ * An indexed vertex attribute: colours, normals, texture coordinates or others, and the index of
+ * each corner.
  *
- * @param values the tuples one after the other
+ * @param values the tuples
  * @param components floats per tuple
- * @param ids the tuple of each corner; null when the corner takes the tuple of its point's number
- * @param name of an attribute for programs of shaders, else empty
+ * @param ids the tuple index of each corner; null if it equals the index of the corner's point
+ * @param name the name of an attribute for shader programs, else empty
  */
 record VertexAttribute(float[] values, int components, int @Nullable [] ids, String name) {
 

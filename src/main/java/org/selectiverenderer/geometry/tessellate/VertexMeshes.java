@@ -5,15 +5,15 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.geometry.mesh.ValueWelder;
 
-/** Meshes of vertices and triangles, as other programs' files and recipes give them. */
+/** Builds meshes from vertex and index arrays, as other file formats provide them. */
 public final class VertexMeshes {
   private VertexMeshes() {}
 
   /**
-   * The triangles of faces as an IndexedFaceSet has them; those that cannot be drawn are left out.
+   * Returns the mesh of faces indexed as in an IndexedFaceSet; invalid faces are left out.
    *
-   * @param points x, y, z each
-   * @param coordIndex points per face, -1 after each
+   * @param points x, y, z of each point
+   * @param coordIndex the point indices of each face, followed by -1
    * @return a mesh without normals
    */
   public static Mesh faces(float[] points, int[] coordIndex) {
@@ -33,15 +33,15 @@ public final class VertexMeshes {
   }
 
   /**
-   * The mesh of triangles whose corners take all their values from one vertex. Triangles without
-   * area are left out. Without normals, those are generated as for an IndexedFaceSet (X3D 4.0,
-   * 11.2.3), equal positions counting as one point.
+   * Returns the mesh of triangles with one index for all attributes. Degenerate triangles are left
+   * out. Missing normals are generated as for an IndexedFaceSet (X3D 4.0, 11.2.3), in which
+   * vertices of equal position are one point.
    *
-   * @param form the vertices, all finite, and the triangles
+   * @param form the vertex positions, all finite, and the triangles
    * @param normals x, y, z per vertex, of unit length, or null
    * @param colors r, g, b, a per vertex, or null
    * @param texCoords s, t per vertex, or null
-   * @param creaseAngle radians; edges of triangles that meet at less are smooth; for no normals
+   * @param creaseAngle in radians, for generated normals; edges with a smaller angle are smooth
    * @return a mesh with normals
    */
   public static Mesh of(

@@ -8,9 +8,9 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.ValueWelder;
 
 /**
- * Makes vertices of corners: corners that take the same point, normal, colour and texture
- * coordinate become one vertex. First by number, which is fast and finds most of them, then by
- * value, for files that write the same point or normal many times.
+ * Builds an indexed mesh from corners by welding: corners with the same point, normal, colour and
+ * texture coordinate become one vertex. They are compared first by index, which is fast and finds
+ * most of them, then by value, for files that repeat the same point or normal many times.
  */
 final class Welder {
   private final float[] points;
@@ -20,14 +20,16 @@ final class Welder {
   private final @Nullable VertexAttribute texCoords;
   private final List<VertexAttribute> more;
 
-  // Of each vertex: its point, and a corner that it stands for.
+  // for each vertex its point, and a representative corner
   private int[] vertexPoint = {};
   private int[] vertexCorner = {};
   private int vertexCount;
 
   /**
+   * Creates a welder without further attributes.
+   *
    * @param points x, y, z per point
-   * @param corners point per corner
+   * @param corners point index per corner
    */
   Welder(
       float[] points,
@@ -39,7 +41,9 @@ final class Welder {
   }
 
   /**
-   * @param more texture coordinates beside the first, then attributes for programs
+   * Creates a welder.
+   *
+   * @param more further texture coordinates, then attributes for shader programs
    */
   Welder(
       float[] points,
@@ -57,9 +61,9 @@ final class Welder {
   }
 
   /**
-   * The mesh of the corners in their order.
+   * Returns the mesh of the corners in their order.
    *
-   * @param defaultTexCoords whether to generate texture coordinates when none were given
+   * @param defaultTexCoords whether to generate texture coordinates if there are none
    */
   Mesh mesh(Mesh.Primitive primitive, boolean solid, boolean defaultTexCoords) {
     int[] indices = byPoint() ? weldPoints() : mostlyUnique() ? keepAll() : weldTuples();
@@ -68,7 +72,7 @@ final class Welder {
     float[] color = gather(colors);
     float[] texCoord = gather(texCoords);
     ValueWelder byValue = new ValueWelder(vertexCount, positions, normal, color, texCoord);
-    // Few meshes have more coordinates, and hardly one of these equal tuples of other numbers.
+    // few meshes have further attributes, and these hardly ever repeat equal tuples
     if (more.isEmpty() && byValue.weld() < vertexCount) {
       byValue.rename(indices);
       positions = byValue.compact(positions, 3);
@@ -99,7 +103,7 @@ final class Welder {
     return attribute == null || attribute.ids() == null;
   }
 
-  /** All attributes go with the point: the points that are used are the vertices. */
+  /** Welds if all attributes are indexed by point: the points used are the vertices. */
   private int[] weldPoints() {
     int[] vertexOf = new int[points.length / 3];
     for (int point : corners) {
@@ -119,12 +123,12 @@ final class Welder {
     return indices;
   }
 
-  /** Whether there are so many normals, one per triangle, that few corners can share a number. */
+  /** Returns whether there is about one normal per triangle, so that few corners share one. */
   private boolean mostlyUnique() {
     return normals != null && normals.ids() != null && 3 * normals.count() >= corners.length;
   }
 
-  /** Each corner is a vertex until its values tell. */
+  /** Makes each corner a vertex, to be welded by value only. */
   private int[] keepAll() {
     int[] indices = IndexRuns.identity(corners.length);
     vertexPoint = corners;
@@ -217,7 +221,7 @@ final class Welder {
         : gather(attribute.values(), attribute.components(), attribute.ids());
   }
 
-  /** The tuples of the vertices in order; the given array itself when that is what it holds. */
+  /** Returns the tuples of the vertices in order; the given array itself if it is equal. */
   private float[] gather(float[] values, int components, int @Nullable [] ids) {
     if (ids == null
         && values.length == components * vertexCount
@@ -238,7 +242,7 @@ final class Welder {
   private static float[] bounds(float[] positions) {
     float[] b = Mesh.boundsOf(positions, new int[0]);
     for (int axis = 0; axis < 3; axis++) {
-      // By comparison: Math.min heeds NaN, which no position is, and takes five times as long.
+      // comparisons are five times as fast as Math.min, which handles NaN
       float min = b[axis];
       float max = b[axis + 3];
       for (int i = axis; i < positions.length; i += 3) {

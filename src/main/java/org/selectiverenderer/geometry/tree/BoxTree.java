@@ -4,26 +4,26 @@ import java.util.function.IntConsumer;
 import org.joml.Vector3dc;
 
 /**
- * A bounding-volume hierarchy over numbered items that have axis-aligned boxes. Boxes are kept as
- * floats, rounded outwards, so that it may report an item too many but never one too few. Made by
- * {@link BoxTreeBuilder}.
+ * A bounding volume hierarchy (BVH) over numbered items with axis-aligned boxes. Boxes are stored
+ * as floats rounded outwards, so that queries are conservative: they may report an item too many
+ * but never miss one. Built by {@link BoxTreeBuilder}.
  */
 public final class BoxTree {
-  /** The box of an item. */
+  /** Provides the boxes of the items. */
   @FunctionalInterface
   public interface Boxes {
-    /** Writes min x, y, z, max x, y, z, rounded outwards; an empty box has min above max. */
+    /** Writes min x, y, z, max x, y, z, rounded outwards; in an empty box min is above max. */
     void box(int item, float[] out);
   }
 
-  /** Decides whether a ray hits an item. */
+  /** Tests whether a ray hits an item. */
   @FunctionalInterface
   public interface ItemTest {
     /** Returns the ray parameter of a hit that is nearer than {@code nearest}, else that. */
     double test(int item, double nearest);
   }
 
-  /** Deeper than any tree that the builder makes. */
+  /** A depth greater than that of any tree of the builder. */
   public static final int MAX_DEPTH = 96;
 
   private final Boxes items;
@@ -35,11 +35,13 @@ public final class BoxTree {
   private int[] leafOf = {};
 
   /**
-   * @param order the items, those of a leaf side by side
+   * Creates a tree from its arrays.
+   *
+   * @param order the items, those of a leaf consecutive
    * @param boxes six numbers per node; node 0 is the root
-   * @param first per node: of a leaf where in {@code order} its items begin, else the left child;
-   *     the right one follows it
-   * @param count per node: the number of items of a leaf, 0 for an inner node
+   * @param first for a leaf the index in {@code order} of its first item, for an inner node its
+   *     left child, which the right child follows
+   * @param count for a leaf the number of its items, 0 for an inner node
    */
   BoxTree(Boxes items, int[] order, float[] boxes, int[] first, int[] count) {
     this.items = items;
@@ -49,32 +51,33 @@ public final class BoxTree {
     this.count = count;
   }
 
-  /** The items, those of a leaf side by side. For reading only, as the arrays below. */
+  /** Returns the items, those of a leaf consecutive; not to be modified, as the arrays below. */
   public int[] order() {
     return order;
   }
 
-  /** Six numbers per node; node 0 is the root. */
+  /** Returns six numbers per node; node 0 is the root. */
   public float[] boxes() {
     return boxes;
   }
 
   /**
-   * Per node: of a leaf where in {@link #order} it begins, else the left child before the right.
+   * Returns for a leaf the index in {@link #order} of its first item, for an inner node its left
+   * child, which the right child follows.
    */
   public int[] first() {
     return first;
   }
 
-  /** Per node: the number of items of a leaf, 0 for an inner node. */
+  /** Returns for a leaf the number of its items, 0 for an inner node. */
   public int[] count() {
     return count;
   }
 
   /**
-   * Tests the items along a ray from near to far.
+   * Tests the items along a ray from front to back.
    *
-   * @param limit where the ray ends, in lengths of {@code direction}
+   * @param limit the ray parameter at which the ray ends, in lengths of {@code direction}
    */
   public void ray(Vector3dc origin, Vector3dc direction, double limit, ItemTest test) {
     if (order.length == 0) {
@@ -121,7 +124,7 @@ public final class BoxTree {
     }
   }
 
-  /** Names the items in leaves that a box touches: min x, y, z, max x, y, z. */
+  /** Reports the items of all leaves that overlap a box (min x, y, z, max x, y, z). */
   public void overlap(double[] box, IntConsumer found) {
     if (order.length == 0) {
       return;
@@ -154,7 +157,7 @@ public final class BoxTree {
     return true;
   }
 
-  /** Follows an item whose box is another: the boxes above it are made anew. */
+  /** Refits the boxes of all nodes above an item whose box has changed. */
   public void moved(int item) {
     if (leafOf.length == 0) {
       link();
@@ -185,7 +188,7 @@ public final class BoxTree {
     }
   }
 
-  /** Finds every node's parent and every item's leaf: only trees whose items move need them. */
+  /** Computes every node's parent and every item's leaf, which only refitting needs. */
   private void link() {
     parent = new int[count.length];
     parent[0] = -1;

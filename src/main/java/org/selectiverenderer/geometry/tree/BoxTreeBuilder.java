@@ -3,15 +3,15 @@ package org.selectiverenderer.geometry.tree;
 import java.util.Arrays;
 
 /**
- * Builds a {@link BoxTree} from the top down. A node is split where the surface area heuristic
- * finds it cheapest among {@value #BINS} planes across the longest axis of the box centres
- * (MacDonald and Booth 1990; binned as in Wald 2007), or in halves where that finds none.
+ * Builds a {@link BoxTree} top-down. A node is split at the cheapest plane by the surface area
+ * heuristic among {@value #BINS} bins along the longest axis of the box centroids (MacDonald and
+ * Booth 1990; binned as in Wald 2007), or at the median if there is none.
  */
 public final class BoxTreeBuilder {
   private static final int BINS = 12;
   private static final int LEAF = 4;
 
-  /** From here on nodes are halved, so that no input makes a deep tree. */
+  /** From this depth on nodes are split at the median, which bounds the depth. */
   private static final int HALVING_DEPTH = 48;
 
   private final BoxTree.Boxes items;
@@ -43,7 +43,7 @@ public final class BoxTreeBuilder {
     }
   }
 
-  /** A tree over the items 0 .. size - 1. */
+  /** Builds a tree over the items 0 .. size - 1. */
   public static BoxTree build(int size, BoxTree.Boxes items) {
     BoxTreeBuilder builder = new BoxTreeBuilder(size, items);
     if (size > 0) {
@@ -76,7 +76,7 @@ public final class BoxTreeBuilder {
     split(left + 1, middle, end, depth + 1);
   }
 
-  /** The node's box, and the box of its items' centres. */
+  /** Computes the node's box, and the box of its items' centroids. */
   private void measure(int node, int begin, int end) {
     int at = 6 * node;
     clear(nodeBoxes, at);
@@ -103,7 +103,7 @@ public final class BoxTreeBuilder {
     }
   }
 
-  /** The middle of an item's box; the origin for an empty or boundless one. */
+  /** Returns the centroid of an item's box; 0 for an empty or unbounded one. */
   private float centre(int item, int axis) {
     float centre = 0.5f * boxes[6 * item + axis] + 0.5f * boxes[6 * item + axis + 3];
     return Float.isFinite(centre) ? centre : 0;
@@ -116,7 +116,7 @@ public final class BoxTreeBuilder {
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
   }
 
-  /** Parts the items at the cheapest plane; returns where the right part begins. */
+  /** Partitions the items at the cheapest plane; returns where the right part begins. */
   private int partition(int axis, int begin, int end) {
     float low = centres[axis];
     float scale = BINS / (centres[axis + 3] - low);
@@ -156,7 +156,7 @@ public final class BoxTreeBuilder {
     }
   }
 
-  /** The bin that the right part begins with where area times items is least. */
+  /** Returns the first bin of the right part for the least sum of area times items. */
   private int cheapest() {
     float[] box = new float[6];
     clear(box, 0);
@@ -195,7 +195,7 @@ public final class BoxTreeBuilder {
     return x * y + y * z + z * x;
   }
 
-  /** Orders the items along an axis by their centres and parts them in the middle. */
+  /** Sorts the items along an axis by their centroids; returns the index of the median. */
   private int halve(int axis, int begin, int end) {
     long[] keys = new long[end - begin];
     for (int i = begin; i < end; i++) {

@@ -3,11 +3,11 @@ package org.selectiverenderer.geometry.tree;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The point of a segment or triangle that is nearest to another (Ericson 2005, 5.1). */
+/** Computes the closest point on a segment or triangle to a point (Ericson 2005, 5.1). */
 public final class ClosestPoint {
   private ClosestPoint() {}
 
-  /** On the segment from a to b; a when the two are one point. */
+  /** Computes the point of the segment ab closest to p; a if the segment is degenerate. */
   public static void onSegment(Vector3dc a, Vector3dc b, Vector3dc p, Vector3d out) {
     double abx = b.x() - a.x();
     double aby = b.y() - a.y();
@@ -18,7 +18,7 @@ public final class ClosestPoint {
     out.set(a.x() + t * abx, a.y() + t * aby, a.z() + t * abz);
   }
 
-  /** On the triangle a, b, c, its inside included. */
+  /** Computes the point of the triangle abc closest to p. */
   public static void onTriangle(Vector3dc a, Vector3dc b, Vector3dc c, Vector3dc p, Vector3d out) {
     Vector3d ab = b.sub(a, new Vector3d());
     Vector3d ac = c.sub(a, new Vector3d());
@@ -33,7 +33,7 @@ public final class ClosestPoint {
         return;
       }
     }
-    // Beside the triangle, or it is a mere line: the nearest of its three edges.
+    // p projects outside the triangle, or the triangle is degenerate: take the closest edge
     Vector3d candidate = new Vector3d();
     onSegment(a, b, p, out);
     onSegment(b, c, p, candidate);

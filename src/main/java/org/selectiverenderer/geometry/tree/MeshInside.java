@@ -5,25 +5,28 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Whether a point is inside a closed mesh or on it: whether rays to most of three sides leave it an
- * odd number of times. An open mesh, such as ground, has no inside but its surface.
+ * Tests whether a point is inside a closed mesh or on its surface by ray casting: most of three
+ * rays must cross the surface an odd number of times. An open mesh, such as ground, has only its
+ * surface.
  */
 public final class MeshInside {
-  /** To no sides that models prefer, so that rays hit few edges. */
+  /** Ray directions that are not parallel to usual model axes, so that rays hit few edges. */
   private static final Vector3dc[] SIDES = {
     new Vector3d(0.953, 0.214, 0.127),
     new Vector3d(0.171, 0.967, 0.119),
     new Vector3d(0.137, 0.191, 0.943)
   };
 
-  /** Surfaces that a ray passes at most. */
+  /** The maximum number of crossings counted per ray. */
   private static final int MOST = 10_000;
 
   private MeshInside() {}
 
   /**
-   * @param point in the mesh's coordinates
-   * @param touching how near to the surface is on it
+   * Returns whether a point is inside a mesh or on its surface.
+   *
+   * @param point a point in the mesh's coordinates
+   * @param touching the distance up to which a point is on the surface
    */
   public static boolean contains(MeshTree mesh, Vector3dc point, double touching) {
     if (touches(mesh, point, touching)) {

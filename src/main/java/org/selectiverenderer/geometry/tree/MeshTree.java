@@ -8,37 +8,38 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * Finds the triangles of a mesh along a ray or near a place, in the mesh's local coordinates. Lines
- * and points have no surface: nothing is found in them.
+ * A bounding volume hierarchy over the triangles of a mesh, for ray casts and box queries in the
+ * mesh's local coordinates. A mesh of lines or points has no triangles.
  *
- * <p>Immutable once made. It keeps the mesh's arrays but not the mesh, so that a cache can let go
- * of it together with the mesh.
+ * <p>Immutable. It refers to the mesh's arrays but not to the mesh, so that a weak cache keyed by
+ * the mesh can drop it.
  */
 public final class MeshTree {
-  /** Which sides of the triangles a ray hits. */
+  /** The sides of triangles that a ray can hit. */
   public enum Sides {
     BOTH,
-    /** Only triangles seen from the side on which they are wound counter-clockwise. */
+    /** Only the front side, seen from which a triangle is wound counter-clockwise. */
     FRONT
   }
 
   /**
-   * Where a ray meets a triangle.
+   * The intersection of a ray and a triangle.
    *
-   * @param distance from the ray's origin, in lengths of its direction
-   * @param triangle its number; its indices begin at three times that
-   * @param u weight of its second corner; the first corner's is 1 - u - v
-   * @param v weight of its third corner
+   * @param distance the ray parameter, in lengths of the ray's direction
+   * @param triangle the index of the triangle; its vertex indices begin at three times that
+   * @param u barycentric coordinate of the second corner; that of the first is 1 - u - v
+   * @param v barycentric coordinate of the third corner
    */
   public record MeshHit(double distance, int triangle, double u, double v) {}
 
-  /** How far beyond an edge a ray still hits, so that none slips between two triangles. */
+  /** Barycentric tolerance at edges, so that no ray passes between two triangles. */
   private static final double EDGE = 1e-9;
 
   private final float[] positions;
   private final int[] indices;
   private final BoxTree tree;
 
+  /** Builds the hierarchy of a mesh. */
   public MeshTree(Mesh mesh) {
     positions = mesh.positions();
     indices = mesh.primitive() == Mesh.Primitive.TRIANGLES ? mesh.indices() : new int[0];
@@ -59,10 +60,10 @@ public final class MeshTree {
   }
 
   /**
-   * The first triangle that a ray hits.
+   * Returns the nearest intersection of a ray with the mesh.
    *
-   * @param direction of any length but 0
-   * @param limit how far the ray reaches, in lengths of its direction; may be infinite
+   * @param direction a vector of any length but 0
+   * @param limit the greatest ray parameter, in lengths of the direction; may be infinite
    */
   public Optional<MeshHit> nearest(
       Vector3dc origin, Vector3dc direction, double limit, Sides sides) {
@@ -71,7 +72,7 @@ public final class MeshTree {
     return Optional.ofNullable(search.found);
   }
 
-  /** Möller and Trumbore 1997, in double precision. */
+  /** Ray-triangle intersection (Möller and Trumbore 1997), in double precision. */
   private final class Search implements BoxTree.ItemTest {
     private final Vector3dc origin;
     private final Vector3dc direction;
@@ -113,7 +114,7 @@ public final class MeshTree {
   }
 
   /**
-   * Names the triangles whose own boxes touch a box.
+   * Reports the triangles whose bounding boxes overlap a box.
    *
    * @param box min x, y, z, max x, y, z
    */
@@ -133,7 +134,7 @@ public final class MeshTree {
   }
 
   /**
-   * A corner of a triangle.
+   * Returns a corner of a triangle.
    *
    * @param corner 0, 1 or 2
    * @return {@code out}

@@ -2,9 +2,9 @@ package org.selectiverenderer.geometry.tree;
 
 import org.joml.Vector3dc;
 
-/** A ray prepared for tests against many axis-aligned boxes (Kay and Kajiya 1986). */
+/** A ray prepared for slab tests against many axis-aligned boxes (Kay and Kajiya 1986). */
 final class RaySlabs {
-  /** Widens the far end by the rounding of its two operations (Ize 2013). */
+  /** Enlarges the exit parameter by the rounding error of its two operations (Ize 2013). */
   private static final double SLACK = 1 + 4 * Math.ulp(1.0);
 
   private final double[] origin;
@@ -16,8 +16,8 @@ final class RaySlabs {
   }
 
   /**
-   * Where the ray enters a box, in lengths of its direction, not below 0; NaN when it misses the
-   * box or only meets it beyond {@code limit}, so that no comparison with it holds.
+   * Returns the ray parameter at which the ray enters a box, in lengths of its direction, at least
+   * 0; NaN if it misses the box or enters it beyond {@code limit}, so that comparisons are false.
    */
   double enter(float[] boxes, int box, double limit) {
     double from = 0;
@@ -30,7 +30,7 @@ final class RaySlabs {
         return Double.NaN;
       }
       if (Double.isInfinite(inverse[axis])) {
-        // Parallel to the slab: inside it all along or nowhere.
+        // parallel to the slab: entirely inside or entirely outside
         if (low > 0 || high < 0) {
           return Double.NaN;
         }

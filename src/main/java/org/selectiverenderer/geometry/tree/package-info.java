@@ -1,8 +1,8 @@
 /**
- * Hierarchies of boxes: which of many things a ray or a box may meet, without asking each.
+ * Bounding volume hierarchies, and the ray, box and closest-point queries on meshes that use them.
  *
- * <p>In: the boxes of numbered items, or a mesh. Out: their numbers; where a ray meets the mesh.
- * Uses {@code geometry.mesh}.
+ * <p>In: the boxes of numbered items, or a mesh. Out: items found; intersections of rays with a
+ * mesh. Uses {@code geometry.mesh}.
  */
 @NullMarked
 package org.selectiverenderer.geometry.tree;

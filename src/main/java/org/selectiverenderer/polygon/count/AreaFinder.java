@@ -12,15 +12,16 @@ import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * Finds the areas of a scene and says which scope each lies in:
+ * Finds the areas of a scene and the scope that each lies in:
  *
  * <ol>
- *   <li>the scope that its sensor stands in;
- *   <li>else the scope whose bounds the centre of its box is in, the smallest one of several;
- *   <li>else every scope with an object that one of its schemas shows a version of.
+ *   <li>the scope that contains its sensor;
+ *   <li>else the scope whose bounding box contains the centre of the sensor's box, the smallest of
+ *       several;
+ *   <li>else every scope with an object of which one of the area's schemas shows a version.
  * </ol>
  *
- * Sensors that are not enabled or have no inside are none: nobody ever enters them.
+ * Sensors that are disabled or have no volume are not areas, since nobody can enter them.
  */
 final class AreaFinder {
   private final List<Area> areas = new ArrayList<>();
@@ -40,17 +41,17 @@ final class AreaFinder {
     }
   }
 
-  /** All areas in document order. */
+  /** Returns all areas in document order. */
   List<Area> all() {
     return List.copyOf(areas);
   }
 
-  /** Whether every place of sensors and scopes has been looked at. */
+  /** Returns whether all instances of sensors and scopes have been considered. */
   boolean complete() {
     return places.complete();
   }
 
-  /** The areas that lie in each scope. */
+  /** Returns the areas that lie in a scope. */
   List<Area> in(CountScope scope, Collection<CountScope> scopes) {
     return areas.stream().filter(area -> lies(area, scope, scopes)).toList();
   }

@@ -3,9 +3,9 @@ package org.selectiverenderer.polygon.count;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The sets of areas that the viewer can be in at once, single areas included. */
+/** Enumerates the sets of areas that the viewer can be in at once, single areas included. */
 final class AreaSets {
-  /** Sets of a scope beyond which no more are looked for; many areas in one place make 2^n. */
+  /** The largest number of sets per scope, since n areas in one place have 2^n sets. */
   static final int LIMIT = 500;
 
   private final List<Area> areas;
@@ -13,7 +13,7 @@ final class AreaSets {
   private boolean complete = true;
 
   /**
-   * @param areas of one scope, in document order
+   * @param areas the areas of one scope, in document order
    */
   AreaSets(List<Area> areas) {
     this.areas = areas;
@@ -27,17 +27,23 @@ final class AreaSets {
     }
   }
 
-  /** Small sets first, each set and the sets of one size in document order. */
+  /**
+   * Returns the sets, smaller ones first; each set, and the sets of one size, are in document
+   * order.
+   */
   List<List<Area>> sets() {
     return List.copyOf(sets);
   }
 
-  /** Whether there are no more. */
+  /** Returns whether these are all sets. */
   boolean complete() {
     return complete;
   }
 
-  /** The sets with one area more, of those that come later so that each set is found once. */
+  /**
+   * Returns the sets with one more area, which follows the others in document order so that each
+   * set is found once.
+   */
   private List<List<Area>> larger(List<List<Area>> size) {
     List<List<Area>> larger = new ArrayList<>();
     for (List<Area> set : size) {
@@ -57,12 +63,12 @@ final class AreaSets {
     return larger;
   }
 
-  /** Whether the viewer can be in all of some areas at once. */
+  /** Returns whether the viewer can be in all areas of a set at once. */
   static boolean share(List<Area> set) {
     return share(set, 0, List.of());
   }
 
-  /** Whether one box of each area can be chosen so that these share a place. */
+  /** Returns whether one box of each area can be chosen so that all these boxes overlap. */
   private static boolean share(List<Area> set, int from, List<SensorBox> chosen) {
     if (from == set.size()) {
       return true;

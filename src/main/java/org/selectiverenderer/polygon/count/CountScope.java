@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * A part of the scene to be counted.
+ * A part of the scene whose polygons are counted, such as a room.
  *
- * @param objects the enriched Switches in it, each once, in document order
- * @param sensors the items of all areas that stand in it, in document order
+ * @param objects the enriched Switches in the scope, each once, in document order
+ * @param sensors the graph nodes of all area sensors in the scope, in document order
  */
 record CountScope(
     String name, CountedItem item, List<CountedItem> objects, Set<CountedItem> sensors) {

@@ -11,15 +11,20 @@ import org.selectiverenderer.x3d.read.X3dFile;
  * identity: a file that is inlined several times is one object.
  */
 public interface CountedFile {
-  /** The file. */
+  /** Returns the parsed file. */
   X3dFile file();
 
-  /** What a geometry node of this file comes to; {@link Size#NOTHING} for one that is not drawn. */
+  /**
+   * Returns the size of a geometry node of this file; {@link Size#NOTHING} for one that is not
+   * drawn.
+   */
   Size size(ParsedNode geometry);
 
-  /** The file in an Inline; empty if it is not to be loaded or could not be read. */
+  /**
+   * Returns the file that an Inline names; empty if it is not to be loaded or could not be read.
+   */
   Optional<? extends CountedFile> content(ParsedNode inline);
 
-  /** What is wrong with the file, in document order. */
+  /** Returns the problems of the file, in document order. */
   List<Problem> problemList();
 }

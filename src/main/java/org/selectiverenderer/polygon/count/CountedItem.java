@@ -10,9 +10,9 @@ import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * A group, a shape or an area of a scene, Inlines filled. A node that is USEd is one item in
- * several places, and so is a file that is inlined several times: what is known of an item is found
- * out once. Compared by identity.
+ * A node of the count graph: a group, a shape or an area of a scene, with the contents of its
+ * Inlines. A node that is USEd, or a file that is inlined several times, is one graph node with
+ * several parents, so that its counts are computed once. Compared by identity.
  */
 final class CountedItem {
   final @Nullable ParsedNode node;
@@ -22,16 +22,16 @@ final class CountedItem {
   final Optional<SwitchSchemas> versions;
   final Optional<SensorSchemas> area;
 
-  /** Of all versions together, in the coordinates of whatever holds the item. */
+  /** The bounding box of all versions together, in the coordinates of the parent. */
   final Bounds bounds;
 
-  /** Whether the bounds are the least: nothing in it is turned by other than right angles. */
+  /** Whether the bounds are tight: nothing in the node is rotated by other than right angles. */
   final boolean exact;
 
-  /** Whether it is an object in versions or holds one. */
+  /** Whether the node is a versioned object or contains one. */
   final boolean varies;
 
-  /** Polygons shown when no object in versions is looked at: all of them unless it varies. */
+  /** Polygons outside of versioned objects; all polygons if the node does not vary. */
   final long polygons;
 
   private CountedItem(Builder from) {
@@ -53,7 +53,7 @@ final class CountedItem {
     polygons = varies ? 0 : plus(ownPolygons(from), sum(shown(whichChoice())));
   }
 
-  /** Whether boxes along the axes stay boxes along the axes. */
+  /** Returns whether a matrix maps axis-aligned boxes to axis-aligned boxes. */
   private static boolean keepsBoxes(Matrix4d matrix) {
     for (int column = 0; column < 3; column++) {
       int entries = 0;
@@ -79,26 +79,26 @@ final class CountedItem {
     return sum;
   }
 
-  /** Nested USEs multiply without bound: the sum stays at the largest number. */
+  /** Returns the sum, saturated at the largest number, since nested USEs multiply without bound. */
   static long plus(long a, long b) {
     long sum = a + b;
     return sum < 0 ? Long.MAX_VALUE : sum;
   }
 
-  /** Whether it has a name of its own by which it can be chosen. */
+  /** Returns whether the node has a DEF name by which it can be chosen. */
   boolean isNamed() {
     return node != null && node.name() != null;
   }
 
-  /** The choice that the file gives a Switch; -1 for other nodes. */
+  /** Returns whichChoice of a Switch as in the file; -1 for other nodes. */
   int whichChoice() {
     return node != null && Structure.isSwitch(node) ? node.integer("whichChoice") : -1;
   }
 
   /**
-   * The children that are drawn. Of a LOD that is the most detailed one.
+   * Returns the children that are drawn; of an LOD only the most detailed one.
    *
-   * @param choice for a Switch
+   * @param choice the choice of a Switch
    */
   List<CountedItem> shown(int choice) {
     if (node == null) {
@@ -118,7 +118,7 @@ final class CountedItem {
     return children.subList(index, index + 1);
   }
 
-  /** What an item is made of. */
+  /** Builds a node of the count graph. */
   static final class Builder {
     private final @Nullable ParsedNode node;
     private String name = "";
@@ -129,7 +129,7 @@ final class CountedItem {
     private Size size = Size.NOTHING;
 
     /**
-     * @param node null for a file's top
+     * @param node null for the root of a file
      */
     Builder(@Nullable ParsedNode node) {
       this.node = node;

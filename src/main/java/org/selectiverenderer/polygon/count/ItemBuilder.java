@@ -19,11 +19,11 @@ import org.selectiverenderer.schema.nodes.NodeMetadata;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * Makes items of files that are read, and reports the problems of each file when it is first met.
- * Objects and areas count in whatever file they stand, as the controller sees them.
+ * Builds the count graph of files that are read, and reports the problems of each file when it
+ * first occurs. Objects and areas of inlined files count too, as the controller sees them.
  */
 final class ItemBuilder {
-  /** As many copies of one triangle as are drawn at most. */
+  /** The largest number of copies of a triangle that the browser draws. */
   private static final int MOST_COPIES = 4_000_000 / 3;
 
   private final Problems problems;
@@ -35,37 +35,37 @@ final class ItemBuilder {
   private final Map<String, ParsedNode> named = new LinkedHashMap<>();
   private final CountedItem root;
 
-  /** Builds at once. */
+  /** Builds the graph of a scene. */
   ItemBuilder(CountedFile main, Problems problems) {
     this.problems = problems;
     this.root = content(main, "");
   }
 
-  /** The scene's top. */
+  /** Returns the root of the scene. */
   CountedItem root() {
     return root;
   }
 
-  /** The item of every node that has one. */
+  /** Returns the graph node of every X3D node that has one. */
   Map<ParsedNode, CountedItem> all() {
     return Collections.unmodifiableMap(items);
   }
 
   /**
-   * DEF name to node, of the scene's own file and of those it inlines. A name of several files is
-   * that of the first one.
+   * Returns the nodes by DEF name, of the scene's own file and of those it inlines; a name that
+   * occurs in several files means the node of the first one.
    */
   Map<String, ParsedNode> named() {
     return Collections.unmodifiableMap(named);
   }
 
-  /** The item of a node; empty for what is not drawn and no area. */
+  /** Returns the graph node of an X3D node; empty if the node is neither drawn nor an area. */
   Optional<CountedItem> of(@Nullable ParsedNode node) {
     return Optional.ofNullable(items.get(node));
   }
 
   /**
-   * @param path the names of the Inlines that lead to it, as {@link ItemNames} wants it
+   * @param path the names of the Inlines that lead to the file, as {@link ItemNames} wants it
    */
   private CountedItem content(CountedFile file, String path) {
     CountedItem known = contents.get(file);

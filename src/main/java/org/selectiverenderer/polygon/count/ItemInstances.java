@@ -8,9 +8,12 @@ import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
-/** Where in the world items stand: the coordinates that hold them, one for each place. */
+/**
+ * The world transforms of graph nodes: one for each instance, from the coordinates of its parent to
+ * the world.
+ */
 final class ItemInstances {
-  /** Places of all items together beyond which no more are looked for. */
+  /** The largest number of instances of all nodes together. */
   static final int LIMIT = 10_000;
 
   private final Set<CountedItem> wanted;
@@ -24,12 +27,15 @@ final class ItemInstances {
     visit(root, new Matrix4d());
   }
 
-  /** From the coordinates that hold the item to the world, in document order. */
+  /**
+   * Returns the transforms from the parent coordinates of each instance to the world, in document
+   * order.
+   */
   List<Matrix4dc> of(CountedItem item) {
     return places.getOrDefault(item, List.of());
   }
 
-  /** Whether there are no more than these. */
+  /** Returns whether these are all instances. */
   boolean complete() {
     return complete;
   }

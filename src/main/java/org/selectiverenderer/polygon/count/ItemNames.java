@@ -6,8 +6,9 @@ import java.util.Set;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * Names of the nodes of a file, as the controller names them: the DEF name, else type and number;
- * the names of the Inlines before it where it is made up or another file has it too.
+ * Makes the names of a file's nodes as the controller does: the DEF name, else type and number. The
+ * names of the Inlines that lead to the file are prefixed where the name is made up or occurs in
+ * another file too.
  */
 final class ItemNames {
   private final String path;
@@ -29,12 +30,12 @@ final class ItemNames {
     return path;
   }
 
-  /** The name of a node, to be asked for once. */
+  /** Returns the name of a node; to be called once for each node. */
   String of(ParsedNode node) {
     String type = node.type().name();
     int number = numbers.merge(type, 1, Integer::sum);
     String def = node.name();
-    if (Structure.isInline(node)) { // Part of paths, which it need not be told from.
+    if (Structure.isInline(node)) { // only a part of paths, which need not be unique
       return def != null ? def.strip() : type + "#" + number;
     }
     if (def == null) {

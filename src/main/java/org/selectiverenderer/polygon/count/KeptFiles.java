@@ -9,15 +9,15 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.x3d.files.Content;
 
 /**
- * Inlined files as they were read and measured, for the next count: a file that has neither another
- * size nor another time is not read again. Safe for use by several threads.
+ * A cache of inlined files as read and measured, for the next count: a file whose size and
+ * modification time have not changed is not read again. Thread-safe.
  */
 final class KeptFiles {
   private record Kept(String stamp, SceneFile file) {}
 
   private final Map<String, Kept> files = new ConcurrentHashMap<>();
 
-  /** The file, if it is known and still the same. */
+  /** Returns the cached file if it has not changed since. */
   Optional<SceneFile> find(Content content) {
     Kept kept = files.get(content.key());
     return kept == null || !stamp(content).equals(Optional.of(kept.stamp))
@@ -26,15 +26,18 @@ final class KeptFiles {
   }
 
   /**
-   * Keeps a file.
+   * Adds a file.
    *
-   * @param stamp of it before it was read
+   * @param stamp stamp of the file before it was read
    */
   void keep(Content content, Optional<String> stamp, SceneFile file) {
     stamp.ifPresent(known -> files.put(content.key(), new Kept(known, file)));
   }
 
-  /** Tells one state of a file from another; empty for what is no file, which is not kept. */
+  /**
+   * Returns a stamp of the state of a file (modification time and size); empty for content that is
+   * not a file, which is not cached.
+   */
   static Optional<String> stamp(Content content) {
     return content.file().flatMap(KeptFiles::stamp);
   }
@@ -43,7 +46,7 @@ final class KeptFiles {
     try {
       return Optional.of(Files.getLastModifiedTime(file) + "/" + Files.size(file));
     } catch (IOException e) {
-      return Optional.empty(); // Not there: to open it will say so.
+      return Optional.empty(); // The file is missing; opening it reports that.
     }
   }
 }

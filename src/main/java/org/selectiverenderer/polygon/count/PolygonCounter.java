@@ -3,19 +3,22 @@ package org.selectiverenderer.polygon.count;
 import java.util.IdentityHashMap;
 import java.util.Map;
 
-/** Counts what is shown for one choice of versions. Each item is counted once, wherever it is. */
+/**
+ * Counts the polygons shown for one choice of versions. The count of each graph node is computed
+ * once, however many instances it has.
+ */
 final class PolygonCounter {
   private final Map<CountedItem, Integer> choices;
   private final Map<CountedItem, Long> known = new IdentityHashMap<>();
 
   /**
-   * @param choices of the objects in versions
+   * @param choices the shown version of each versioned object
    */
   PolygonCounter(Map<CountedItem, Integer> choices) {
     this.choices = choices;
   }
 
-  /** The polygons of an item in one place. */
+  /** Returns the polygons of one instance of a graph node. */
   long of(CountedItem item) {
     if (!item.varies) {
       return item.polygons;

@@ -41,7 +41,7 @@ public final class PolygonStatistics {
     high = new PolygonCounter(choices);
   }
 
-  /** As the other, for a scene that may name no more than its own files. */
+  /** Counts a scene that may refer only to files in its own folder. */
   public static SceneStatistics of(Path scene, List<String> scopes, Problems problems)
       throws IOException {
     return of(scene, scopes, ContentAccess.none(), problems);
@@ -50,12 +50,12 @@ public final class PolygonStatistics {
   /**
    * Reads a scene with everything that it inlines, on all processors, and counts.
    *
-   * @param scopes DEF names of the groups to be counted; none for the outermost named groups that
-   *     hold objects in versions, or the whole scene where there are none
-   * @param access what the scene may name besides its own files
-   * @param problems hears what is wrong with the files, in document order
+   * @param scopes DEF names of the groups to count; empty for the outermost named groups that
+   *     contain versioned objects, or the whole scene if there are none
+   * @param access further folders and hosts that the scene may refer to
+   * @param problems receives the problems of the files, in document order
    * @throws IOException if the scene itself cannot be read, with a message of one line
-   * @throws ScopeException if there is no group of a name
+   * @throws ScopeException if the scene has no group of a given name
    */
   public static SceneStatistics of(
       Path scene, List<String> scopes, ContentAccess access, Problems problems) throws IOException {
@@ -96,7 +96,10 @@ public final class PolygonStatistics {
     return new SceneStatistics(scene, high.of(root), objectCounts(), counts);
   }
 
-  /** What the states of all parts come from; after {@link #count}. */
+  /**
+   * Returns the contributions of objects to the states of all scopes; to be called after {@link
+   * #count}.
+   */
   List<StateShares> shares() {
     List<StateShares> shares = new ArrayList<>();
     found.forEach(
@@ -133,7 +136,7 @@ public final class PolygonStatistics {
         times(counter.of(object), places));
   }
 
-  /** As in {@link CountedItem#plus}. */
+  /** Returns the product, saturated as in {@link CountedItem#plus}. */
   private static long times(long polygons, int places) {
     return places > 0 && polygons > Long.MAX_VALUE / places ? Long.MAX_VALUE : polygons * places;
   }

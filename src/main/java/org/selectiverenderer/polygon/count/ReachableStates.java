@@ -11,11 +11,12 @@ import java.util.Set;
 import org.selectiverenderer.schema.Activation;
 
 /**
- * Walks through the areas of a scene in all ways, entering and leaving, until nothing new turns up.
- * Finds what an area leaves behind that has no exit schema, which a single visit does not show.
+ * Searches the states that a scene can reach: enters and leaves its areas in all orders (breadth
+ * first) until no new state is found. This includes states that remain after leaving an area
+ * without an exit schema, which a single visit does not show.
  */
 final class ReachableStates {
-  /** States beyond which no more are looked for; many areas in one place make 2^n. */
+  /** The largest number of states, since n areas in one place have 2^n sets. */
   static final int LIMIT = 1000;
 
   private record Step(Area area, boolean enters) {}
@@ -25,13 +26,16 @@ final class ReachableStates {
   private final List<CountedItem> objects;
   private final List<Area> areas;
 
-  /** Of a whole scene. */
+  /** Creates the search of a whole scene. */
   ReachableStates(List<CountedItem> objects, List<Area> areas) {
     this.objects = objects;
     this.areas = areas;
   }
 
-  /** The states of a part, as loaded first, then by the number of areas entered and left. */
+  /**
+   * Returns the states of a part: the state as loaded first, then by the number of areas entered
+   * and left.
+   */
   List<SceneModel.State> states(CountedItem part) {
     List<SceneModel.State> states = new ArrayList<>();
     Set<Key> known = new HashSet<>();

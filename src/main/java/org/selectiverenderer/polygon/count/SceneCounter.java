@@ -7,24 +7,25 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
- * Counts a scene again and again while it is edited: of what it inlines only files are read that
- * have changed since the count before. Prototypes of other files are taken as they were when the
+ * Counts a scene repeatedly while it is edited: of the files that it inlines, only those that
+ * changed since the last count are read again. Prototypes of other files stay as they were when the
  * file that uses them was read, until {@link #forget}.
  *
- * <p>Safe for use by several threads; one counts at a time.
+ * <p>Thread-safe; one thread counts at a time.
  */
 public final class SceneCounter {
   private volatile KeptFiles kept = new KeptFiles();
 
   /**
-   * What a scene comes to. What is wrong with it is for its checks to say.
+   * The result of a count. Problems of the scene are not included; the validator reports them.
    *
-   * @param states of all parts of the scene, those of one part together, as loaded first
-   * @param model as the validator sees the scene
+   * @param states the states of all parts of the scene, grouped by part, each part's state as
+   *     loaded first
+   * @param model the enrichment of the scene as the validator sees it
    */
   public record Counted(
       SceneStatistics statistics, List<StateShares> states, SceneModel model, int filesRead) {
-    /** Keeps copies, so that it stays as it is. */
+    /** Makes defensive copies, so that the record is immutable. */
     public Counted {
       states = List.copyOf(states);
     }
@@ -33,9 +34,9 @@ public final class SceneCounter {
   /**
    * Counts the text of a scene.
    *
-   * @param file where it is, or would be: its urls start from there
-   * @param name for messages
-   * @throws IOException if there is no scene in it, with a message of one line
+   * @param file the file where the scene is, or would be: relative urls are resolved against it
+   * @param name name of the scene in messages
+   * @throws IOException if the text is not a scene, with a message of one line
    */
   public synchronized Counted count(Path file, String name, byte[] text, ContentAccess access)
       throws IOException {
@@ -46,7 +47,10 @@ public final class SceneCounter {
         counting.count(name), counting.shares(), SceneModel.of(read.file()), read.filesRead());
   }
 
-  /** Reads all files anew next time; waits for no count that is under way. */
+  /**
+   * Clears the cache, so that the next count reads all files again; does not wait for a count in
+   * progress.
+   */
   public void forget() {
     kept = new KeptFiles();
   }

@@ -12,11 +12,11 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 
 /**
- * A file as read, with what its geometry comes to and the files that its Inlines name. Filled by
- * several threads, read when all are done.
+ * A file as read, with the sizes of its geometry nodes and the files that its Inlines name. Several
+ * threads fill it; it is read when all are done.
  *
- * @param problems found in this file
- * @param sizes by geometry node; shared nodes have one
+ * @param problems the problems found in this file
+ * @param sizes size by geometry node; a shared node has one entry
  */
 record SceneFile(
     X3dFile file,
@@ -29,7 +29,7 @@ record SceneFile(
     this(file, problems, new ConcurrentHashMap<>(), new ConcurrentHashMap<>());
   }
 
-  /** The same file and its sizes, whose Inlines are to be followed anew. */
+  /** Returns the same file with its sizes, but with Inlines still to be followed. */
   SceneFile again() {
     return new SceneFile(file, problems, sizes, new ConcurrentHashMap<>());
   }

@@ -31,8 +31,8 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * Reads a scene and everything it inlines and measures its geometry, on all processors. Textures
- * are not opened. One object serves one scene.
+ * Reads a scene and all files that it inlines and measures their geometry, on all processors.
+ * Textures are not opened. Each instance reads one scene.
  */
 final class SceneFiles {
   private final X3dReader reader = new X3dReader(NodeCatalogue.load());
@@ -59,7 +59,7 @@ final class SceneFiles {
   /**
    * Reads a scene.
    *
-   * @param access what it may name besides its own files
+   * @param access further folders and hosts that the scene may refer to
    * @throws IOException if the file itself cannot be read, with a message of one line
    */
   static SceneFile read(Path scene, ContentAccess access) throws IOException {
@@ -75,18 +75,18 @@ final class SceneFiles {
   }
 
   /**
-   * A scene that has been read.
+   * The result of reading a scene.
    *
-   * @param filesRead how many files it took, itself included
+   * @param filesRead number of files that were read, the scene included
    */
   record Read(SceneFile file, int filesRead) {}
 
   /**
-   * Reads a scene from its text, and of what it inlines those files that are not known.
+   * Reads a scene from its text, and those of its inlined files that are not cached.
    *
-   * @param scene where it is, or would be
-   * @param name for messages
-   * @param kept files of the time before; those of this time are added
+   * @param scene the file where the scene is, or would be
+   * @param name name of the scene in messages
+   * @param kept the cache of files, to which the files read are added
    */
   static Read read(Path scene, String name, byte[] text, ContentAccess access, KeptFiles kept)
       throws IOException {
@@ -144,7 +144,10 @@ final class SceneFiles {
     NodeWalk.visit(file.file().nodes(), node -> note(node, from));
   }
 
-  /** What is shown or played counts nothing, but is not to be written over. */
+  /**
+   * Notes the files of textures, sounds and films: they have no polygons, but must not be
+   * overwritten.
+   */
   private void note(ParsedNode node, ContentBase from) {
     if (!Structure.isInline(node) && node.type().field("url").isPresent()) {
       for (String url : node.strings("url")) {
@@ -179,7 +182,7 @@ final class SceneFiles {
 
   private void measure(ParsedNode geometry, SceneFile file) {
     if (file.sizes().containsKey(geometry)) {
-      return; // measured the time before
+      return; // already measured by an earlier count
     }
     tasks.add(
         CompletableFuture.runAsync(

@@ -17,31 +17,33 @@ import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * The enriched part of a scene as the polygon counts see it: objects in versions with what each
- * version costs, areas with their boxes, and the worst state of a part. Serves one thread.
+ * The enrichment of a scene with its polygon counts: versioned objects with the polygons of each
+ * version, areas with their boxes, and the states that a part of the scene can reach. Not
+ * thread-safe.
  */
 public final class SceneModel {
   /**
    * A version of an object.
    *
-   * @param polygons of all that it shows, nested objects at their most detailed
-   * @param bounds in the coordinates of the Switch
-   * @param exact whether these are the least bounds, not wider ones of turned parts
+   * @param polygons polygons of all that the version shows, with nested objects in their most
+   *     detailed version
+   * @param bounds bounding box in the coordinates of the Switch
+   * @param exact whether the bounds are tight; bounds of rotated parts may be wider
    */
   public record Version(long polygons, Bounds bounds, boolean exact) {}
 
   /**
    * A Switch with metadata of schemas.
    *
-   * @param versions one for each child
+   * @param versions the versions, one for each child
    */
   public record VersionedSwitch(ParsedNode node, SwitchSchemas schemas, List<Version> versions) {
-    /** Keeps copies, so that it stays as it is. */
+    /** Makes defensive copies, so that the record is immutable. */
     public VersionedSwitch {
       versions = List.copyOf(versions);
     }
 
-    /** The child that the file shows. */
+    /** Returns the child that the file shows. */
     public int whichChoice() {
       return node.integer("whichChoice");
     }
@@ -50,22 +52,22 @@ public final class SceneModel {
   /**
    * A ProximitySensor with metadata of schemas that the viewer can be in.
    *
-   * @param boxes at least one
+   * @param boxes boxes of the sensor in world coordinates, at least one
    */
   public record SensedArea(
       ParsedNode sensor, String name, SensorSchemas schemas, List<SensorBox> boxes) {
-    /** Keeps copies, so that it stays as it is. */
+    /** Makes defensive copies, so that the record is immutable. */
     public SensedArea {
       boxes = List.copyOf(boxes);
     }
 
-    /** Whether who is in the other area is in this one too. */
+    /** Returns whether this area contains another one. */
     public boolean surrounds(SensedArea other) {
       return other.boxes.stream()
           .allMatch(inner -> boxes.stream().anyMatch(box -> box.contains(inner)));
     }
 
-    /** Whether the viewer can be in both at once. */
+    /** Returns whether this area overlaps another one. */
     public boolean shares(SensedArea other) {
       return boxes.stream()
           .anyMatch(
@@ -74,12 +76,12 @@ public final class SceneModel {
   }
 
   /**
-   * A state that the viewer can bring about.
+   * A state that the viewer can reach.
    *
-   * @param schemas of the areas that the viewer is in; empty for none
+   * @param schemas schemas of the areas that the viewer is in; empty for none
    */
   public record State(List<String> schemas, long polygons) {
-    /** Keeps copies, so that it stays as it is. */
+    /** Makes defensive copies, so that the record is immutable. */
     public State {
       schemas = List.copyOf(schemas);
     }
@@ -111,17 +113,17 @@ public final class SceneModel {
     places = new ItemInstances(items.root(), placed);
   }
 
-  /** The model of a scene with all that it inlines. */
+  /** Returns the model of a scene with all that it inlines. */
   public static SceneModel of(CountedFile main) {
     return new SceneModel(main);
   }
 
-  /** The objects in versions, in document order. */
+  /** Returns the versioned objects, in document order. */
   public List<VersionedSwitch> objects() {
     return objects;
   }
 
-  /** The areas that can be entered, in document order. */
+  /** Returns the areas that can be entered, in document order. */
   public List<SensedArea> areas() {
     return areas.stream()
         .map(
@@ -134,17 +136,20 @@ public final class SceneModel {
         .toList();
   }
 
-  /** Of all that the scene can show, in the world. */
+  /** Returns the bounding box of all that the scene can show, in world coordinates. */
   public Bounds bounds() {
     return items.root().bounds;
   }
 
-  /** From the coordinates that hold a sensor or viewpoint to the world, one for each place. */
+  /**
+   * Returns the transforms from the parent coordinates of a sensor or viewpoint to the world, one
+   * for each instance.
+   */
   public List<Matrix4dc> places(ParsedNode node) {
     return items.of(node).map(places::of).orElse(List.of());
   }
 
-  /** The scene as loaded, before the viewer has entered any area. */
+  /** Returns the activation of the scene as loaded, before the viewer has entered any area. */
   public Activation<ParsedNode, ParsedNode> activation() {
     Activation<ParsedNode, ParsedNode> activation = new Activation<>();
     areas().forEach(area -> activation.putArea(area.sensor(), area.schemas()));
@@ -153,7 +158,10 @@ public final class SceneModel {
     return activation;
   }
 
-  /** The groups that can be counted, by DEF name: of the scene's own file and of inlined ones. */
+  /**
+   * Returns the DEF names of the groups that can be counted, of the scene's own file and of inlined
+   * ones.
+   */
   public Set<String> groups() {
     Map<String, ParsedNode> groups = new LinkedHashMap<>(items.named());
     groups.values().removeIf(node -> !Structure.isGroup(node.type()) || items.of(node).isEmpty());
@@ -161,8 +169,8 @@ public final class SceneModel {
   }
 
   /**
-   * The states that a part of the scene can be in, whichever way the viewer walks through the
-   * areas; at most {@value ReachableStates#LIMIT}.
+   * Returns the states that a part of the scene can be in, in whichever order the viewer enters and
+   * leaves the areas; at most {@value ReachableStates#LIMIT}.
    *
    * @param group one of {@link #groups}; empty for the whole scene
    */

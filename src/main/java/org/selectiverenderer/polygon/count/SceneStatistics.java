@@ -13,59 +13,62 @@ import java.util.Optional;
  */
 public record SceneStatistics(
     String scene, long totalHigh, List<ObjectCount> objects, List<ScopeCount> scopes) {
-  /** What stands for the scope when the whole scene is one. */
+  /** The name of the scope when it is the whole scene. */
   public static final String WHOLE_SCENE = "scene";
 
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public SceneStatistics {
     objects = List.copyOf(objects);
     scopes = List.copyOf(scopes);
   }
 
   /**
-   * An object in versions (Figs 67, 69, 71).
+   * A versioned object (Figs 67, 69, 71).
    *
    * @param switchName DEF of the Switch, or {@code Switch#3} for the third one if it has none
-   * @param scope empty if the Switch stands in none
-   * @param versions polygons of each child, in order
-   * @param original index of the version that the metadata make the most detailed
+   * @param scope the scope that contains the Switch; empty for none
+   * @param versions number of polygons of each child, in order
+   * @param original index of the version that is the most detailed according to the metadata
    */
   public record ObjectCount(
       String switchName, Optional<String> scope, List<Long> versions, int original) {
-    /** Keeps copies, so that it stays as it is. */
+    /** Makes defensive copies, so that the record is immutable. */
     public ObjectCount {
       versions = List.copyOf(versions);
     }
 
-    /** A version's polygons as a percentage of the original's; 0 if that has none. */
+    /**
+     * Returns the polygons of a version as a percentage of the original's; 0 if the original has
+     * none.
+     */
     public double percent(int version) {
       return percentage(versions.get(version), versions.get(original));
     }
   }
 
   /**
-   * A part of the scene.
+   * The counts of a part of the scene.
    *
-   * @param scope DEF of the group
-   * @param high polygons when all objects show their most detailed version
-   * @param states as loaded, in each area, and in each set of overlapping areas
+   * @param scope DEF name of the group
+   * @param high number of polygons when all objects show their most detailed version
+   * @param states the states: as loaded, in each area, and in each set of overlapping areas
    */
   public record ScopeCount(String scope, long high, List<StateCount> states) {
-    /** Keeps copies, so that it stays as it is. */
+    /** Makes defensive copies, so that the record is immutable. */
     public ScopeCount {
       states = List.copyOf(states);
     }
   }
 
   /**
-   * A scope with some schemas activated (Tables 3-5).
+   * The count of a scope with some schemas activated (Tables 3-5).
    *
-   * @param schemas as loaded: those that all objects follow; else those that the areas activate, in
-   *     the order of entering
-   * @param percent of {@link ScopeCount#high}; 0 if that is 0
+   * @param schemas for the state as loaded, the schemas that all objects follow; else those that
+   *     the areas activate, in the order of entering
+   * @param percent polygons in percent of {@link ScopeCount#high}; 0 if that is 0
    */
   public record StateCount(List<String> schemas, long polygons, double percent) {
-    /** Keeps copies, so that it stays as it is. */
+    /** Makes defensive copies, so that the record is immutable. */
     public StateCount {
       schemas = List.copyOf(schemas);
     }
@@ -78,7 +81,7 @@ public record SceneStatistics(
     }
   }
 
-  /** The objects of a scope. */
+  /** Returns the objects of a scope. */
   public List<ObjectCount> objectsOf(ScopeCount scope) {
     return objects.stream()
         .filter(object -> object.scope().equals(Optional.of(scope.scope())))

@@ -1,6 +1,9 @@
 package org.selectiverenderer.polygon.count;
 
-/** A scope was asked for that the scene does not have; the message is a sentence for the user. */
+/**
+ * Thrown when a requested scope does not exist in the scene; the message is a sentence for the
+ * user.
+ */
 public final class ScopeException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

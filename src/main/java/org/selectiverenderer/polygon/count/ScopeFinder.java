@@ -14,7 +14,7 @@ final class ScopeFinder {
   private final Map<String, ParsedNode> named;
 
   /**
-   * @param named DEF name to node of the scene's own file
+   * @param named the nodes of the scene's own file by DEF name
    */
   ScopeFinder(ItemBuilder items, Map<String, ParsedNode> named) {
     this.items = items;
@@ -22,9 +22,9 @@ final class ScopeFinder {
   }
 
   /**
-   * The groups of these names, each once.
+   * Returns the groups of these names, each once.
    *
-   * @throws ScopeException if there is no group of a name
+   * @throws ScopeException if the scene has no group of a given name
    */
   List<CountScope> named(List<String> names) {
     return names.stream()
@@ -35,9 +35,9 @@ final class ScopeFinder {
   }
 
   /**
-   * The outermost named groups that hold enriched Switches. The whole scene instead, if there is no
-   * such group, or if there are several of a single object each: then a group is what places one
-   * object, not a part of the scene.
+   * Returns the outermost named groups that contain enriched Switches. Returns the whole scene
+   * instead if there is no such group, or if there are several groups of a single object each: such
+   * a group only places one object and is not a part of the scene.
    */
   List<CountScope> outermost() {
     List<CountedItem> groups = new ArrayList<>();
@@ -91,7 +91,10 @@ final class ScopeFinder {
         .orElseGet(() -> some(groups));
   }
 
-  /** The groups most likely meant: those that hold several objects in versions. */
+  /**
+   * Returns the part of a message that lists the groups most likely meant: those with several
+   * versioned objects.
+   */
   private String some(List<String> groups) {
     List<String> first =
         groups.stream()

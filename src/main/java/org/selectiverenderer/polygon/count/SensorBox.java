@@ -10,34 +10,35 @@ import org.joml.Vector3dc;
 import org.selectiverenderer.geometry.Bounds;
 
 /**
- * The box of a ProximitySensor in world coordinates. Under turned and unequally scaled Transforms
- * it is no box but a parallelepiped, and is treated as one: the room between six planes.
+ * The box of a ProximitySensor in world coordinates. Under rotated and non-uniformly scaled
+ * Transforms it is a parallelepiped: the intersection of six half-spaces.
  *
- * @param centre in world coordinates
- * @param sides the six planes
- * @param corners all eight
+ * @param centre centre in world coordinates
+ * @param sides the six bounding planes
+ * @param corners all eight corners
  */
 public record SensorBox(
     Vector3dc centre, List<Side> sides, List<Vector3dc> corners, Bounds bounds) {
   /**
-   * Boxes that share less than this, in metres at right angles to a side, touch: nobody ever stands
-   * in both. Far above the rounding of single-precision coordinates.
+   * Boxes whose overlap is thinner than this, in metres perpendicular to a side, only touch: the
+   * viewer is never in both. The value is far above the rounding error of single-precision
+   * coordinates.
    */
   static final double TOUCHING = 1e-5;
 
   /**
    * A plane.
    *
-   * @param normal of length 1, out of the box
-   * @param distance of the plane from the origin along the normal
+   * @param normal outward normal of length 1
+   * @param distance signed distance of the plane from the origin along the normal
    */
   public record Side(Vector3dc normal, double distance) {}
 
   /**
-   * A sensor's box in one place.
+   * Returns the box of one instance of a sensor.
    *
-   * @param world from the sensor's coordinates
-   * @return empty if the box has no inside there, so that nobody can enter it
+   * @param world transform from the sensor's coordinates to the world
+   * @return empty if the box has no volume, so that nobody can enter it
    */
   public static Optional<SensorBox> of(float[] centre, float[] size, Matrix4dc world) {
     Matrix4d inverse = world.invert(new Matrix4d());
@@ -46,7 +47,8 @@ public record SensorBox(
     }
     List<Side> sides = new ArrayList<>(6);
     for (int axis = 0; axis < 3; axis++) {
-      // Row of the inverse: the local coordinate on that axis as a function of a world point.
+      // A row of the inverse matrix gives the local coordinate on that axis as a function of a
+      // world point.
       Vector3d row = new Vector3d(inverse.get(0, axis), inverse.get(1, axis), inverse.get(2, axis));
       double length = row.length();
       Vector3d normal = row.div(length);
@@ -72,7 +74,7 @@ public record SensorBox(
     return List.copyOf(corners);
   }
 
-  /** Whether every place in another box is in this one, touching sides included. */
+  /** Returns whether this box contains another one; sides may touch. */
   public boolean contains(SensorBox other) {
     return other.corners.stream()
         .allMatch(
@@ -82,8 +84,9 @@ public record SensorBox(
   }
 
   /**
-   * Whether there is a place in all of the boxes. What boxes share is convex and has corners, each
-   * where three sides meet: there is such a place if one of the meeting points is behind all sides.
+   * Returns whether the boxes have a common point. Their intersection is a convex polyhedron, each
+   * of whose corners is where three planes meet: it is not empty if one of these points is inside
+   * all planes.
    */
   public static boolean share(List<SensorBox> boxes) {
     List<Side> sides = new ArrayList<>();
@@ -107,7 +110,7 @@ public record SensorBox(
     return false;
   }
 
-  /** Whether a place is in the box or on its sides. */
+  /** Returns whether a point is in the box or on its sides. */
   public boolean contains(Vector3dc place) {
     return sides.stream().allMatch(side -> side.normal.dot(place) <= side.distance);
   }
@@ -116,7 +119,7 @@ public record SensorBox(
     Vector3d bc = b.normal.cross(c.normal, new Vector3d());
     double determinant = a.normal.dot(bc);
     if (Math.abs(determinant) < 1e-12) {
-      return false; // no single point
+      return false; // the planes do not meet in a single point
     }
     Vector3d point =
         bc.mul(a.distance)

@@ -8,17 +8,17 @@ import org.selectiverenderer.geometry.tessellate.GeoAnchor;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * What is kept of a mesh.
+ * The polygon count and the bounding box of a geometry node.
  *
- * @param polygons triangles
- * @param bounds in the geometry's coordinates
+ * @param polygons number of triangles
+ * @param bounds bounding box in the geometry's coordinates
  */
 public record Size(int polygons, Bounds bounds) {
-  /** Of geometry that draws nothing. */
+  /** The size of geometry that draws nothing. */
   public static final Size NOTHING = new Size(0, Bounds.EMPTY);
 
   /**
-   * @param mesh of the geometry
+   * @param mesh mesh of the geometry
    */
   static Size of(NodeView geometry, Mesh mesh) {
     Bounds own = mesh.isEmpty() ? Bounds.EMPTY : Bounds.of(mesh.bounds());
@@ -32,9 +32,9 @@ public record Size(int polygons, Bounds bounds) {
   }
 
   /**
-   * The same in each of several places, together.
+   * Returns the total size of several copies.
    *
-   * @param places from the geometry's coordinates to the shape's
+   * @param places transform of each copy from the geometry's coordinates to the shape's
    */
   Size copied(List<? extends Matrix4dc> places) {
     Bounds all = Bounds.EMPTY;

@@ -13,11 +13,11 @@ import org.selectiverenderer.schema.Activation;
 import org.selectiverenderer.schema.SwitchSchemas;
 
 /**
- * The states that a scope can be in: as loaded, in each area, and in each set of areas that share a
- * place. In every state the versions shown are what {@link Activation} says after the viewer has
+ * Finds the states that a scope can be in: as loaded, in each area, and in each set of overlapping
+ * areas. In every state the versions shown are what {@link Activation} says after the viewer has
  * entered the areas one after the other, in document order. Where another order of entering gives
- * another number of polygons, because areas claim an object for different versions, it is a state
- * of its own.
+ * another number of polygons, because areas show different versions of an object, that order is a
+ * separate state.
  */
 final class StateFinder {
   private static final int MAX_ORDERED = 4;
@@ -26,8 +26,8 @@ final class StateFinder {
   private final List<Area> areas;
 
   /**
-   * @param objects of the whole scene
-   * @param areas of the whole scene
+   * @param objects versioned objects of the whole scene
+   * @param areas areas of the whole scene
    */
   StateFinder(List<CountedItem> objects, List<Area> areas) {
     this.objects = objects;
@@ -35,10 +35,10 @@ final class StateFinder {
   }
 
   /**
-   * A state.
+   * A state of a scope.
    *
-   * @param schemas as {@link SceneStatistics.StateCount} has them
-   * @param shown the version of each object
+   * @param schemas schemas as in {@link SceneStatistics.StateCount}
+   * @param shown the shown version of each object
    */
   record Found(List<String> schemas, long polygons, Map<CountedItem, Integer> shown) {
     StateCount count(long high) {
@@ -47,7 +47,7 @@ final class StateFinder {
   }
 
   /**
-   * @param sets of areas of the scope, each in document order
+   * @param sets sets of areas of the scope, each in document order
    */
   List<Found> states(CountScope scope, Collection<List<Area>> sets) {
     List<Found> states = new ArrayList<>();
@@ -69,7 +69,7 @@ final class StateFinder {
     return states;
   }
 
-  /** A scene as loaded, before the viewer has entered any area. */
+  /** Returns the activation of a scene as loaded, before the viewer has entered any area. */
   static Activation<Area, CountedItem> activation(List<CountedItem> objects, List<Area> areas) {
     Activation<Area, CountedItem> activation = new Activation<>();
     areas.forEach(area -> activation.putArea(area, area.schemas));
@@ -84,8 +84,8 @@ final class StateFinder {
   }
 
   /**
-   * The schemas that all objects follow which know them; without those of areas, unless no other is
-   * left.
+   * Returns the schemas that all objects which know them follow as loaded; those that areas
+   * activate are left out unless no other remains.
    */
   private List<String> mainSchemas(CountScope scope) {
     Map<String, Boolean> followed = new LinkedHashMap<>();
@@ -104,7 +104,7 @@ final class StateFinder {
     return main.isEmpty() ? List.copyOf(followed.keySet()) : main;
   }
 
-  /** All orders of a small set, the given one first; of a large one only that. */
+  /** Returns all orders of a small set, the given one first; of a large set only the given one. */
   private static List<List<Area>> orders(List<Area> set) {
     if (set.size() > MAX_ORDERED) {
       return List.of(set);

@@ -3,14 +3,14 @@ package org.selectiverenderer.polygon.count;
 import java.util.List;
 
 /**
- * What the polygons of a part of the scene come from, with some schemas activated.
+ * The contributions of objects to the polygons of a part of the scene, with some schemas activated.
  *
- * @param scope DEF of the group, or {@link SceneStatistics#WHOLE_SCENE}
- * @param schemas as {@link SceneStatistics.StateCount} has them
- * @param polygons in this state
- * @param percent of what the part has when all objects show their most detailed version
- * @param fixed polygons that no object in versions has
- * @param objects in document order
+ * @param scope DEF name of the group, or {@link SceneStatistics#WHOLE_SCENE}
+ * @param schemas schemas as in {@link SceneStatistics.StateCount}
+ * @param polygons number of polygons in this state
+ * @param percent polygons in percent of those with all objects in their most detailed version
+ * @param fixed polygons outside of versioned objects
+ * @param objects versioned objects in document order
  */
 public record StateShares(
     String scope,
@@ -19,24 +19,24 @@ public record StateShares(
     double percent,
     long fixed,
     List<ObjectShare> objects) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public StateShares {
     schemas = List.copyOf(schemas);
     objects = List.copyOf(objects);
   }
 
   /**
-   * An object's part. One that stands in a version of another counts in both.
+   * The contribution of an object. An object nested in a version of another counts in both.
    *
-   * @param name as in {@link SceneStatistics.ObjectCount}
-   * @param version that it shows, from 0; -1 for none
-   * @param versions polygons of each version in one place
-   * @param places at which it stands in the part of the scene
-   * @param polygons that it shows, all places together
+   * @param name name as in {@link SceneStatistics.ObjectCount}
+   * @param version index of the shown version, from 0; -1 for none
+   * @param versions polygons of each version of one instance
+   * @param places number of instances in the part of the scene
+   * @param polygons polygons shown by all instances together
    */
   public record ObjectShare(
       String name, int version, List<Long> versions, int places, long polygons) {
-    /** Keeps copies, so that it stays as it is. */
+    /** Makes defensive copies, so that the record is immutable. */
     public ObjectShare {
       versions = List.copyOf(versions);
     }

@@ -12,16 +12,16 @@ import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
 
 /**
- * The charts of a scene: two for each scope, of its objects (Figs 68, 70, 72) and of its states
- * (Figs 87, 88, 90).
+ * Makes the bar charts of a scene: two for each scope, of its objects (Figs 68, 70, 72) and of its
+ * states (Figs 87, 88, 90).
  */
 public final class StatisticsCharts {
-  /** Bars beyond which a chart is cut off, and says so. */
+  /** The largest number of bars in a chart; the subtitle says how many more were left out. */
   static final int MAX_BARS = 200;
 
   private StatisticsCharts() {}
 
-  /** The charts of a count. */
+  /** Returns the charts of a count. */
   public static List<BarChart> of(SceneStatistics statistics) {
     List<BarChart> charts = new ArrayList<>();
     for (ScopeCount scope : statistics.scopes()) {

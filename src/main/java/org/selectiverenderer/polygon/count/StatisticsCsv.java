@@ -9,14 +9,14 @@ import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
 
 /**
- * Polygon counts as CSV with the header {@code kind,scope,name,version,polygons,percent}, one row
- * for each
+ * Writes polygon counts as CSV with the header {@code kind,scope,name,version,polygons,percent},
+ * one row for each
  *
  * <ul>
- *   <li>{@code total}: the scene, its name the file's;
+ *   <li>{@code total}: the scene, named by its file;
  *   <li>{@code object}: a version of an object, numbered from 1, in percent of the original;
  *   <li>{@code high}: a scope with all objects high;
- *   <li>{@code state}: a scope with schemas activated, its name the schemas, {@code +} between
+ *   <li>{@code state}: a scope with schemas activated, named by the schemas with {@code +} between
  *       them.
  * </ul>
  */
@@ -27,7 +27,7 @@ public final class StatisticsCsv {
 
   private StatisticsCsv() {}
 
-  /** Lines that end with LF. */
+  /** Returns the CSV text, whose lines end with LF. */
   public static String of(SceneStatistics statistics) {
     CsvText csv = new CsvText();
     csv.row(HEADER);
@@ -35,14 +35,17 @@ public final class StatisticsCsv {
     return csv.toString();
   }
 
-  /** The header of a table of many scenes: a column {@code scene}, then as of one. */
+  /**
+   * Returns the header of a table of many scenes: a column {@code scene}, then the columns of one
+   * scene.
+   */
   public static String headerOfMany() {
     CsvText csv = new CsvText();
     csv.row(withScene("scene", HEADER));
     return csv.toString();
   }
 
-  /** The rows of one scene in such a table. */
+  /** Returns the rows of one scene in a table of many. */
   public static String rowsOfMany(SceneStatistics statistics) {
     CsvText csv = new CsvText();
     rows(statistics, cells -> csv.row(withScene(statistics.scene(), cells)));
@@ -53,7 +56,7 @@ public final class StatisticsCsv {
     return Stream.concat(Stream.of(scene), Stream.of(cells)).toArray();
   }
 
-  /** Takes the cells of a row. */
+  /** Receives the cells of a row. */
   private interface Rows {
     void row(Object... cells);
   }

@@ -10,11 +10,13 @@ import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
 
-/** Polygon counts as JSON. Percentages have two decimals; the scope of an object may be null. */
+/**
+ * Writes polygon counts as JSON. Percentages have two decimals; the scope of an object may be null.
+ */
 public final class StatisticsJson {
   private StatisticsJson() {}
 
-  /** Several lines, the last one ended. */
+  /** Returns the JSON text; its last line is terminated. */
   public static String of(SceneStatistics statistics) {
     ObjectNode json = JsonTree.object();
     json.put("scene", statistics.scene()).put("total_high", statistics.totalHigh());

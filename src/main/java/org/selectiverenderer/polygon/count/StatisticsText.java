@@ -8,11 +8,11 @@ import org.selectiverenderer.polygon.count.SceneStatistics.ObjectCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.ScopeCount;
 import org.selectiverenderer.polygon.count.SceneStatistics.StateCount;
 
-/** Polygon counts for people: two tables for each scope, as Figs 67-71 and Tables 3-5. */
+/** Writes polygon counts as text: two tables for each scope, as in Figs 67-71 and Tables 3-5. */
 public final class StatisticsText {
   private StatisticsText() {}
 
-  /** Several lines, the last one ended. */
+  /** Returns the text; its last line is terminated. */
   public static String of(SceneStatistics statistics) {
     StringBuilder text = new StringBuilder();
     text.append(statistics.scene())
@@ -74,7 +74,7 @@ public final class StatisticsText {
     return rows;
   }
 
-  /** The schemas of a state in words. */
+  /** Returns the schemas of a state in words. */
   public static String label(StateCount state) {
     return state.schemas().isEmpty() ? "as loaded" : String.join(" and ", state.schemas());
   }
@@ -83,7 +83,10 @@ public final class StatisticsText {
     return of == 0 ? "-" : String.format(Locale.ROOT, "%.2f %%", percent);
   }
 
-  /** Columns as wide as they need be, the first one to the left, figures to the right. */
+  /**
+   * Appends a table with columns of minimal width; the first one is aligned left, numbers are
+   * aligned right.
+   */
   private static StringBuilder table(StringBuilder text, List<List<String>> rows) {
     int[] widths = new int[rows.stream().mapToInt(List::size).max().orElse(0)];
     for (List<String> row : rows) {

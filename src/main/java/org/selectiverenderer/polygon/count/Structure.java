@@ -6,11 +6,14 @@ import org.selectiverenderer.geometry.tessellate.NodeContent;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Which nodes of a file hold what is drawn: the same that the embedded browser draws. */
+/**
+ * Classifies the nodes of a file that are drawn or contain drawn nodes, in agreement with the
+ * embedded browser.
+ */
 final class Structure {
   private Structure() {}
 
-  /** Whether nodes of a type hold others that are drawn. */
+  /** Returns whether nodes of a type can contain drawn nodes. */
   static boolean isGroup(NodeType type) {
     return NodeContent.isGroup(type) || type.name().equals("Inline");
   }
@@ -23,7 +26,7 @@ final class Structure {
     return node.type().name().equals("Shape") || isInstanced(node);
   }
 
-  /** Whether a shape has one geometry in many places. */
+  /** Returns whether a shape draws many instances of one geometry. */
   static boolean isInstanced(ParsedNode shape) {
     return shape.type().name().equals("InstancedShape");
   }
@@ -36,7 +39,10 @@ final class Structure {
     return node.type().name().equals("ProximitySensor");
   }
 
-  /** The nodes in a group of the same file, shown or not; none for what is no group. */
+  /**
+   * Returns the children of a group in the same file, shown or not; empty for a node that is not a
+   * group.
+   */
   static List<ParsedNode> children(ParsedNode node) {
     return NodeContent.of(node).stream().map(ParsedNode.class::cast).toList();
   }
@@ -45,7 +51,7 @@ final class Structure {
     return Optional.ofNullable((ParsedNode) shape.node("geometry"));
   }
 
-  /** The field {@code visible} (X3D 4.0); true for what has none. */
+  /** Returns the field {@code visible} (X3D 4.0); true for nodes without it. */
   static boolean visible(ParsedNode node) {
     return node.type().field("visible").map(f -> (Boolean) node.value(f.index())).orElse(true);
   }

@@ -11,8 +11,8 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * Says what is wrong with a model that Assimp does not read, whose own messages are about its code
- * more than about the file.
+ * Diagnoses a model file that Assimp cannot read, since Assimp's own messages are about its code
+ * rather than the file.
  */
 final class DamagedModel {
   private final Path file;
@@ -26,7 +26,7 @@ final class DamagedModel {
     this.ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
   }
 
-  /** Reports why nothing at all can be read. */
+  /** Reports why the file cannot be read at all. */
   void report() throws IOException {
     if (ending.equals("obj") && obj()) {
       return;
@@ -38,9 +38,9 @@ final class DamagedModel {
   }
 
   /**
-   * Reports why no face has been read, if the file should have some.
+   * Reports why no face was read although the file should have some.
    *
-   * @return whether there was something to report
+   * @return whether a problem was reported
    */
   boolean reportMissingFaces() throws IOException {
     long announced = ending.equals("ply") ? announcedFaces() : 0;
@@ -53,7 +53,7 @@ final class DamagedModel {
     return announced > 0;
   }
 
-  /** What the header of a PLY file says. */
+  /** Returns the number of faces that the header of a PLY file announces. */
   private long announcedFaces() throws IOException {
     try (BufferedReader lines = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
       String line = lines.readLine();
@@ -101,7 +101,7 @@ final class DamagedModel {
     return !faces;
   }
 
-  /** 0 where there is no number. */
+  /** Returns the number in a text; 0 if there is none. */
   private static long number(String text) {
     return text.matches("-?\\d{1,18}") ? Long.parseLong(text) : 0;
   }

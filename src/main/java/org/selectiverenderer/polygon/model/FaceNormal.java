@@ -2,14 +2,14 @@ package org.selectiverenderer.polygon.model;
 
 import org.selectiverenderer.geometry.TriangleMath;
 
-/** The normal of a triangle. */
+/** Computes the normal of a triangle. */
 final class FaceNormal {
   private FaceNormal() {}
 
   /**
-   * The unit normal; NaN for a triangle without area.
+   * Returns the unit normal; NaN for a triangle without area.
    *
-   * @param at the place of the triangle's first corner among the indices
+   * @param at position of the triangle's first corner in the indices
    */
   static double[] of(float[] positions, int[] indices, int at) {
     int a = 3 * indices[at];

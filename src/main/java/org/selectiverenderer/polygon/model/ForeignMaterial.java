@@ -26,7 +26,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Another format's material as an Appearance node. */
+/** Converts an Assimp material to an Appearance node. */
 final class ForeignMaterial {
   /** X3D's shininess times this is the specular exponent (X3D 4.0, 17.2.2.4). */
   private static final float EXPONENT = 128;

@@ -33,7 +33,7 @@ import org.selectiverenderer.geometry.tessellate.VertexMeshes;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** Reads OBJ, PLY, STL and glTF by Assimp. */
+/** Reads OBJ, PLY, STL and glTF files with Assimp. */
 final class ForeignReader {
   private static final int STEPS =
       aiProcess_Triangulate
@@ -42,7 +42,7 @@ final class ForeignReader {
           | aiProcess_JoinIdenticalVertices
           | aiProcess_ValidateDataStructure;
 
-  /** Where a file gives no normals: smooth but for edges that are seen as such; 45 degrees. */
+  /** The crease angle of files without normals, 45 degrees: flatter edges are shaded smooth. */
   private static final double CREASE_ANGLE = Math.PI / 4;
 
   private final NodeCatalogue catalogue;
@@ -54,7 +54,8 @@ final class ForeignReader {
   }
 
   /**
-   * @return empty if the file is none of its kind or damaged, which is reported as a problem
+   * @return empty if the file is damaged or not of the format that its name says, which is reported
+   *     as a problem
    * @throws IOException if it cannot be read
    */
   Optional<Model> read(Path file) throws IOException {
@@ -74,12 +75,12 @@ final class ForeignReader {
   }
 
   private List<ModelPart> parts(AIScene scene, Path file) {
-    // The normals of STL are those of its facets, whatever the form was meant to be.
+    // The normals in an STL file are facet normals, even where the surface is meant to be smooth.
     boolean facets = file.toString().toLowerCase(Locale.ROOT).endsWith(".stl");
     List<ModelPart> parts = new ArrayList<>();
     for (int i = 0; i < scene.mNumMeshes(); i++) {
       AIMesh mesh = AIMesh.create(scene.mMeshes().get(i));
-      // A further flag is set for triangles that were larger faces.
+      // Assimp sets a further flag for triangles that are parts of larger faces.
       if ((mesh.mPrimitiveTypes() & aiPrimitiveType_TRIANGLE) == 0) {
         continue;
       }
@@ -119,7 +120,7 @@ final class ForeignReader {
     AIFace.Buffer faces = mesh.mFaces();
     for (int f = 0; f < mesh.mNumFaces(); f++) {
       IntBuffer indices = faces.get(f).mIndices();
-      if (indices.remaining() == 3) { // A face of no corners stays among the triangles.
+      if (indices.remaining() == 3) { // Assimp keeps faces without corners.
         indices.get(triangles, count, 3);
         count += 3;
       }
@@ -155,7 +156,10 @@ final class ForeignReader {
         && Float.isFinite(positions[3 * vertex + 2]);
   }
 
-  /** Vertices that no triangle uses any more may hold anything. */
+  /**
+   * Returns the values with non-finite ones replaced, which vertices that no triangle uses may
+   * have.
+   */
   private static float[] clean(float[] values) {
     for (int i = 0; i < values.length; i++) {
       values[i] = Float.isFinite(values[i]) ? values[i] : 0;

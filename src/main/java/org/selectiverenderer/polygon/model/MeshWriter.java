@@ -11,8 +11,9 @@ import org.selectiverenderer.x3d.write.TupleLines;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * A mesh as an IndexedFaceSet: each point, normal, colour and texture coordinate once, so that its
- * Coordinate has as many points as its author counts vertices.
+ * Writes a mesh as an IndexedFaceSet. Each distinct point, normal, colour and texture coordinate is
+ * written once, so that the number of points is the number of vertices that modelling programs
+ * report.
  */
 final class MeshWriter {
   private static final int NORMAL_DECIMALS = 3;
@@ -56,7 +57,9 @@ final class MeshWriter {
     set.close();
   }
 
-  /** Whether every corner has the normal of its triangle, which is what a browser takes itself. */
+  /**
+   * Returns whether every corner has the normal of its triangle, which is the default of a browser.
+   */
   private boolean flat() {
     float[] n = mesh.normals();
     if (n == null) {

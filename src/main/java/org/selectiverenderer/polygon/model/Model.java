@@ -6,10 +6,10 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.read.X3dFile;
 
 /**
- * An object as surfaces, all in one coordinate frame.
+ * A model: an object as textured meshes, all in one coordinate frame.
  *
- * @param parts one per shape that has faces
- * @param units the file's units, which its numbers are in; empty for metres
+ * @param parts the parts, one per shape that has faces
+ * @param units the units of the file, in which its numbers are; empty for metres
  */
 public record Model(List<ModelPart> parts, List<X3dFile.Unit> units) {
   public Model {
@@ -25,7 +25,7 @@ public record Model(List<ModelPart> parts, List<X3dFile.Unit> units) {
     return parts.stream().mapToInt(part -> part.mesh().polygons()).sum();
   }
 
-  /** The same parts in other meshes; a part whose mesh is empty is left out. */
+  /** Returns the same parts with other meshes; a part whose mesh is empty is left out. */
   public Model with(List<Mesh> meshes) {
     List<ModelPart> replaced = new ArrayList<>();
     for (int i = 0; i < parts.size(); i++) {

@@ -21,9 +21,9 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * Reads models: X3D, and by their endings OBJ, PLY, STL and glTF. Transformations are applied, so
- * that all parts are in the file's own frame. Faces that cannot be drawn are left out and reported.
- * Safe for use by several threads.
+ * Reads models in X3D, OBJ, PLY, STL and glTF; file name extensions select the format.
+ * Transformations are applied, so that all parts are in the file's own frame. Faces that cannot be
+ * drawn are left out and reported. Thread-safe.
  */
 public final class ModelReader {
   private static final Set<String> FOREIGN = Set.of("obj", "ply", "stl", "gltf", "glb");
@@ -39,7 +39,7 @@ public final class ModelReader {
   }
 
   /**
-   * @param access what models may name besides their own files
+   * @param access further folders and hosts that models may refer to
    */
   public ModelReader(NodeCatalogue catalogue, ContentAccess access) {
     this(catalogue, access, Optional.empty());
@@ -52,7 +52,10 @@ public final class ModelReader {
     this.reader = new X3dReader(catalogue);
   }
 
-  /** The same for nodes that a scene in that folder inlines: they may name what it may name. */
+  /**
+   * Returns a reader for nodes of files that a scene in that folder inlines, which may refer to
+   * whatever the scene may refer to.
+   */
   public ModelReader ofSceneIn(Path folder) {
     return new ModelReader(catalogue, access, Optional.of(folder));
   }
@@ -81,10 +84,10 @@ public final class ModelReader {
   }
 
   /**
-   * The surfaces of some nodes of a scene, in the frame of their parent.
+   * Returns the surfaces of some nodes of a scene, in the frame of their parent.
    *
-   * @param folder of the scene's file
-   * @param subject what has no faces if there are none, for the message
+   * @param folder folder of the scene's file
+   * @param subject subject of the message if there are no faces, such as {@code the file}
    */
   public Optional<Model> of(
       List<? extends NodeView> nodes,
@@ -130,7 +133,7 @@ public final class ModelReader {
     return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
   }
 
-  /** The folder that a file is in. */
+  /** Returns the folder that contains a file. */
   static Path folder(Path file) {
     Path parent = file.toAbsolutePath().getParent();
     return parent == null ? file.toAbsolutePath() : parent;

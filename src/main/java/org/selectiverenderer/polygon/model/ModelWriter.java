@@ -18,7 +18,7 @@ import org.selectiverenderer.x3d.write.X3dWriter;
  * machine; lines end in LF.
  */
 public final class ModelWriter {
-  /** What the Interchange profile has of the nodes that an appearance is made of. */
+  /** The nodes of an appearance that the Interchange profile has. */
   private static final Set<String> INTERCHANGE =
       Set.of(
           "Appearance",
@@ -33,11 +33,11 @@ public final class ModelWriter {
   private static final Set<String> NEW_IN_4 = Set.of("PhysicalMaterial", "UnlitMaterial");
 
   /**
-   * The file of a model.
+   * Returns the X3D text of a model.
    *
-   * @param target the folder that it will lie in
-   * @param title its name
-   * @param description one sentence
+   * @param target the folder that the file will be in
+   * @param title title of the file
+   * @param description one sentence that describes the file
    */
   public String text(Model model, Path target, String title, String description) {
     X3dWriter out = new X3dWriter(80 * model.polygons() + 1000);
@@ -59,9 +59,9 @@ public final class ModelWriter {
   }
 
   /**
-   * A file of nodes as they are in another file.
+   * Returns the X3D text of nodes copied from another file.
    *
-   * @param folder that their relative urls start from
+   * @param folder the folder against which their relative urls are resolved
    * @param scene the file that they come from
    */
   public String text(
@@ -93,7 +93,10 @@ public final class ModelWriter {
     out.meta("generator", "Selective Renderer").close().open("Scene");
   }
 
-  /** One digit more than the five that reduced models have, for those that are not reduced. */
+  /**
+   * Returns the number of decimals: one more significant digit than the five of reduced models, for
+   * models that are not reduced.
+   */
   private static int decimals(List<Mesh> meshes) {
     double extent = 0;
     for (int axis = 0; axis < 3; axis++) {

@@ -29,8 +29,9 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * Collects the surfaces of nodes and of what they inline. Of nodes that choose among their children
- * it takes the one that a browser shows first: a Switch's choice, the finest level of an LOD.
+ * Collects the surfaces of nodes and of what they inline. Of nodes that select one of their
+ * children it takes the child that a browser shows initially: the choice of a Switch, the finest
+ * level of an LOD.
  */
 final class ShapeGatherer {
   private static final int DEEPEST = 500;
@@ -56,8 +57,8 @@ final class ShapeGatherer {
   }
 
   /**
-   * @param folder that relative urls start from
-   * @param metres of one unit of length
+   * @param folder the folder against which relative urls are resolved
+   * @param metres length of the file's unit of length in metres
    */
   void gather(List<? extends NodeView> nodes, Path folder, double metres) {
     nodes.forEach(node -> visit(node, new Matrix4d(), folder, metres, 0));
@@ -134,7 +135,10 @@ final class ShapeGatherer {
     return true;
   }
 
-  /** Without texture coordinates: seams of a texture that is not there bind nobody. */
+  /**
+   * Returns the mesh without texture coordinates, so that seams of a texture that is not there do
+   * not constrain the simplification.
+   */
   private static Mesh bare(Mesh mesh) {
     return new Mesh(
         mesh.primitive(),
@@ -158,8 +162,7 @@ final class ShapeGatherer {
     }
     Content file = found.content();
     if (!open.add(file.key())) {
-      problems.error(
-          inline.location(), "the Inline is part of the file that it names; it is left out");
+      problems.error(inline.location(), "the Inline names a file that contains it; it is left out");
       return;
     }
     try (InputStream in = file.open()) {
@@ -185,7 +188,7 @@ final class ShapeGatherer {
     return node instanceof ParsedNode parsed ? parsed.base(ofFile) : ofFile;
   }
 
-  /** What a file's unit of length is in metres. */
+  /** Returns a file's unit of length in metres. */
   static double metres(X3dFile file) {
     return file.units().stream()
         .filter(unit -> unit.category().equals("length"))

@@ -6,7 +6,7 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** Whether an appearance needs texture coordinates. */
+/** Tells whether an appearance has a texture and so needs texture coordinates. */
 final class Textures {
   private Textures() {}
 

@@ -4,11 +4,14 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Objects;
 
-/** Relative urls, seen from another folder. */
+/** Makes urls relative to another folder. */
 public final class Urls {
   private Urls() {}
 
-  /** The url that names from {@code to} what the given one names from {@code from}. */
+  /**
+   * Returns the url that, relative to {@code to}, refers to the file that the given one refers to
+   * relative to {@code from}.
+   */
   public static String turned(String url, Path from, Path to) {
     String address = url.strip();
     boolean absolute =
@@ -30,9 +33,9 @@ public final class Urls {
   }
 
   /**
-   * The relative url of a file as seen from a folder; slashes on every system. What would end the
-   * path of a url, or begin a code in it, is percent-encoded (RFC 3986, 2.1); blanks stay, which
-   * browsers read.
+   * Returns the relative url of a file as seen from a folder, with forward slashes on every system.
+   * The characters {@code %}, {@code #} and {@code ?} are percent-encoded (RFC 3986, 2.1); spaces
+   * stay, since browsers accept them.
    */
   public static String between(Path folder, Path file) {
     return relative(folder, file).replace("%", "%25").replace("#", "%23").replace("?", "%3F");

@@ -1,5 +1,5 @@
 /**
- * Models as meshes with their materials, from files and to files.
+ * Readers and writers of models: meshes with their materials.
  *
  * <p>In: X3D of any geometry that has faces, and OBJ, PLY, STL and glTF. Out: {@link
  * org.selectiverenderer.polygon.model.Model}, and X3D that any browser reads. Uses {@code

@@ -3,14 +3,14 @@ package org.selectiverenderer.polygon.simplify;
 import java.util.Arrays;
 import org.selectiverenderer.geometry.TriangleMath;
 
-/** The planes and areas of triangles. */
+/** Computes normals and areas of triangles. */
 final class Areas {
   private Areas() {}
 
   /**
-   * The unit normal of a triangle; zeros when it has no area to speak of, that is when its height
-   * is less than about 1e-6 of its longest side: a browser would leave it out, or rounding of the
-   * coordinates in a file would make such a one of it.
+   * Computes the unit normal of a triangle; zeros when the triangle is degenerate: its height is
+   * less than about 1e-6 of its longest side, so that a browser would not draw it, or rounding of
+   * the coordinates in a file could make it empty.
    */
   static void normal(float[] vertices, int[] indices, int triangle, double[] normal) {
     int a = JoinedMesh.STRIDE * indices[3 * triangle];
@@ -33,7 +33,7 @@ final class Areas {
     return TriangleMath.length(normal) / 2;
   }
 
-  /** The mesh without triangles that have no area. */
+  /** Returns the mesh without degenerate triangles. */
   static JoinedMesh dropEmpty(JoinedMesh mesh) {
     double[] normal = new double[3];
     int[] kept = new int[mesh.indices().length];

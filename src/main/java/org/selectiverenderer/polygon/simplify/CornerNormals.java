@@ -3,19 +3,20 @@ package org.selectiverenderer.polygon.simplify;
 import java.util.Arrays;
 
 /**
- * Finds the normal of each corner of a reduced mesh. A vertex on an edge has a normal for each side
- * in the original; when edges have gone, the side that a triangle belongs to may be another than
- * the one its vertex came from, and would be shaded as if bent.
+ * Selects the normal of each corner of a reduced mesh. A vertex on a crease has a normal for each
+ * side in the original; after edge collapses, a triangle may be on another side than the one its
+ * vertex came from, and would be shaded wrongly with that normal.
  */
 final class CornerNormals {
   /**
-   * A normal that has come out so far from its triangle's plane is the wrong side's: 70 degrees.
+   * A normal that deviates from its triangle's normal by more than this (as a cosine; 70 degrees)
+   * belongs to the wrong side.
    */
   private static final double ASTRAY = 0.34;
 
   /**
-   * Normals this near to the plane's shade a facet as flat: 0.08 degrees. On a finely divided round
-   * surface they are within a degree or two of it, and still are no facet.
+   * Normals this near to the triangle's normal (as a cosine; 0.08 degrees) mark a flat facet. On a
+   * finely divided curved surface they deviate by a degree or two.
    */
   private static final double FLAT = 0.999_999;
 
@@ -29,7 +30,7 @@ final class CornerNormals {
     this.flat = flat(original);
   }
 
-  /** Links the vertices of each position to a ring. */
+  /** Links the vertices of each position to a circular list. */
   private static int[] rings(int[] first) {
     int[] next = new int[first.length];
     for (int vertex = 0; vertex < first.length; vertex++) {
@@ -42,7 +43,9 @@ final class CornerNormals {
     return next;
   }
 
-  /** Which vertices have the normal of all their triangles: those of facets. */
+  /**
+   * Returns which vertices have the normal of all their triangles, that is, belong to flat facets.
+   */
   private static boolean[] flat(JoinedMesh mesh) {
     boolean[] flat = new boolean[mesh.vertexCount()];
     Arrays.fill(flat, true);
@@ -58,8 +61,8 @@ final class CornerNormals {
   }
 
   /**
-   * The vertex of the original whose normal a corner takes: the given one's own, another's in its
-   * place, or -1 for the normal of the triangle's plane.
+   * Returns the vertex of the original whose normal a corner takes: the given one, another one in
+   * the same position, or -1 for the normal of the triangle.
    *
    * @param face the unit normal of the corner's triangle
    */
@@ -78,7 +81,7 @@ final class CornerNormals {
     return facet || best < ASTRAY ? -1 : source;
   }
 
-  /** The cosine between a vertex's normal and a triangle's. */
+  /** Returns the cosine of the angle between a vertex's normal and a triangle's normal. */
   private static double fit(JoinedMesh mesh, int vertex, double[] face) {
     float[] v = mesh.vertices();
     int at = JoinedMesh.STRIDE * vertex + JoinedMesh.NORMAL;

@@ -13,15 +13,15 @@ import java.nio.IntBuffer;
 import org.lwjgl.system.MemoryUtil;
 
 /**
- * Reduction by meshoptimizer: edges collapse in order of the error that they cause (Garland and
- * Heckbert 1997, with attributes after Hoppe 1999), and the vertices that are left move to where
- * they lie best.
+ * Simplifies meshes by edge collapses with meshoptimizer: edges collapse in order of the error that
+ * they cause (Garland and Heckbert 1997, with attributes after Hoppe 1999), and the remaining
+ * vertices move to the positions of least error.
  */
 final class EdgeCollapse {
   private static final float COLOR = 0.2f;
   private static final float TEX_COORD = 0.1f;
 
-  /** No limit; the largest float would overflow when squared. */
+  /** Stands for no error limit; the largest float would overflow when squared. */
   static final float ANY_ERROR = 1e9f;
 
   private static final int VERTEX_BYTES = Float.BYTES * JoinedMesh.STRIDE;
@@ -29,10 +29,10 @@ final class EdgeCollapse {
   private EdgeCollapse() {}
 
   /**
-   * Collapses edges until so many polygons are left, or none can go without a larger error. The
-   * outcome may have fewer polygons than asked for.
+   * Collapses edges until that many polygons are left, or no edge can collapse within the error.
+   * The result may have fewer polygons than asked for.
    *
-   * @param largestError as a share of the mesh's largest extent
+   * @param largestError largest error allowed, as a share of the mesh's largest extent
    */
   static JoinedMesh run(
       JoinedMesh mesh, int polygons, float largestError, Freedom freedom, Style style) {
@@ -43,7 +43,8 @@ final class EdgeCollapse {
             | (style.regular ? meshopt_SimplifyRegularizeLight : 0);
     float[] weighed = weights(mesh, style.normalWeight);
     int count = mesh.vertexCount();
-    // The attributes begin after the first position, so the last vertex needs room to spare.
+    // The attribute array begins after the first position, so the buffer needs padding behind the
+    // last vertex.
     FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length + JoinedMesh.NORMAL);
     IntBuffer indices = MemoryUtil.memAllocInt(mesh.indices().length);
     ByteBuffer locks = MemoryUtil.memCalloc(count);
@@ -83,7 +84,10 @@ final class EdgeCollapse {
     }
   }
 
-  /** Nothing for what no vertex has: every attribute with a weight costs time. */
+  /**
+   * Returns the attribute weights; 0 for attributes that no vertex has, since every weighted
+   * attribute costs time.
+   */
   private static float[] weights(JoinedMesh mesh, float normal) {
     float color = mesh.has(JoinedMesh.COLOR, JoinedMesh.TEX_COORD) ? COLOR : 0;
     float texCoord = mesh.has(JoinedMesh.TEX_COORD, JoinedMesh.PART) ? TEX_COORD : 0;
@@ -98,7 +102,10 @@ final class EdgeCollapse {
     }
   }
 
-  /** Joins vertices that are near each other, whatever they belong to, on a grid. */
+  /**
+   * Simplifies by vertex clustering on a grid: merges vertices that are near each other, regardless
+   * of connectivity and parts.
+   */
   static JoinedMesh cluster(JoinedMesh mesh, int polygons) {
     FloatBuffer vertices = MemoryUtil.memAllocFloat(mesh.vertices().length);
     IntBuffer indices = MemoryUtil.memAllocInt(mesh.indices().length);

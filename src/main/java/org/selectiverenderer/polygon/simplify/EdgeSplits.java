@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.selectiverenderer.geometry.mesh.EdgeSplitter;
 
 /**
- * Adds polygons without changing a form, for a count that is to be met. Normals, colours and
- * texture coordinates of a new vertex are the means of its neighbours'.
+ * Adds polygons by edge splits without changing the shape, to meet a given count. Normals, colours
+ * and texture coordinates of a new vertex are the means of its neighbours'.
  */
 final class EdgeSplits implements EdgeSplitter.Vertices {
   private final double scale;
@@ -23,10 +23,10 @@ final class EdgeSplits implements EdgeSplitter.Vertices {
   }
 
   /**
-   * The same form with so many polygons; with one less where the surface is closed and the number
-   * of those missing is odd.
+   * Returns the same shape with that many polygons, or one less where the surface is closed and an
+   * odd number is missing.
    *
-   * @param scale of the grid that positions are rounded to
+   * @param scale steps per unit of length of the grid that positions are rounded to
    */
   static JoinedMesh upTo(int polygons, JoinedMesh mesh, double scale) {
     EdgeSplits vertices = new EdgeSplits(mesh, scale);
@@ -38,7 +38,9 @@ final class EdgeSplits implements EdgeSplitter.Vertices {
     return vertices.mesh(splitter.indices());
   }
 
-  /** The same form with so many more positions, each with one or two more polygons. */
+  /**
+   * Returns the same shape with that many more positions, each of which adds one or two polygons.
+   */
   static JoinedMesh withMore(int positions, JoinedMesh mesh, double scale) {
     EdgeSplits vertices = new EdgeSplits(mesh, scale);
     EdgeSplitter splitter = new EdgeSplitter(vertices, mesh.indices());

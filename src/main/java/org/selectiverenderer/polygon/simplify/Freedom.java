@@ -1,15 +1,18 @@
 package org.selectiverenderer.polygon.simplify;
 
-/** What a reduction may do to a model's structure, from the least that serves to the most. */
+/**
+ * How far a simplification must preserve the topology of a model, from the strictest level to the
+ * loosest.
+ */
 enum Freedom {
-  /** Edges where materials, colours or texture coordinates change stay edges. */
+  /** Edges where materials, colours or texture coordinates change are preserved. */
   KEEP_SEAMS,
-  /** Any edge may go. */
+  /** Any edge may collapse. */
   ANY_EDGE,
-  /** A piece may go as a whole when that is less of an error. */
+  /** A connected component may vanish as a whole where that causes less error. */
   ANY_PIECE,
-  /** The smallest pieces go before anything else. */
+  /** The smallest connected components are removed first. */
   FEWER_PIECES,
-  /** Pieces near each other grow together first. */
+  /** Vertices near each other are clustered first, across components. */
   ANY_SURFACE
 }

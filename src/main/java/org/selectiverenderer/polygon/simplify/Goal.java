@@ -1,8 +1,8 @@
 package org.selectiverenderer.polygon.simplify;
 
-/** How far to reduce a model: the thesis's parameters (2.2.4), and two more. */
+/** The target of a simplification: the thesis's parameters (2.2.4), and two more. */
 public sealed interface Goal {
-  /** A number of triangles, at least 1. */
+  /** A target number of triangles, at least 1. */
   record Polygons(int count) implements Goal {
     public Polygons {
       positive(count);
@@ -10,8 +10,8 @@ public sealed interface Goal {
   }
 
   /**
-   * Exactly that number of triangles, at least 1: where reducing leaves fewer, edges are split
-   * without a change of form. A closed surface can only have an even number.
+   * Exactly that number of triangles, at least 1: where simplification leaves fewer, edges are
+   * split without a change of shape. A closed surface can only have an even number.
    */
   record Exactly(int count) implements Goal {
     public Exactly {
@@ -19,14 +19,20 @@ public sealed interface Goal {
     }
   }
 
-  /** A number of vertices (Vert Count): distinct positions, summed over the parts; at least 1. */
+  /**
+   * A target number of vertices (Vert Count): distinct positions, summed over the parts; at least
+   * 1.
+   */
   record Vertices(int count) implements Goal {
     public Vertices {
       positive(count);
     }
   }
 
-  /** A share of the original's vertices (Vert Percent), above 0 and at most 100. */
+  /**
+   * A target number of vertices in percent of the original's (Vert Percent), above 0 and at most
+   * 100.
+   */
   record VertexPercent(double percent) implements Goal {
     public VertexPercent {
       if (!(percent > 0 && percent <= 100)) {

@@ -6,13 +6,13 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * The parts of a model as one array of vertices and one of triangles, so that they are reduced
- * together.
+ * The parts of a model merged into one array of vertices and one of triangles, so that they are
+ * simplified together.
  *
  * @param vertices {@link #STRIDE} floats per vertex: x, y, z; normal; r, g, b, a; s, t; the part's
- *     number. What a part does not have is 0.
- * @param indices three vertices per triangle
- * @param origins the number that each vertex had in the original model
+ *     number. Attributes that a part does not have are 0.
+ * @param indices three vertex indices per triangle
+ * @param origins index of each vertex in the original model
  */
 record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
   static final int STRIDE = 13;
@@ -22,8 +22,8 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
   static final int PART = 12;
 
   /**
-   * @throws IllegalArgumentException if a part is no triangles, or an index or a number is none
-   *     that native code may be given
+   * @throws IllegalArgumentException if a part is not made of triangles, an index is out of range,
+   *     or a number is not finite: native code must not get such values
    */
   static JoinedMesh of(List<Mesh> parts) {
     int vertexCount = 0;
@@ -82,7 +82,7 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
     int to = STRIDE * firstVertex + offset;
     for (int from = 0; from < values.length; to += STRIDE) {
       for (int i = 0; i < size; i++) {
-        vertices[to + i] = values[from++] + 0.0f; // Minus zero becomes zero: bits are compared.
+        vertices[to + i] = values[from++] + 0.0f; // -0 becomes 0: bits are compared
       }
     }
   }
@@ -99,7 +99,7 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
     return (int) vertices[STRIDE * vertex + PART];
   }
 
-  /** Whether any vertex has a value that is not 0 between two places of its record. */
+  /** Returns whether any vertex has a nonzero value in a range of offsets of its record. */
   boolean has(int from, int to) {
     for (int vertex = 0; vertex < vertices.length; vertex += STRIDE) {
       for (int i = vertex + from; i < vertex + to; i++) {
@@ -111,7 +111,7 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
     return false;
   }
 
-  /** The largest side of the box round the triangles; 0 without triangles. */
+  /** Returns the largest side of the bounding box of the triangles; 0 without triangles. */
   double extent() {
     double largest = 0;
     for (int axis = 0; axis < 3; axis++) {
@@ -127,7 +127,7 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
     return largest;
   }
 
-  /** The same mesh as an original: each vertex is its own origin. */
+  /** Returns the same mesh as an original: each vertex is its own origin. */
   JoinedMesh asOriginal() {
     return new JoinedMesh(vertices, indices, numbers(vertexCount()));
   }
@@ -147,9 +147,9 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
   }
 
   /**
-   * The same mesh, vertices that come to lie on the same point of a grid of so many steps per unit
-   * of length in the position of the first of them, and without what has become empty by that. Many
-   * models have vertices that are meant to be one and differ in the last digit.
+   * Returns the mesh with vertices welded that fall on the same point of a grid with that many
+   * steps per unit of length, without triangles that become empty. Many models have vertices that
+   * are meant to coincide and differ in the last digit.
    */
   JoinedMesh welded(double scale) {
     float[] onGrid = vertices.clone();
@@ -167,8 +167,8 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
   }
 
   /**
-   * The same mesh with positions inside a box and on a grid of so many steps per unit of length,
-   * without what has become empty by that.
+   * Returns the mesh with positions clamped to a box and rounded to a grid with that many steps per
+   * unit of length, without triangles that become empty.
    */
   JoinedMesh rounded(double scale, float[] bounds) {
     float[] rounded = vertices.clone();
@@ -182,9 +182,9 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
   }
 
   /**
-   * The same mesh, its box brought to another on each axis where that takes no more than so large a
-   * factor; positions on a grid of so many steps per unit of length. Itself, if triangles would
-   * become empty by it.
+   * Returns the mesh stretched to fill another bounding box, on each axis where the factor is at
+   * most {@code largest}; positions are rounded to a grid with {@code scale} steps per unit of
+   * length. Returns this mesh if triangles would become empty.
    */
   JoinedMesh fitted(float[] box, double largest, double scale) {
     float[] own = Mesh.boundsOf(positions(), indices);
@@ -203,12 +203,12 @@ record JoinedMesh(float[] vertices, int[] indices, int[] origins) {
     return Areas.dropEmpty(result).polygons() == polygons() ? result : this;
   }
 
-  /** These triangles of vertices that may have moved. */
+  /** Returns a mesh with these triangles and vertices that may have moved. */
   JoinedMesh with(float[] moved, int[] triangles) {
     return new JoinedMesh(moved, triangles, origins);
   }
 
-  /** The same triangles, without vertices that none of them uses. */
+  /** Returns the same triangles, without unused vertices. */
   JoinedMesh compact() {
     int[] renamed = new int[vertexCount()];
     Arrays.fill(renamed, -1);

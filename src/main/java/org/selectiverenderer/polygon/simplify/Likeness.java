@@ -3,20 +3,25 @@ package org.selectiverenderer.polygon.simplify;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
-/** How much a reduced mesh differs from its original, measured on both. For one thread. */
+/**
+ * Measures how much a reduced mesh deviates from its original, in geometry and in appearance. Not
+ * thread-safe.
+ */
 final class Likeness {
   private static final int BLOCK = 4096;
 
-  /** From so many polygons on, none is large enough to bulge between its vertices. */
+  /**
+   * With this many polygons, triangles are so small that the distances of their vertices suffice.
+   */
   private static final int DENSE = 200_000;
 
-  /** Points per mesh at which the looks are compared. */
+  /** Number of sample points per mesh at which the appearance is compared. */
   private static final int SAMPLES = 1500;
 
-  /** What a shading turned round weighs against a shift by the model's extent. */
+  /** Weight of an opposite normal relative to a displacement by the model's extent. */
   private static final double SHADING = 0.02;
 
-  /** What another material weighs likewise. */
+  /** Weight of a different material relative to a displacement by the model's extent. */
   private static final double MATERIAL = 0.02;
 
   private final JoinedMesh original;
@@ -30,7 +35,8 @@ final class Likeness {
 
   /**
    * The largest distance of the original's vertices and triangle centres from the reduced surface,
-   * as a share of the original's largest extent. Where triangles are small, the vertices do.
+   * as a share of the original's largest extent (a one-sided Hausdorff distance, sampled). Where
+   * triangles are small, only vertices are measured.
    */
   double error(JoinedMesh reduced) {
     SurfaceIndex surface = new SurfaceIndex(reduced);
@@ -47,8 +53,9 @@ final class Likeness {
   }
 
   /**
-   * The largest squared distance of some points. Neighbours in number are so in space, mostly: the
-   * triangle nearest to one is often near enough to the next one to know that it is no farther.
+   * Returns the largest squared distance of a range of points. Points with adjacent numbers are
+   * mostly adjacent in space, so the triangle nearest to one often bounds the distance of the next
+   * one tightly enough to skip its search.
    */
   private double largest(SurfaceIndex surface, int from, int to) {
     double largest = 0;
@@ -66,7 +73,10 @@ final class Likeness {
     return largest;
   }
 
-  /** The original's vertices, and then the centres of its triangles. */
+  /**
+   * Returns a point by its number: the original's vertices first, then the centres of its
+   * triangles.
+   */
   private void point(int number, double[] point) {
     float[] v = original.vertices();
     int triangle = number - original.vertexCount();
@@ -84,8 +94,8 @@ final class Likeness {
   }
 
   /**
-   * What a viewer sees of the difference: distance, shading and material, averaged over both
-   * surfaces. Comparable between reductions of one model only.
+   * Returns a measure of the visible difference: distance, shading and material, averaged over
+   * samples of both surfaces. Only reductions of the same model can be compared by it.
    */
   double difference(JoinedMesh reduced) {
     if (originalSurface == null) {
@@ -128,7 +138,7 @@ final class Likeness {
     return sum / SAMPLES;
   }
 
-  /** A point of the triangle, a different one for each i (a low-discrepancy sequence). */
+  /** Computes sample point i of a triangle by a low-discrepancy sequence. */
   private static void sample(JoinedMesh mesh, int triangle, int i, double[] point) {
     double s = i * 0.7548776662466927 % 1;
     double t = i * 0.5698402909980532 % 1;
@@ -143,7 +153,10 @@ final class Likeness {
     interpolate(mesh, triangle, 1.0 / 3, 1.0 / 3, 1.0 / 3, point);
   }
 
-  /** Position and unit normal; zeros where there is none. */
+  /**
+   * Interpolates position and unit normal at barycentric coordinates; the normal is 0 where there
+   * is none.
+   */
   private static void interpolate(
       JoinedMesh mesh, int triangle, double r, double s, double t, double[] point) {
     float[] v = mesh.vertices();

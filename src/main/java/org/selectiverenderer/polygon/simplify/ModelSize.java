@@ -4,14 +4,14 @@ import java.util.List;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * How large a model is.
+ * The number of vertices and polygons of a model.
  *
- * @param vertices distinct positions, summed over the parts (Max Vertex in thesis 2.2.4)
- * @param polygons triangles, summed over the parts
+ * @param vertices number of distinct positions, summed over the parts (Max Vertex in thesis 2.2.4)
+ * @param polygons number of triangles, summed over the parts
  */
 public record ModelSize(int vertices, int polygons) {
   /**
-   * @throws IllegalArgumentException if a part is no mesh of triangles
+   * @throws IllegalArgumentException if a part is not a triangle mesh
    */
   public static ModelSize of(List<Mesh> parts) {
     JoinedMesh joined = JoinedMesh.of(parts);

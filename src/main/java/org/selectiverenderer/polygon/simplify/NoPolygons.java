@@ -1,14 +1,16 @@
 package org.selectiverenderer.polygon.simplify;
 
 /**
- * A model whose triangles all vanish where corners that are as good as one are joined: specks that
- * are far apart, or nothing at all. The message is a clause that reads after the model's name.
+ * Thrown for a model without triangles, or whose triangles all become empty when nearly coincident
+ * vertices are welded, because they are tiny relative to the model's extent. The message is a
+ * clause that follows the model's name.
  */
 public final class NoPolygons extends IllegalArgumentException {
   private static final long serialVersionUID = 1;
 
   NoPolygons() {
     super(
-        "has no polygons that are more than specks beside its extent, so there is nothing to reduce");
+        "has no polygons larger than rounding error relative to its extent, so there is nothing to"
+            + " reduce");
   }
 }

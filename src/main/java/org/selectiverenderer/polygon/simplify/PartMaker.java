@@ -6,7 +6,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
-/** Makes the mesh of one part from the triangles of the reduced model that belong to it. */
+/** Builds the mesh of one part from its triangles of the reduced model. */
 final class PartMaker {
   private final Mesh part;
   private final JoinedMesh original;
@@ -14,7 +14,7 @@ final class PartMaker {
   private final CornerNormals corners;
   private final double[] face = new double[3];
 
-  // Vertices made so far: those with the normal of the vertex itself, and others.
+  // Vertices built so far: those with their own normal, and others.
   private final int[] own;
   private final Map<Long, Integer> others = new HashMap<>();
 
@@ -25,7 +25,7 @@ final class PartMaker {
   private int vertexCount;
 
   /**
-   * @param own an entry of -1 for each vertex, as which it is left
+   * @param own scratch array with -1 for each vertex; it is restored afterwards
    */
   PartMaker(Mesh part, JoinedMesh original, JoinedMesh reduced, CornerNormals corners, int[] own) {
     this.part = part;
@@ -36,7 +36,7 @@ final class PartMaker {
   }
 
   /**
-   * @param triangles numbers of the part's triangles
+   * @param triangles indices of the part's triangles
    */
   Mesh mesh(int[] triangles) {
     int[] indices = new int[3 * triangles.length];
@@ -76,7 +76,7 @@ final class PartMaker {
       }
       return own[vertex];
     }
-    // The normal of a plane is the triangle's own.
+    // Source -1 stands for the normal of the triangle.
     long key = (long) vertex << 32 | (source < 0 ? 0x80000000L | triangle : source);
     return others.computeIfAbsent(key, unused -> add(vertex, source));
   }

@@ -4,7 +4,10 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 
-/** The pieces of a mesh: triangles that hang together by vertices in the same position. */
+/**
+ * The connected components of a mesh, by union-find: triangles are connected by vertices in the
+ * same position.
+ */
 final class Pieces {
   private final JoinedMesh mesh;
   private final int[] parent;
@@ -37,8 +40,8 @@ final class Pieces {
   }
 
   /**
-   * Leaves out the smallest pieces, as long as no fewer polygons remain than wanted; one piece at
-   * least stays.
+   * Removes the smallest components as long as at least the wanted number of polygons remains; at
+   * least one component stays.
    */
   static JoinedMesh withoutSmallest(JoinedMesh mesh, int polygons) {
     return new Pieces(mesh).withoutSmallest(polygons);

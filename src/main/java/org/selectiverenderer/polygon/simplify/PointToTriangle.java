@@ -1,10 +1,13 @@
 package org.selectiverenderer.polygon.simplify;
 
-/** The distance of a point from a triangle, by the regions that the point may lie in. */
+/**
+ * Computes the distance of a point from a triangle: the distance from its plane where the
+ * barycentric coordinates of the projected point are inside, else that from the nearest edge.
+ */
 final class PointToTriangle {
   private PointToTriangle() {}
 
-  /** The square of the distance. */
+  /** Returns the squared distance. */
   static double square(float[] v, int[] indices, int triangle, double x, double y, double z) {
     int a = JoinedMesh.STRIDE * indices[3 * triangle];
     int b = JoinedMesh.STRIDE * indices[3 * triangle + 1];
@@ -37,7 +40,7 @@ final class PointToTriangle {
     return Math.min(onU, Math.min(onW, onThird));
   }
 
-  /** The square of the distance of p from the segment between the origin and d. */
+  /** Returns the squared distance of p from the segment between the origin and d. */
   private static double toSegment(
       double px, double py, double pz, double dx, double dy, double dz) {
     double square = length(dx, dy, dz);

@@ -6,26 +6,36 @@ import java.util.stream.DoubleStream;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * Finds the reduction with a wanted number of polygons: with no more freedom than that takes, and
- * of several styles the one that looks most like the original.
+ * Searches the reduction with a wanted number of polygons: under the strictest {@link Freedom} that
+ * reaches it, and among several {@link Style}s the result with the least visible difference from
+ * the original.
  */
 final class Reduction {
-  /** How many polygons clusters get for each one wanted: the more, the more careful the rest. */
+  /**
+   * Polygons left after vertex clustering, as multiples of the number wanted; the more, the more is
+   * left to careful edge collapses.
+   */
   private static final double[] CLUSTERED = {3, 1.5, 1};
 
   private static final int LOWER_TRIES = 6;
 
   private static final int POSITION_TRIES = 9;
 
-  /** Up to so many polygons all styles are tried and compared. */
+  /** Up to this many polygons, all styles are tried and compared. */
   private static final int COMPARED = 25_000;
 
-  /** A model larger than this is brought to so many times the polygons wanted first. */
+  /**
+   * A model with more polygons than this is first reduced to {@link #AHEAD} times the number
+   * wanted.
+   */
   private static final int LARGE = 5_000;
 
   private static final int AHEAD = 4;
 
-  /** A part that has gone is not made good for by stretching the rest. */
+  /**
+   * The largest stretch factor: a part that has vanished must not be compensated by stretching the
+   * rest.
+   */
   private static final double LARGEST_STRETCH = 1.1;
 
   private final JoinedMesh original;
@@ -34,7 +44,7 @@ final class Reduction {
   private final float[] bounds;
 
   /**
-   * @param original without vertices that no triangle uses: they would count as seams
+   * @param original the original mesh without unused vertices, which would count as seams
    */
   Reduction(JoinedMesh original) {
     this.original = original;
@@ -47,7 +57,10 @@ final class Reduction {
     return original;
   }
 
-  /** The mesh nearest to that number of polygons, and of those the most like; never empty. */
+  /**
+   * Returns the mesh nearest to that number of polygons, and among equally near ones the one with
+   * the least visible difference; never empty.
+   */
   JoinedMesh to(int polygons) {
     if (original.polygons() <= polygons) {
       return original;
@@ -80,8 +93,8 @@ final class Reduction {
   }
 
   /**
-   * A mesh with that number of polygons: from the nearest reduction that has no more, edges are
-   * split. Where that cannot be, the nearest.
+   * Returns a mesh with exactly that number of polygons, by edge splits of the nearest reduction
+   * that has no more; where that is impossible, the nearest mesh.
    */
   JoinedMesh exactly(int polygons) {
     JoinedMesh nearest = to(polygons);
@@ -97,9 +110,9 @@ final class Reduction {
   }
 
   /**
-   * A reduced mesh as high, wide and deep as the original: few polygons cut the corners of what is
-   * round, and an object that has become smaller would float above what it stands on, and be seen
-   * to jump when its version changes.
+   * Returns a reduced mesh stretched to the bounding box of the original: with few polygons, round
+   * shapes shrink, so that an object would float above its support and visibly jump when its
+   * version changes.
    */
   JoinedMesh fitted(JoinedMesh reduced) {
     return reduced == original ? reduced : reduced.fitted(bounds, LARGEST_STRETCH, scale);
@@ -122,10 +135,10 @@ final class Reduction {
   }
 
   /**
-   * A mesh with about that number of positions: of the counts of polygons that have been tried, the
-   * one between them is tried next; what is missing in the end comes from splitting edges.
+   * Returns a mesh with about that number of positions, by a bracketing search over polygon counts;
+   * positions that are missing in the end are added by edge splits.
    *
-   * @param has the positions of the original
+   * @param has number of positions of the original
    */
   JoinedMesh toPositions(int wanted, int has) {
     int few = 0;
@@ -134,7 +147,8 @@ final class Reduction {
     double ofMany = has;
     JoinedMesh below = null;
     for (int i = 0; i < POSITION_TRIES && many - few > 1; i++) {
-      // By proportion at first; every third time the middle, which never gets stuck.
+      // Interpolates (regula falsi), with a bisection step every third time so that the search
+      // cannot stall.
       double share = i % 3 == 2 ? 0.5 : (wanted - ofFew) / (ofMany - ofFew);
       int ask = few + (int) Math.round(share * (many - few));
       ask = Math.max(few + 1, Math.min(many - 1, ask));
@@ -158,9 +172,9 @@ final class Reduction {
   }
 
   /**
-   * Where to start from.
+   * Returns the meshes from which collapses start.
    *
-   * @param fewest the mesh with fewest polygons, but enough of them, so far
+   * @param fewest the mesh with the fewest polygons so far that still has enough
    */
   private List<JoinedMesh> starts(
       Freedom freedom, JoinedMesh base, JoinedMesh fewest, int polygons) {
@@ -192,15 +206,19 @@ final class Reduction {
     return best;
   }
 
-  /** The largest reduction with about that error, as a share of the extent; it may be empty. */
+  /**
+   * Returns the reduction with fewest polygons within about that error, as a share of the extent;
+   * it may be empty.
+   */
   JoinedMesh within(double error) {
     return EdgeCollapse.run(original, 1, (float) error, Freedom.KEEP_SEAMS, Style.BALANCED)
         .rounded(scale, bounds);
   }
 
   /**
-   * Steps per unit of length that leave a model's largest side five digits: so short are the
-   * numbers in its file, and what the file holds is what has been counted.
+   * Returns the grid steps per unit of length that leave five digits for a model's largest side:
+   * the numbers in its file are that short, and the counts are those of the rounded mesh in the
+   * file.
    */
   static double scale(double extent) {
     return extent > 0 ? Math.pow(10, 4 - Math.floor(Math.log10(extent))) : 1;

@@ -1,9 +1,9 @@
 package org.selectiverenderer.polygon.simplify;
 
 /**
- * One way of coming near to a number of polygons. What collapsing edges leaves is not quite what it
- * was asked for: it stops early where seams are in the way, and overshoots where a piece vanishes.
- * So it is asked for other numbers too, and to go in small steps.
+ * One attempt to reach a number of polygons. Edge collapse does not hit a requested number exactly:
+ * it stops early where seams block it, and overshoots where a component vanishes. So other numbers
+ * are requested too, and collapses run in small steps.
  */
 final class ReductionAttempt {
   private static final int TRIES = 10;
@@ -18,9 +18,9 @@ final class ReductionAttempt {
   private JoinedMesh nearest;
 
   /**
-   * @param polygons how many are wanted
-   * @param scale of the grid that positions are rounded to
-   * @param bounds the box that no vertex may leave
+   * @param polygons the number of polygons wanted
+   * @param scale steps per unit of length of the grid that positions are rounded to
+   * @param bounds the bounding box that no vertex may leave
    */
   ReductionAttempt(int polygons, double scale, float[] bounds, Freedom freedom, Style style) {
     this.polygons = polygons;
@@ -31,7 +31,10 @@ final class ReductionAttempt {
     this.nearest = new JoinedMesh(new float[0], new int[0], new int[0]);
   }
 
-  /** The nearest found from that mesh; empty when nothing but nothing is left. */
+  /**
+   * Returns the mesh with the nearest number of polygons found from a start mesh; empty when all
+   * results are empty.
+   */
   JoinedMesh from(JoinedMesh start) {
     JoinedMesh direct = collapse(start, polygons);
     if (direct.polygons() < polygons && !met()) {
@@ -43,7 +46,7 @@ final class ReductionAttempt {
     return nearest;
   }
 
-  /** Asks for more and more, then for what lies between too few and enough. */
+  /** Requests increasing numbers, then bisects between too few and enough. */
   private void between(JoinedMesh start, int count) {
     int tooFew = polygons;
     int enough = start.polygons();
@@ -85,7 +88,10 @@ final class ReductionAttempt {
     return mesh;
   }
 
-  /** Which has a number of polygons nearer to the one wanted; an empty one is the last choice. */
+  /**
+   * Returns the mesh whose number of polygons is nearer to the one wanted; an empty one only if
+   * both are empty.
+   */
   static JoinedMesh nearer(JoinedMesh a, JoinedMesh b, int polygons) {
     int ofA = Math.abs(a.polygons() - polygons);
     int ofB = Math.abs(b.polygons() - polygons);

@@ -2,12 +2,15 @@ package org.selectiverenderer.polygon.simplify;
 
 import java.util.Arrays;
 
-/** Vertices that share a position. */
+/**
+ * Maps vertices that share a position to one of them (the position remap of meshoptimizer), counts
+ * positions, and finds seams.
+ */
 final class Seams {
   private Seams() {}
 
   /**
-   * Numbers the positions.
+   * Maps each vertex to the first vertex in the same position.
    *
    * @param byPart whether equal positions in two parts count as two
    * @return for each vertex the first vertex in the same position
@@ -49,7 +52,7 @@ final class Seams {
         && (!byPart || v[i + JoinedMesh.PART] == v[j + JoinedMesh.PART]);
   }
 
-  /** Distinct positions that triangles use, summed over the parts. */
+  /** Returns the number of distinct positions that triangles use, summed over the parts. */
   static int positions(JoinedMesh mesh) {
     int[] first = first(mesh, true);
     boolean[] used = new boolean[first.length];
@@ -64,8 +67,8 @@ final class Seams {
   }
 
   /**
-   * Marks the vertices where part, colour or texture coordinate jumps: those that share a position
-   * with one that differs in more than the normal.
+   * Marks the vertices on visible seams, where part, colour or texture coordinate jumps: those that
+   * share a position with a vertex that differs in more than the normal.
    */
   static boolean[] visible(JoinedMesh mesh) {
     int[] first = first(mesh, false);

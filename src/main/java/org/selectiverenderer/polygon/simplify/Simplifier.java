@@ -6,13 +6,11 @@ import java.util.List;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * Reduces the polygons of models. All parts of a model are reduced together, so that its error is
- * spread evenly: a part whose form can do without gives more polygons than one that cannot. Edges
- * where materials, colours or texture coordinates change are kept as long as the goal can be met
- * with them.
+ * Reduces the polygons of models. All parts of a model are simplified together, so that the error
+ * is spread evenly: flat parts lose more polygons than curved ones. Edges where materials, colours
+ * or texture coordinates change are preserved as long as the target can be met with them.
  *
- * <p>Immutable; several threads may use one, each on its own model. The same model and goal give
- * the same result every time.
+ * <p>Immutable and thread-safe. The same model and target give the same result every time.
  */
 public final class Simplifier {
   private static final int ERROR_TRIES = 12;
@@ -20,19 +18,19 @@ public final class Simplifier {
 
   private static final int COUNT_TRIES = 9;
 
-  /** So near to a number of polygons with too large an error, a smaller one is not looked for. */
+  /** The search for the smallest number of polygons ends when the bounds are within this factor. */
   private static final double CLOSE_COUNT = 1.05;
 
-  /** So near to the error allowed, no further try is worth its time. */
+  /** An error of at least this share of the allowed one ends the search. */
   private static final double CLOSE = 0.8;
 
   /**
    * Reduces a model.
    *
-   * @param parts its triangles; all in one coordinate frame
-   * @throws NoPolygons if no triangle has an area that counts beside the extent of all
+   * @param parts triangle meshes of the parts, all in one coordinate frame
+   * @throws NoPolygons if every triangle is degenerate or tiny relative to the model's extent
    * @throws IllegalArgumentException if a part is not made of triangles, an index is out of range
-   *     or a number not finite, or the goal is no less than what the model has
+   *     or a number not finite, or the target is not less than what the model has
    */
   public Simplified simplify(List<Mesh> parts, Goal goal) {
     JoinedMesh joined = JoinedMesh.of(parts);
@@ -76,8 +74,9 @@ public final class Simplifier {
   }
 
   /**
-   * The collapse's own estimate is no bound, so what comes out is measured. It goes one way only;
-   * for a number of polygons several are tried, so a smaller number may be as near.
+   * Simplifies within an error. The error estimate of edge collapse is not a bound, so the
+   * deviation of each result is measured. It tries one style only, whereas a target number of
+   * polygons tries several, so that a smaller number may have as small an error.
    */
   private static Simplified within(List<Mesh> parts, Reduction reduction, double largest) {
     Simplified best = result(parts, reduction, reduction.original(), true);
@@ -101,7 +100,10 @@ public final class Simplifier {
     return fewer(parts, reduction, largest, best);
   }
 
-  /** Between nothing and a result, the fewest polygons found that are within an error. */
+  /**
+   * Returns the result with the fewest polygons within an error, searched between no polygons and a
+   * known result.
+   */
   private static Simplified fewer(
       List<Mesh> parts, Reduction reduction, double largest, Simplified enough) {
     Simplified best = enough;
@@ -138,7 +140,7 @@ public final class Simplifier {
         met);
   }
 
-  /** The triangles of each part: a triangle belongs to the part of most of its vertices. */
+  /** Returns the triangles of each part; a triangle belongs to the part of most of its vertices. */
   private static int[][] byPart(JoinedMesh mesh, int parts) {
     int[] counts = new int[parts];
     int[] partOf = new int[mesh.polygons()];

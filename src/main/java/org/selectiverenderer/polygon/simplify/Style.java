@@ -1,16 +1,22 @@
 package org.selectiverenderer.polygon.simplify;
 
-/** What a reduction minds most. No style is best for every model, so several are tried. */
+/**
+ * Presets of the error metric of a simplification. None is best for every model, so several are
+ * tried.
+ */
 enum Style {
   BALANCED(0.05f, false),
   EVEN(0.05f, true),
   FORM(0.02f, false),
   SHADING(0.15f, false);
 
-  /** What a change of the normal by its length weighs against a shift by the model's extent. */
+  /**
+   * Weight of a change of the normal by its length, relative to a displacement by the model's
+   * extent.
+   */
   final float normalWeight;
 
-  /** Whether triangles are kept from becoming long and thin. */
+  /** Whether long and thin triangles are avoided. */
   final boolean regular;
 
   Style(float normalWeight, boolean regular) {

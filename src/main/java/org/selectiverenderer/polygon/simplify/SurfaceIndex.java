@@ -1,25 +1,25 @@
 package org.selectiverenderer.polygon.simplify;
 
 /**
- * Finds the point of a surface nearest to a given one: a tree of boxes over its triangles, split at
- * the middle of the longest side. Immutable once made; several threads may ask.
+ * A bounding volume hierarchy (BVH) of the triangles of a surface for nearest-triangle queries:
+ * boxes are split at the middle of the longest side. Immutable and thread-safe.
  */
 final class SurfaceIndex {
   private static final int LEAF = 4;
   private static final int DEEPEST = 64;
 
-  /** Far more than what rounding takes from a squared distance, as a share. */
+  /** Relative tolerance of a squared distance, far above its rounding error. */
   private static final double ROUNDING = 1e-6;
 
-  /** The same as a share of the square of the surface's extent. */
+  /** Absolute tolerance, as a share of the squared extent of the surface. */
   private static final double CANCELLING = 1e-9;
 
   private final float[] v;
   private final int[] indices;
   private final int[] order;
 
-  // Of each node: the box, and its triangles order[from..to) or, if to is negative, its children
-  // from and -to.
+  // Each node has a box, and either the triangles order[from..to) or, if to is negative, the
+  // children from and -to.
   private float[] boxes;
   private int[] from;
   private int[] to;
@@ -99,7 +99,7 @@ final class SurfaceIndex {
     return longest;
   }
 
-  /** The least value of the centres along an axis; with sign -1, minus the largest. */
+  /** Returns the least value of the centres along an axis; with sign -1, minus the greatest. */
   private float range(float[] centres, int first, int end, int axis, int sign) {
     float least = Float.POSITIVE_INFINITY;
     for (int i = first; i < end; i++) {
@@ -122,12 +122,12 @@ final class SurfaceIndex {
   }
 
   /**
-   * The triangle nearest to a point.
+   * Finds the triangle nearest to a point.
    *
-   * @param near a triangle that is likely to be near, or -1: what is farther need not be looked
-   *     into. The answer does not depend on it
-   * @param nearest takes the squared distance
-   * @return its number
+   * @param near a triangle that is likely to be near, or -1: it prunes the search and does not
+   *     change the result
+   * @param nearest receives the squared distance
+   * @return the index of the triangle
    */
   int nearest(double x, double y, double z, int near, double[] nearest) {
     int[] open = new int[DEEPEST + 8];
@@ -166,7 +166,9 @@ final class SurfaceIndex {
     return found;
   }
 
-  /** A squared distance that something is nearer than, with room for what is lost by rounding. */
+  /**
+   * Returns an upper bound of the squared distance to the surface, with a tolerance for rounding.
+   */
   private double within(double x, double y, double z, int near) {
     double distance = near < 0 ? Double.NaN : square(near, x, y, z);
     return distance >= 0
@@ -174,7 +176,7 @@ final class SurfaceIndex {
         : Double.POSITIVE_INFINITY;
   }
 
-  /** The squared distance of a point from a triangle. */
+  /** Returns the squared distance of a point from a triangle. */
   double square(int triangle, double x, double y, double z) {
     return PointToTriangle.square(v, indices, triangle, x, y, z);
   }

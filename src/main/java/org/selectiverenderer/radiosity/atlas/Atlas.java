@@ -3,18 +3,18 @@ package org.selectiverenderer.radiosity.atlas;
 import java.util.List;
 
 /**
- * The pictures that hold a scene's light, and where each body lies on them. All bodies of a page
- * are written to one file.
+ * The lightmap atlas of a scene: its pages, and the texture coordinates of each body on its page.
+ * All bodies of a page are written to one file.
  *
- * @param pages in the order of the files
- * @param layouts by the bodies of the scene
+ * @param pages the pages, in the order of the files
+ * @param layouts the layout of each body, in the order of the scene's bodies
  */
 public record Atlas(List<TexelMap> pages, List<Layout> layouts) {
 
   /**
-   * A body on its page.
+   * The page of a body and its texture coordinates there.
    *
-   * @param page its number
+   * @param page number of the page, {@link TexelMap#NONE} for none
    * @param st texture coordinates, 0 .. 1 of the page: s and t of the three corners of each
    *     triangle of the body in the order of {@link
    *     org.selectiverenderer.radiosity.scene.Body#vertex}, six numbers per triangle
@@ -22,9 +22,9 @@ public record Atlas(List<TexelMap> pages, List<Layout> layouts) {
   public record Layout(int page, float[] st) {
 
     /**
-     * How far to the right on its page a place of a triangle lies, 0 .. 1.
+     * Returns the texture coordinate s of a point of a triangle, 0 .. 1 from left to right.
      *
-     * @param triangle of the body
+     * @param triangle number of the triangle in the body
      * @param u weight of its second corner
      * @param v weight of its third corner
      */
@@ -32,7 +32,7 @@ public record Atlas(List<TexelMap> pages, List<Layout> layouts) {
       return between(6 * triangle, u, v);
     }
 
-    /** How far up it lies, 0 .. 1. */
+    /** Returns the texture coordinate t of a point of a triangle, 0 .. 1 from bottom to top. */
     public double t(int triangle, double u, double v) {
       return between(6 * triangle + 1, u, v);
     }
@@ -42,7 +42,7 @@ public record Atlas(List<TexelMap> pages, List<Layout> layouts) {
     }
   }
 
-  /** All texels of all pages, gutters among them. */
+  /** Returns the number of texels of all pages, gutters included. */
   public long texels() {
     return pages.stream().mapToLong(TexelMap::texels).sum();
   }

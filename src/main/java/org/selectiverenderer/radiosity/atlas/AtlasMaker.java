@@ -15,25 +15,28 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.MemoryNeed;
 import org.selectiverenderer.radiosity.scene.UnlitSceneException;
 
-/** Makes the {@link Atlas} of a scene: charts, their sizes, their pages, the places of texels. */
+/**
+ * Builds the {@link Atlas} of a scene: cuts bodies into charts, sizes the charts, packs them on
+ * pages and finds the surface point of each texel.
+ */
 public final class AtlasMaker {
-  /** A body that gets no page. */
+  /** The group of a body that gets no page. */
   public static final int NO_GROUP = -1;
 
-  /** Of the wished density: less is not worth storing. */
+  /** Lowest density as a share of the requested one; coarser light is not worth storing. */
   private static final double LEAST = 1.0 / 16;
 
-  /** Density is lowered by this until pages keep the budget. */
+  /** Factor by which the density is lowered until the pages keep the budget. */
   private static final double LOWER = 0.95;
 
-  /** Of a page's texels those that charts and gutters fill, about. */
+  /** Share of a page's texels that charts and gutters fill, approximately. */
   private static final double FILLED = 0.9;
 
   private final AtlasSettings settings;
   private final Problems problems;
 
   /**
-   * @param problems hears of surfaces that are stored coarser than wished
+   * @param problems receives a note for each surface that is stored coarser than requested
    */
   public AtlasMaker(AtlasSettings settings, Problems problems) {
     this.settings = settings;
@@ -41,23 +44,23 @@ public final class AtlasMaker {
   }
 
   /**
-   * Makes it, the same from the same scene on any number of processors.
+   * Builds the atlas; the same scene gives the same atlas on any number of processors.
    *
    * @param groupOf by body: the number of the file that it is written to, 0 or above; {@link
    *     #NO_GROUP} for bodies without light of their own, whose layouts have page -1 and no
    *     coordinates
-   * @throws UnlitSceneException if the budget or Java's memory cannot hold it, with one sentence
+   * @throws UnlitSceneException if the atlas exceeds the budget or Java's memory
    */
   public Atlas make(LightScene scene, int[] groupOf) throws UnlitSceneException {
     return make(scene, groupOf, new double[scene.bodies().size()]);
   }
 
   /**
-   * Likewise.
+   * Builds an atlas in which some bodies have as many texels as their own textures need.
    *
-   * @param wished by body: texels from which on something besides its light can be part of its
-   *     picture; 0 for none. It gets them or, where that is far finer than otherwise, or too much
-   *     for the budget, none of them
+   * @param wished by body: the number of texels from which on its own texture can be merged into
+   *     its lightmap; 0 for none. A body gets that number or, where that is far finer than
+   *     otherwise or too much for the budget, the number that it would have without
    */
   public Atlas make(LightScene scene, int[] groupOf, double[] wished) throws UnlitSceneException {
     int count = scene.bodies().size();
@@ -95,7 +98,7 @@ public final class AtlasMaker {
     return draw(scene, charts, boxes, pages);
   }
 
-  /** Lowers a body's density until it fits on one page; whether that was needed. */
+  /** Lowers a body's density until it fits on one page; returns whether that was needed. */
   private static boolean bound(
       Body of, int body, TexelBoxes boxes, PagePlanner planner, double[] densities)
       throws UnlitSceneException {
@@ -103,8 +106,8 @@ public final class AtlasMaker {
     while (!planner.fits(body, boxes.size(body, densities[body]))) {
       if (boxes.least(body)) {
         throw new UnlitSceneException(
-            ("%s: the shape falls into %d pieces, more than one picture of light holds; divide it"
-                    + " into several shapes, or take --store vertices")
+            ("%s: the shape is cut into %d charts, more than one lightmap page holds; divide it"
+                    + " into several shapes, or use --store vertices")
                 .formatted(of.shape().node().location(), boxes.end(body) - boxes.first(body)));
       }
       densities[body] *= LOWER;
@@ -113,7 +116,10 @@ public final class AtlasMaker {
     return bounded;
   }
 
-  /** Pages where some bodies are finer; empty if none is, or they are too many for the budget. */
+  /**
+   * Returns the pages with the finer densities; empty if no density is finer or the pages exceed
+   * the budget.
+   */
   private Optional<List<PagePlanner.Page>> finer(
       Map<Integer, List<Integer>> groups,
       TexelBoxes boxes,
@@ -166,7 +172,7 @@ public final class AtlasMaker {
     }
   }
 
-  /** Null if something does not lie on a page. */
+  /** Packs the bodies of each file; returns null if a body does not fit on a page. */
   private static @Nullable List<PagePlanner.Page> pages(
       Map<Integer, List<Integer>> groups, PagePlanner planner, long[] texels) {
     List<PagePlanner.Page> pages = new ArrayList<>();

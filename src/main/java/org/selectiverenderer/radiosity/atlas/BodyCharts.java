@@ -3,22 +3,24 @@ package org.selectiverenderer.radiosity.atlas;
 import java.util.Arrays;
 
 /**
- * A body cut into charts that lie flat.
+ * A body cut into charts and flattened: the chart of each triangle and its corners in the plane of
+ * that chart.
  *
- * @param chartOf chart per triangle
- * @param flat x, y of the corners of each triangle in its chart, metres, from 0 on
- * @param width per chart, metres; never below its height
- * @param height per chart, metres
+ * @param chartOf number of the chart of each triangle
+ * @param flat x, y of the corners of each triangle in its chart, metres; the chart's bounding box
+ *     begins at 0
+ * @param width of each chart, metres; never below its height
+ * @param height of each chart, metres
  */
 record BodyCharts(int[] chartOf, float[] flat, float[] width, float[] height) {
-  /** Border edges along which a chart's box is tried. */
+  /** Number of border edges along which the bounding box of a chart is tried. */
   private static final int TRIES = 6;
 
   int charts() {
     return width.length;
   }
 
-  /** The area of all charts as they lie flat, square metres. */
+  /** Returns the area of all flattened charts, square metres. */
   double area() {
     double sum = 0;
     for (int at = 0; at < flat.length; at += 6) {
@@ -65,7 +67,10 @@ record BodyCharts(int[] chartOf, float[] flat, float[] width, float[] height) {
     return made;
   }
 
-  /** Turns a chart so that its box is the smallest along one of its longest border edges. */
+  /**
+   * Rotates a chart so that its bounding box is the smallest of those along its longest border
+   * edges.
+   */
   private void lay(WeldedBody body, int chart, int[] members, double[] xy) {
     double[] directions = borders(body, chart, members, xy);
     double[] best = {1, 0};
@@ -99,7 +104,7 @@ record BodyCharts(int[] chartOf, float[] flat, float[] width, float[] height) {
     }
   }
 
-  /** Unit vectors along the longest edges of the border, and along the axes. */
+  /** Returns unit vectors along the longest border edges, and along the x axis. */
   private double[] borders(WeldedBody body, int chart, int[] members, double[] xy) {
     double[] lengths = new double[TRIES];
     double[] directions = new double[2 * TRIES];

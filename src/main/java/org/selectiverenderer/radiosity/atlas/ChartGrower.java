@@ -3,11 +3,12 @@ package org.selectiverenderer.radiosity.atlas;
 import java.util.Arrays;
 
 /**
- * Cuts a body into charts. Flat regions come first, the largest before the others; each grows over
- * edges without a crease onto what turns away from it by less than {@link #CONE}, so that a round
- * body falls into a few pieces. Curved surfaces begin where they face along an axis. What is left
- * between joins its largest neighbour, up to {@link #WIDE}: seen along its axis a chart stretches
- * by 2 at most and none of its triangles turns over.
+ * Segments a body into charts by region growing. Flat regions are seeds, the largest first; each
+ * chart grows over edges without a crease onto triangles whose normals turn away from its axis by
+ * less than {@link #CONE}, so that a round body falls into a few charts. Curved surfaces begin
+ * where they face along a coordinate axis. Small charts left between are merged into their largest
+ * neighbour, up to {@link #WIDE}: projected along its axis a chart stretches by 2 at most and none
+ * of its triangles turns over.
  */
 final class ChartGrower {
   private static final double FLAT = StrictMath.cos(StrictMath.toRadians(0.8));
@@ -15,10 +16,13 @@ final class ChartGrower {
   private static final double CONE = StrictMath.cos(StrictMath.toRadians(46));
   private static final double WIDE = 0.5;
 
-  /** Flat regions of this share of a body's area come before all else. */
+  /** Flat regions of at least this share of a body's area are seeds before all others. */
   private static final double LARGE = 0.02;
 
-  /** So many times charts that overlap themselves are cut; then what overlaps stays alone. */
+  /**
+   * Number of times that charts which overlap themselves are cut; then each overlapping triangle
+   * becomes a chart of its own.
+   */
   private static final int ROUNDS = 6;
 
   private final WeldedBody body;
@@ -37,7 +41,7 @@ final class ChartGrower {
     Arrays.fill(chartOf, WeldedBody.NONE);
   }
 
-  /** Grows all charts; afterwards the others' answers hold. */
+  /** Grows all charts; the other methods may be called afterwards only. */
   void grow() {
     long[] seeds = regions();
     for (int round = 0; ; round++) {
@@ -76,12 +80,14 @@ final class ChartGrower {
     return charts;
   }
 
-  /** Unit vectors that the charts are seen along, x, y, z per chart. */
+  /** Returns the projection axis of each chart, a unit vector: x, y, z per chart. */
   double[] axes() {
     return axes;
   }
 
-  /** Flat regions; returns a triangle of each, ordered by where charts begin. */
+  /**
+   * Finds the flat regions; returns one seed triangle of each, in the order in which charts grow.
+   */
   private long[] regions() {
     int count = body.triangles();
     Arrays.fill(regionOf, WeldedBody.NONE);
@@ -184,7 +190,9 @@ final class ChartGrower {
     }
   }
 
-  /** Leaves out charts that others took over, in the order of their triangles. */
+  /**
+   * Drops charts without triangles and numbers the others in the order of their first triangles.
+   */
   private void renumber() {
     int[] renamed = new int[charts];
     Arrays.fill(renamed, WeldedBody.NONE);

@@ -2,9 +2,12 @@ package org.selectiverenderer.radiosity.atlas;
 
 import java.util.Arrays;
 
-/** Joins small charts to larger ones beside them that see all of their triangles from the front. */
+/**
+ * Merges small charts into larger neighbours onto whose plane all of their triangles project from
+ * the front.
+ */
 final class ChartJoiner {
-  /** A chart joins one that is at least this much larger. */
+  /** A chart is merged into one that is at least this many times larger. */
   private static final double LARGER = 2;
 
   private final WeldedBody body;
@@ -18,10 +21,10 @@ final class ChartJoiner {
   private final double[] areas;
 
   /**
-   * @param chartOf chart per triangle; changed
-   * @param axes x, y, z per chart
-   * @param crease cosine of the angle beyond which an edge parts charts
-   * @param wide cosine of the angle to its axis that a chart may reach
+   * @param chartOf number of the chart of each triangle; changed
+   * @param axes projection axis of each chart: x, y, z
+   * @param crease cosine of the dihedral angle beyond which an edge separates charts
+   * @param wide cosine of the largest angle between a chart's axis and the normals of its triangles
    */
   ChartJoiner(
       WeldedBody body, int[] chartOf, int charts, double[] axes, double crease, double wide) {
@@ -48,7 +51,7 @@ final class ChartJoiner {
     }
   }
 
-  /** Joins what can be, the smallest first. */
+  /** Merges charts, the smallest first. */
   void join() {
     int charts = head.length;
     long[] order = new long[charts];

@@ -1,8 +1,8 @@
 package org.selectiverenderer.radiosity.atlas;
 
 /**
- * The plane across a chart's axis, with two directions at right angles in it. It begins at a place
- * on the body, so that what lies far from the scene's origin keeps its digits.
+ * Orthogonal projection of a body's triangles onto the plane perpendicular to a chart's axis. Its
+ * origin is a vertex of the body, so that bodies far from the scene's origin keep their precision.
  */
 final class ChartPlane {
   private final WeldedBody body;
@@ -17,12 +17,13 @@ final class ChartPlane {
     }
   }
 
-  /** Turns to the axis that begins at {@code at}. */
+  /** Sets the axis to the unit vector that begins at {@code at}. */
   void face(double[] axes, int at) {
     double x = axes[at];
     double y = axes[at + 1];
     double z = axes[at + 2];
-    // Across the axis and the world's up; of what faces up or down, across its depth.
+    // The horizontal direction at right angles to the axis; for charts that face up or down, one at
+    // right angles to z.
     boolean level = Math.abs(y) > 0.9;
     right[0] = level ? y : z;
     right[1] = level ? -x : 0;

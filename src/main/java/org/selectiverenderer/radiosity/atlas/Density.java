@@ -7,15 +7,15 @@ import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 
 /**
- * How fine bodies are stored: a room's surfaces coarsely, what lies on tables finely, since the
- * shadow that a thing casts on itself and beside it is as small as the thing. Scenes much larger or
- * smaller than a dwelling are stored as if they were one.
+ * Chooses the texel density of each body: coarse for a room's surfaces and fine for small objects,
+ * since the shadows that an object casts on itself and beside it are as small as the object. Scenes
+ * much larger or smaller than a dwelling are scaled to the size of one.
  */
 final class Density {
-  /** Of surfaces as large as a room's, texels per metre. */
+  /** Density of surfaces as large as a room's, texels per metre. */
   private static final double ROOM = 40;
 
-  /** As large as a room is, metres. */
+  /** Size of a room, metres. */
   private static final double ROOM_SIZE = 4;
 
   private static final double GROWTH = 0.4;
@@ -23,26 +23,29 @@ final class Density {
   private static final double MOST = 3;
 
   /**
-   * Versions that take their light from another have more texels: they cost no rays, and light that
-   * changes from one texel of the other to the next is not blurred by being read from between.
-   * Large things have no such light, and would have too many texels.
+   * Factor of the density of versions that copy their light from the reference version: their
+   * texels cost no rays, and at a higher density the copy does not blur light that changes from one
+   * texel of the reference version to the next. Large objects have no such fine light and would
+   * have too many texels.
    */
   private static final double SHARING = 2;
 
-  /** Things of this size have no more texels for that, metres. */
+  /** Size of an object from which on that factor is 1, metres. */
   private static final double SHARING_SIZE = 1;
 
-  /** Scenes of this extent have rooms of that size, metres. */
+  /** Largest and smallest extent of a scene whose rooms have that size, metres. */
   private static final double LARGE_SCENE = 60;
 
   private static final double SMALL_SCENE = 1;
 
-  /** So many times as fine a body can be by a wish: 64 times the texels take their time. */
+  /**
+   * Largest factor of the density for a body's own texture: 64 times the texels take their time.
+   */
   private static final double FINER = 8;
 
   private Density() {}
 
-  /** Texels per metre for each body before any budget. */
+  /** Returns the texels per metre of each body before the budget is applied. */
   static double[] of(LightScene scene, AtlasSettings settings) {
     double room = ROOM_SIZE;
     if (scene.extent() > LARGE_SCENE) {
@@ -64,10 +67,11 @@ final class Density {
   }
 
   /**
-   * The same, finer where that was wished for and is not too much finer.
+   * Returns the densities, raised for bodies whose own texture needs more texels, if the factor is
+   * not too large.
    *
-   * @param wished texels by body, 0 for none
-   * @return empty if it is nowhere finer
+   * @param wished by body: number of texels that its texture needs, 0 for none
+   * @return empty if no density is raised
    */
   static Optional<double[]> finer(
       double[] densities,
@@ -88,7 +92,7 @@ final class Density {
     return Arrays.equals(finer, densities) ? Optional.empty() : Optional.of(finer);
   }
 
-  /** The longest side of the box around a body, metres. */
+  /** Returns the longest side of a body's bounding box, metres. */
   private static double size(LightScene scene, Body body) {
     float[] corners = scene.triangles().corners();
     double size = 0;

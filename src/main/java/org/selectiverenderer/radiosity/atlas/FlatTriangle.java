@@ -1,14 +1,14 @@
 package org.selectiverenderer.radiosity.atlas;
 
-/** Places of a triangle that lies in a page. */
+/** Closest point on a triangle in the plane of a page. */
 final class FlatTriangle {
   private FlatTriangle() {}
 
   /**
-   * Finds the place that is nearest to a point.
+   * Finds the point of the triangle that is closest to (x, y).
    *
    * @param p x, y of the three corners
-   * @param out gets the weights of the second and third corner
+   * @param out receives the barycentric weights of the second and third corner
    * @return the square of the distance, 0 inside
    */
   static double nearest(double[] p, double x, double y, double[] out) {

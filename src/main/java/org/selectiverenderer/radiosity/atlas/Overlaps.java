@@ -3,19 +3,20 @@ package org.selectiverenderer.radiosity.atlas;
 import java.util.Arrays;
 
 /**
- * Finds where a chart lies on itself, seen along its axis: a ramp that winds up, a surface that was
- * drawn twice. Of two triangles in one place the later one is taken out of the chart.
+ * Removes overlaps from charts: where the projection of a chart along its axis overlaps itself, as
+ * for a ramp that winds up or a surface that was drawn twice, the later of two overlapping
+ * triangles is taken out of the chart.
  */
 final class Overlaps {
-  /** Of the size of coordinates: what rounding may have moved. */
+  /** Tolerance of rounding, as a share of the size of coordinates. */
   private static final double ROUNDING = 1e-6;
 
-  /** Cells to a side at most. */
+  /** Largest number of grid cells along a side. */
   private static final int MOST_CELLS = 512;
 
   /**
-   * Pairs looked at per triangle beyond which a chart is given up, and in any case: fans of some
-   * thousand triangles meet in one cell.
+   * Limit of tested pairs: so many per triangle, and a constant. A chart beyond it is cut into
+   * single triangles; fans of some thousand triangles meet in one cell.
    */
   private static final long PAIRS = 400;
 
@@ -36,7 +37,10 @@ final class Overlaps {
     plane = new ChartPlane(body);
   }
 
-  /** Looks at the charts from {@code from} up to {@code to}; returns how many triangles left. */
+  /**
+   * Checks the charts from {@code from} up to {@code to}, exclusive; returns the number of
+   * triangles taken out.
+   */
   int evict(int from, int to) {
     int[] first = new int[to - from + 1];
     for (int chart : chartOf) {
@@ -122,7 +126,10 @@ final class Overlaps {
     return most;
   }
 
-  /** Counts the cells of a triangle in {@code slots}, one place on, or names it in each. */
+  /**
+   * Counts the cells that a triangle touches in {@code slots}, shifted by one, or stores the
+   * triangle in each of them if {@code items} is given (counting sort).
+   */
   private void insert(
       int i,
       int[] members,
@@ -196,12 +203,15 @@ final class Overlaps {
     return evicted;
   }
 
-  /** On two sides of an edge, both seen from the front. */
+  /** Returns whether two triangles share an edge; both face the axis, so they cannot overlap. */
   private boolean beside(int a, int b) {
     return body.neighbour(a, 0) == b || body.neighbour(a, 1) == b || body.neighbour(a, 2) == b;
   }
 
-  /** Whether an edge of the first, counter-clockwise triangle has the second one outside. */
+  /**
+   * Returns whether some edge of the first, counter-clockwise triangle separates it from the second
+   * one.
+   */
   private boolean apart(int a, int b) {
     for (int i = 0; i < 3; i++) {
       int from = a + 2 * i;

@@ -2,7 +2,9 @@ package org.selectiverenderer.radiosity.atlas;
 
 import org.selectiverenderer.radiosity.scene.LightScene;
 
-/** Which texels show a place of a surface, as bilinear filtering within its chart mixes them. */
+/**
+ * Finds the texels and weights by which bilinear filtering within a chart shows a surface point.
+ */
 public final class PageLookup {
   private final Atlas atlas;
   private final LightScene scene;
@@ -12,7 +14,7 @@ public final class PageLookup {
     this.atlas = atlas;
   }
 
-  /** The page of a triangle's body; {@link TexelMap#NONE} if it has none. */
+  /** Returns the page of a triangle's body; {@link TexelMap#NONE} if it has none. */
   public int page(int triangle) {
     return atlas.layouts().get(scene.bodyOf()[triangle]).page();
   }
@@ -21,9 +23,9 @@ public final class PageLookup {
    * @param triangle of a body that has a page
    * @param u weight of its second corner
    * @param v weight of its third corner
-   * @param texels gets up to four numbers of texels of its page
-   * @param weights gets their shares, which sum to 1
-   * @return how many
+   * @param texels receives the numbers of up to four texels of its page
+   * @param weights receives their weights, which sum to 1
+   * @return the number of texels
    */
   public int find(int triangle, double u, double v, int[] texels, float[] weights) {
     int body = scene.bodyOf()[triangle];
@@ -59,7 +61,10 @@ public final class PageLookup {
     return count;
   }
 
-  /** The chart at a point: that of the texel there, or by rounding of one beside it. */
+  /**
+   * Returns the chart at a point of a page: that of the texel there, or of the closest one beside
+   * it if rounding has left the chart.
+   */
   private static int chart(TexelMap map, double x, double y) {
     int column = Math.max(0, Math.min(map.width() - 1, (int) x));
     int row = Math.max(0, Math.min(map.height() - 1, (int) y));

@@ -6,7 +6,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Puts the bodies of each file on pages, a body on one page, and makes pages no larger than needed.
+ * Packs the charts of each file's bodies on pages, each body on one page, and keeps the pages as
+ * small as it can.
  */
 final class PagePlanner {
   /** Sides of pages are multiples of this. */
@@ -18,12 +19,12 @@ final class PagePlanner {
   /** Charts on a page beyond which only few widths are tried. */
   private static final int MANY = 20_000;
 
-  /** Of a page's area: more is not hoped for at first. */
+  /** Share of the largest page's area up to which bodies are tried on one page at first. */
   private static final double HOPE = 0.92;
 
   /**
-   * Boxes with sides of at most half of a page's and this share of its area lie on it in any case:
-   * put in rows by their heights they are no higher than the highest and twice their area.
+   * Boxes with sides of at most half of a page's and this share of its area fit on it in any case:
+   * packed in shelves by height they are no higher than the highest box and twice their area.
    */
   private static final double SURE = 0.2;
 
@@ -43,9 +44,9 @@ final class PagePlanner {
   }
 
   /**
-   * Whether a body alone can lie on a page.
+   * Returns whether a body alone fits on a page.
    *
-   * @param texels that it takes
+   * @param texels number of texels that it takes
    */
   boolean fits(int body, long texels) {
     int longest = boxes.longest(body) + TexelBoxes.GUTTER;
@@ -56,9 +57,9 @@ final class PagePlanner {
   }
 
   /**
-   * The pages of bodies; null if one of them does not lie on a page.
+   * Returns the pages of bodies; null if one of them does not fit on a page.
    *
-   * @param texels by body
+   * @param texels number of texels of each body
    */
   @Nullable List<Page> plan(List<Integer> bodies, long[] texels) {
     List<Page> pages = new ArrayList<>();
@@ -88,7 +89,7 @@ final class PagePlanner {
     return pages;
   }
 
-  /** The smallest page that holds these bodies; null if the largest does not. */
+  /** Returns the smallest page found that holds these bodies; null if the largest page does not. */
   private @Nullable Page page(List<Integer> bodies, long texels) {
     int count = 0;
     int widest = 0;
@@ -100,7 +101,7 @@ final class PagePlanner {
     int n = 0;
     for (int body : bodies) {
       for (int i = boxes.first(body); i < boxes.end(body); i++) {
-        // High before low, wide before narrow.
+        // Sort key: high boxes before low ones, wide before narrow.
         order[n++] =
             (long) (0x7fff - boxes.height[i]) << 48 | (long) (0xffff - boxes.width[i]) << 32 | i;
       }
@@ -137,9 +138,10 @@ final class PagePlanner {
     return new Page(bestWidth, bestHeight, List.copyOf(bodies));
   }
 
-  /** Places all boxes; returns how high the page is. */
+  /** Packs all boxes into a page of a width; returns the height of the page. */
   private int pack(long[] order, int width) {
-    // A gutter of one at the left and the bottom, and of two beyond every box: pages repeat.
+    // A gutter of one texel at the left and the bottom, and of two beyond every box, since pages
+    // repeat.
     Skyline skyline = new Skyline(width - 1);
     for (long entry : order) {
       int box = (int) entry;

@@ -2,9 +2,12 @@ package org.selectiverenderer.radiosity.atlas;
 
 import java.util.Arrays;
 
-/** Finds which place of which triangle each texel of a page shows. */
+/**
+ * Rasterizes flattened triangles into a page: finds for each texel the triangle and the surface
+ * point closest to its centre.
+ */
 final class Rasterizer {
-  /** What a triangle reaches into a texel by rounding only. */
+  /** Overlap of a triangle and a texel that counts as rounding, texels. */
   private static final double TOUCH = 1e-4;
 
   private final int width;
@@ -14,7 +17,7 @@ final class Rasterizer {
   private final float[] v;
   private final int[] chart;
 
-  /** Per texel: the square of how far its centre is from the triangle that it shows. */
+  /** Per texel: the squared distance from its centre to the triangle that it shows. */
   private final float[] away;
 
   private final TriangleRows rows = new TriangleRows();
@@ -39,11 +42,11 @@ final class Rasterizer {
   }
 
   /**
-   * Draws a triangle.
+   * Rasterizes a triangle.
    *
-   * @param id its number in the scene
-   * @param box of its chart; also the chart's number
-   * @param p x, y of its corners, texels
+   * @param id number of the triangle in the scene
+   * @param box number of the chart's box; also the chart's number
+   * @param p x, y of the triangle's corners, texels
    */
   void draw(int id, int box, TexelBoxes boxes, double[] p) {
     rows.set(p[0], p[1], p[2], p[3], p[4], p[5]);
@@ -54,7 +57,7 @@ final class Rasterizer {
     int leftmost = boxes.x[box];
     int rightmost = leftmost + boxes.width[box] - 1;
     for (int row = low; row <= high; row++) {
-      // A triangle that only touches a row is drawn where it touches it.
+      // A triangle that only touches a row is rasterized where it touches it.
       if (!rows.row(row - TOUCH, row + 1 + TOUCH)) {
         continue;
       }

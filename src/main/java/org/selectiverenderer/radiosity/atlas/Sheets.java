@@ -5,13 +5,14 @@ import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 
 /**
- * Which triangles of a body hang together: over edges on which their windings agree, so that the
- * fronts of all of them are one side of a sheet.
+ * Finds the consistently oriented connected components of a body, called sheets: their triangles
+ * are connected by edges on which the windings agree, so that the fronts of all of them form one
+ * side of the sheet.
  */
 public final class Sheets {
   private Sheets() {}
 
-  /** The number of its sheet by triangle of a body; the first one is 0, and none is left out. */
+  /** Returns the number of the sheet of each triangle of a body; sheets are numbered from 0 on. */
   public static int[] of(LightScene scene, Body body) {
     WeldedBody welded = new WeldedBody(scene, body);
     int[] sheets = new int[body.triangles()];

@@ -1,9 +1,9 @@
 package org.selectiverenderer.radiosity.atlas;
 
 /**
- * Packs rectangles into a strip, each as low as it fits and then as far left: of what is filled
- * only the upper outline is known (bottom-left on a skyline, as in Jylänki 2010, "A Thousand Ways
- * to Pack the Bin").
+ * Packs rectangles into a strip of fixed width by the skyline bottom-left rule: each lies as low as
+ * it fits and then as far left, and only the upper outline of the filled part is kept (Jylänki
+ * 2010, "A Thousand Ways to Pack the Bin").
  */
 final class Skyline {
   private final int width;
@@ -42,7 +42,7 @@ final class Skyline {
     height = Math.max(height, y + h);
   }
 
-  /** Where the last one lies. */
+  /** Returns the left side of the last rectangle. */
   int x() {
     return x;
   }
@@ -51,12 +51,12 @@ final class Skyline {
     return y;
   }
 
-  /** How high the strip is filled. */
+  /** Returns the height up to which the strip is filled. */
   int height() {
     return height;
   }
 
-  /** Replaces the steps from {@code first} up to {@code right} by one. */
+  /** Replaces the steps of the skyline from {@code first} up to {@code right} by one step. */
   private void raise(int first, int right, int to) {
     int after = first;
     while (after < steps && end(after) <= right) {

@@ -4,14 +4,18 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The charts of all bodies as boxes of whole texels, and where they lie on their pages. A chart is
- * stretched to fill its box, so that the centres of a rectangle's texels are all inside of it.
+ * The bounding boxes of all charts in whole texels, and their positions on the pages. A chart is
+ * stretched to fill its box, so that the centres of a rectangular chart's texels are all inside of
+ * it.
  */
 final class TexelBoxes {
-  /** Texels between two charts, and between a chart and the right and upper border of a page. */
+  /**
+   * Width of the gutter: texels between two charts, and between a chart and the right and upper
+   * border of a page.
+   */
   static final int GUTTER = 2;
 
-  /** A chart this part of a texel wider than its box still fits in. */
+  /** Part of a texel by which a chart may be wider than its box and is squeezed into it. */
   private static final double SQUEEZE = 0.05;
 
   private final @Nullable BodyCharts[] bodies;
@@ -22,7 +26,7 @@ final class TexelBoxes {
   final int[] y;
 
   /**
-   * @param bodies null for those without any
+   * @param bodies the charts of each body; null for bodies without a page
    */
   TexelBoxes(@Nullable BodyCharts[] bodies) {
     this.bodies = bodies;
@@ -38,7 +42,7 @@ final class TexelBoxes {
     y = new int[count];
   }
 
-  /** The number of a body's first chart among those of all. */
+  /** Returns the number of a body's first chart among the charts of all bodies. */
   int first(int body) {
     return first[body];
   }
@@ -47,7 +51,10 @@ final class TexelBoxes {
     return first[body + 1];
   }
 
-  /** Sizes a body's boxes; returns the texels they take, with gutters. */
+  /**
+   * Sets the sizes of a body's boxes at a density, texels per metre; returns the number of texels
+   * that they take, gutters included.
+   */
   long size(int body, double density) {
     BodyCharts charts = bodies[body];
     long sum = 0;
@@ -59,12 +66,12 @@ final class TexelBoxes {
     return sum;
   }
 
-  /** Whether a body's boxes are of one texel each, as small as can be. */
+  /** Returns whether all boxes of a body have the least size, one texel. */
   boolean least(int body) {
     return longest(body) <= 1;
   }
 
-  /** The longest side of a body's boxes. */
+  /** Returns the longest side of a body's boxes, texels. */
   int longest(int body) {
     return first[body] == first[body + 1]
         ? 0
@@ -77,7 +84,7 @@ final class TexelBoxes {
     return (int) Math.max(1, Math.min(1 << 20, Math.ceil(length * density - SQUEEZE)));
   }
 
-  /** Where a chart's corner lies on its page, texels. */
+  /** Returns the x coordinate of a chart's corner on its page, texels. */
   double column(int box, BodyCharts charts, int chart, int corner) {
     float wide = charts.width()[chart];
     return x[box] + width[box] * (wide > 0 ? charts.flat()[corner] / (double) wide : 0.5);

@@ -1,13 +1,14 @@
 package org.selectiverenderer.radiosity.atlas;
 
 /**
- * One page of light: which place of which surface each of its texels shows. Rows go from the bottom
+ * One page of the atlas: the surface point that each of its texels shows. Rows go from the bottom
  * up, as texture coordinates do; texel (x, y) is number {@code y * width + x}, and its centre is at
  * s = (x + 0.5) / width, t = (y + 0.5) / height.
  *
  * <p>A texel belongs to a chart if its square touches the chart. Where the centre lies outside of
- * the chart its place is the nearest one on it, so that no place lies off the surface. No texel
- * belongs to two charts, and between charts there are texels of none: the gutters.
+ * the chart, its surface point is the closest one of the chart, so that no point lies off the
+ * surface. No texel belongs to two charts, and between charts there are texels of none: the
+ * gutters.
  *
  * @param width texels
  * @param height texels
@@ -18,7 +19,7 @@ package org.selectiverenderer.radiosity.atlas;
  *     outside
  */
 public record TexelMap(int width, int height, int[] triangle, float[] u, float[] v, int[] chart) {
-  /** No triangle, no chart. */
+  /** Marks a texel without triangle and chart. */
   public static final int NONE = -1;
 
   public int texels() {

@@ -1,8 +1,9 @@
 package org.selectiverenderer.radiosity.atlas;
 
 /**
- * Which squares of a unit grid a triangle touches, row by row: of the part of it that lies within a
- * row the squares from its leftmost to its rightmost point, and no others.
+ * Conservative scan conversion of a triangle: finds, row by row of a unit grid, the span of cells
+ * that the triangle touches, from the leftmost to the rightmost point of the part of the triangle
+ * that lies within the row.
  */
 final class TriangleRows {
   private final double[] x = new double[3];
@@ -27,7 +28,10 @@ final class TriangleRows {
     return Math.max(y[0], Math.max(y[1], y[2]));
   }
 
-  /** Looks at the part from height {@code low} to {@code high}; false if there is none. */
+  /**
+   * Clips the triangle to the row from height {@code low} to {@code high}; returns false if nothing
+   * of it lies there.
+   */
   boolean row(double low, double high) {
     from = Double.POSITIVE_INFINITY;
     to = Double.NEGATIVE_INFINITY;
@@ -42,12 +46,12 @@ final class TriangleRows {
     return from <= to;
   }
 
-  /** The leftmost point of the row. */
+  /** Returns the leftmost point of the row. */
   double from() {
     return from;
   }
 
-  /** The rightmost point of the row. */
+  /** Returns the rightmost point of the row. */
   double to() {
     return to;
   }

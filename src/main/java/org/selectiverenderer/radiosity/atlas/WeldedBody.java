@@ -7,17 +7,18 @@ import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 
 /**
- * The triangles of a body and which lie side by side. Vertices in one place are one, whatever their
- * normals. Triangles are neighbours where their edges run in opposite directions, as on the two
- * sides of an edge of a surface; where more than two meet, those that make the flattest pair.
+ * The triangles of a body with their adjacency. Vertices at the same position are welded, whatever
+ * their normals. Triangles are neighbours where their half-edges run in opposite directions, as on
+ * the two sides of an edge of an oriented surface; where more than two triangles meet at an edge,
+ * the flattest pair are neighbours.
  */
 final class WeldedBody {
   static final int NONE = -1;
 
-  /** Triangles at one edge beyond which none of them are neighbours there. */
+  /** Number of triangles at one edge beyond which none of them are neighbours there. */
   private static final int CROWD = 16;
 
-  /** A triangle this much lower than long has no direction that could be relied on. */
+  /** Height of a triangle by its longest edge below which its normal is not reliable. */
   private static final double THIN = 1e-6;
 
   private final float[] corners;
@@ -53,18 +54,18 @@ final class WeldedBody {
     return areas[triangle];
   }
 
-  /** Whether a triangle is so thin that it has no normal. */
+  /** Returns whether a triangle is so thin that it has no reliable normal. */
   boolean thin(int triangle) {
     int at = 3 * triangle;
     return normals[at] == 0 && normals[at + 1] == 0 && normals[at + 2] == 0;
   }
 
-  /** Component of a triangle's unit normal; 0 of thin ones. */
+  /** Returns a component of a triangle's unit normal; 0 for a thin triangle. */
   float normal(int triangle, int axis) {
     return normals[3 * triangle + axis];
   }
 
-  /** The cosine of the angle between two triangles; 1 where one is thin. */
+  /** Returns the cosine of the angle between the normals of two triangles; 1 if one is thin. */
   double facing(int a, int b) {
     if (thin(a) || thin(b)) {
       return 1;
@@ -76,13 +77,16 @@ final class WeldedBody {
         + (double) normals[i + 2] * normals[j + 2];
   }
 
-  /** The cosine of the angle between a triangle and a direction; 1 for a thin one. */
+  /**
+   * Returns the cosine of the angle between a triangle's normal and a direction; 1 for a thin
+   * triangle.
+   */
   double facing(int triangle, double x, double y, double z) {
     int i = 3 * triangle;
     return thin(triangle) ? 1 : normals[i] * x + normals[i + 1] * y + normals[i + 2] * z;
   }
 
-  /** The welded vertex at a corner, 0 to 2. */
+  /** Returns the welded vertex at a corner, 0 to 2. */
   int vertex(int triangle, int corner) {
     return vertices[3 * triangle + corner];
   }
@@ -91,7 +95,7 @@ final class WeldedBody {
     return corners[first + 9 * triangle + 3 * corner + axis];
   }
 
-  /** The triangle across the edge from a corner to the next, or {@link #NONE}. */
+  /** Returns the triangle across the edge from a corner to the next, or {@link #NONE}. */
   int neighbour(int triangle, int edge) {
     int half = neighbours[3 * triangle + edge];
     return half < 0 ? NONE : half / 3;
@@ -122,7 +126,7 @@ final class WeldedBody {
     }
   }
 
-  /** Finds the partner of every half edge by a table of edges. */
+  /** Finds the opposite half-edge of every half-edge by a hash table of edges. */
   private void link() {
     int halves = vertices.length;
     int[] table = new int[Integer.highestOneBit(Math.max(8, halves)) * 2];
@@ -145,7 +149,8 @@ final class WeldedBody {
     for (int half = 0; half < halves; half++) {
       neighbours[half] = flattest(half, heads[half], same);
     }
-    // Only what is mutual: of three sheets at an edge the third has no neighbour there.
+    // Neighbours must be mutual: where three sheets meet at an edge, the third has no neighbour
+    // there.
     for (int half = 0; half < halves; half++) {
       int other = neighbours[half];
       if (other >= 0 && neighbours[other] != half) {
@@ -167,7 +172,7 @@ final class WeldedBody {
       }
       if (from(other) == to(half) && other / 3 != half / 3) {
         double facing = facing(half / 3, other / 3);
-        // The list runs from the last to the first; of equals the first is taken.
+        // The list runs from the last to the first; of equally flat pairs the first is taken.
         if (facing >= flat) {
           flat = facing;
           best = other;

@@ -1,10 +1,10 @@
 /**
- * Places for light in pictures: every triangle of a scene gets a part of a picture of its own.
+ * The lightmap atlas: every triangle of a scene gets a part of a lightmap page of its own.
  *
  * <p>In: the bodies of a {@link org.selectiverenderer.radiosity.scene.LightScene}, the file that
- * each is written to, texels per metre and a budget of bytes. Surfaces are cut into charts that lie
- * flat with little stretch, charts are packed into the pages of their file, and each texel of a
- * chart knows the place of the surface that it shows. Out: {@link
+ * each is written to, texels per metre and a budget of bytes. Surfaces are cut into charts that are
+ * flattened with little stretch, charts are packed into the pages of their file, and each texel of
+ * a chart knows the surface point that it shows. Out: {@link
  * org.selectiverenderer.radiosity.atlas.Atlas}, or the one sentence why the budget cannot be kept.
  * Uses {@code radiosity.scene}, {@code radiosity.trace}, {@code geometry} and {@code
  * geometry.mesh}.
@@ -15,9 +15,9 @@
  * Density -> TexelBoxes: whole texels -> PagePlanner, Skyline: pages -> Rasterizer: TexelMap
  * </pre>
  *
- * <p>Between charts lie two texels of none, and one around each page: bilinear filtering meets
- * texels of its own chart and of the gutter beside it, also where a page repeats. Of a mipmap the
- * first smaller level is safe; further ones mix charts.
+ * <p>Between charts lie gutters of two texels, and of one around each page: bilinear filtering
+ * meets texels of its own chart and of the gutter beside it only, also where a page repeats. The
+ * first smaller level of a mipmap is safe; further levels mix charts.
  */
 @NullMarked
 package org.selectiverenderer.radiosity.atlas;

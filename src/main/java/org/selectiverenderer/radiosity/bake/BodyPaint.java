@@ -6,12 +6,12 @@ import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.runtime.instance.Surface;
 
 /**
- * What a body throws back at each of its places, as its picture has it. The image on it is either
- * part of that picture or stays a texture of its own, which the picture is multiplied with: then
- * its mean stands for it here.
+ * Computes the diffuse reflectance of a body at each surface point, as its lightmap takes it. The
+ * body's own texture is either merged into the lightmap or stays a texture that the lightmap is
+ * multiplied by; in the second case the texture's mean is used here.
  */
 final class BodyPaint {
-  /** As of all surfaces: see {@code scene.Reflectance}. */
+  /** Largest reflectance of a surface: see {@code scene.Reflectance}. */
   private static final double MOST = 0.95;
 
   private final Body body;
@@ -22,8 +22,8 @@ final class BodyPaint {
   private final double[] st = new double[2];
 
   /**
-   * @param own the image on it, or null
-   * @param mean of that image, shares of light, if it stays apart; else null
+   * @param own the body's own texture, or null
+   * @param mean mean linear colour of that texture if it stays a texture of its own; else null
    */
   BodyPaint(Body body, @Nullable OwnTexture own, double @Nullable [] mean) {
     this.body = body;
@@ -33,11 +33,11 @@ final class BodyPaint {
   }
 
   /**
-   * The share of light thrown back.
+   * Computes the reflectance at a surface point.
    *
-   * @param triangle of the body
-   * @param u weight of its second corner
-   * @param out gets r, g, b
+   * @param triangle number of the triangle in the body
+   * @param u barycentric weight of its second corner; {@code v} that of the third
+   * @param out receives r, g, b
    */
   void reflectance(int triangle, double u, double v, double[] out) {
     Surface surface = body.shape().surface();
@@ -73,7 +73,10 @@ final class BodyPaint {
     }
   }
 
-  /** Between the corners colours are interpolated as a display is given them. */
+  /**
+   * Interpolates display-encoded vertex colours between the corners and decodes the result to
+   * linear light.
+   */
   private double colour(float[] colours, int triangle, double u, double v, int c) {
     return Photometry.linear(
         (1 - u - v) * colours[4 * body.vertex(triangle, 0) + c]

@@ -3,16 +3,16 @@ package org.selectiverenderer.radiosity.bake;
 import org.selectiverenderer.runtime.instance.Texture;
 
 /**
- * An image as bright as it can be without changing what it shows but for factors of its colours: so
- * a picture of light that it is multiplied by needs to be no brighter than white.
+ * Brightens a texture as far as its 8-bit channels allow, by one factor per channel, so that the
+ * lightmap that it is multiplied by need not be brighter than white.
  */
 public final class BrightImage {
-  /** What a colour is multiplied by at most: its 256 steps become coarse. */
+  /** Largest factor of a channel: beyond it the 256 steps become coarse. */
   private static final double MOST = 4;
 
   private BrightImage() {}
 
-  /** What red, green and blue can be multiplied by, at least 1. */
+  /** Returns the factors by which red, green and blue can be multiplied, at least 1. */
   static double[] gains(Texture.Image image) {
     int[] most = new int[3];
     byte[] rgba = image.rgba();
@@ -28,7 +28,10 @@ public final class BrightImage {
     return gains;
   }
 
-  /** The pixels multiplied, rows from the top: three bytes each, or four if it has alpha. */
+  /**
+   * Returns the brightened pixels, rows from the top: three bytes each, or four if the image has
+   * alpha.
+   */
   public static byte[] pixels(Texture.Image image) {
     double[] gains = gains(image);
     int each = image.translucent() ? 4 : 3;

@@ -2,7 +2,10 @@ package org.selectiverenderer.radiosity.bake;
 
 import org.selectiverenderer.radiosity.mesh.Facets;
 
-/** Gives buried vertices the light of their neighbours, from the border of the buried inwards. */
+/**
+ * Fills buried vertices with the mean light of their neighbours, ring by ring from the border of
+ * the buried region inwards.
+ */
 final class Filling {
   private static final int ROUNDS = 200;
 

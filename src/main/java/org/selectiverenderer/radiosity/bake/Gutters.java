@@ -1,17 +1,17 @@
 package org.selectiverenderer.radiosity.bake;
 
 /**
- * Gives texels between charts the colour of the nearest texel of one, so that nothing foreign is
- * seen where a picture is drawn smaller.
+ * Dilates charts into the gutters between them: each gutter texel takes the colour of the nearest
+ * texel of a chart, so that minification filters mix in no foreign colour.
  */
 final class Gutters {
   private Gutters() {}
 
   /**
-   * Fills what belongs to nothing.
+   * Fills the texels that belong to no body.
    *
-   * @param owners per texel: a number of at least 0, or -1 for none
-   * @param colours r, g, b per texel; those of none are overwritten
+   * @param owners per texel: the number of its body, 0 or above, or -1 for none
+   * @param colours r, g, b per texel; those of gutters are overwritten
    */
   static void fill(int width, int height, int[] owners, float[] colours) {
     int[] queue = new int[owners.length];

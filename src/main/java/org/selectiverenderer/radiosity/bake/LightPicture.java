@@ -1,7 +1,7 @@
 package org.selectiverenderer.radiosity.bake;
 
 /**
- * A page as it is shown.
+ * A lightmap page as an image in display colours.
  *
  * @param rgb three bytes per pixel, rows from the top
  */

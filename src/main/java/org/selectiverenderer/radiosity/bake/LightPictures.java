@@ -11,15 +11,16 @@ import org.selectiverenderer.radiosity.atlas.TexelMap;
 import org.selectiverenderer.radiosity.scene.Body;
 
 /**
- * The pages of light as pictures: the colour of each texel is the tone curve of what its place
- * sends out, emission + reflectance * irradiance / pi. Where a surface's image stays a texture of
- * its own, the picture has that colour by the image's mean colour, as a display is given both: so
- * their product is the tone curve's colour where the image has its mean, and elsewhere as far from
- * it as the curve is from a power. Where the light makes it brighter than the image, the image gets
- * as much brighter as it can be, and the picture that much darker ({@link BrightImage}).
+ * Turns the pages of irradiance into lightmap images: the colour of each texel is the tone-mapped
+ * radiance of its surface point, emission + reflectance * irradiance / pi. Where a surface's own
+ * texture stays, the lightmap has that colour divided by the texture's mean colour, both
+ * display-encoded: so the product of texture and lightmap is the tone-mapped colour where the
+ * texture has its mean, and deviates elsewhere as far as the tone curve deviates from a power
+ * function. Where the light makes a surface brighter than its texture, the texture is brightened as
+ * far as it can be and the lightmap darkened by the same factor ({@link BrightImage}).
  */
 public final class LightPictures {
-  /** The share of a body's texels that may be too bright for its image as it is. */
+  /** Share of a body's texels that may be too bright for its texture before that is brightened. */
   private static final double TOO_BRIGHT = 0.002;
 
   private static final double LEAST_OPAQUE = 0.05;
@@ -38,12 +39,12 @@ public final class LightPictures {
     pictures = new ArrayList<>(Arrays.asList(made));
   }
 
-  /** Paints all pages; on all processors. */
+  /** Computes the images of all pages, on all processors. */
   public static LightPictures of(TexelScene lit) {
     return new LightPictures(lit);
   }
 
-  /** By the pages of the atlas. */
+  /** Returns the images in the order of the atlas's pages. */
   public List<LightPicture> pictures() {
     return pictures;
   }
@@ -52,7 +53,7 @@ public final class LightPictures {
     return use;
   }
 
-  /** Whether a body's image is to be a {@link BrightImage}. */
+  /** Returns whether a body's texture is to be replaced by its {@link BrightImage}. */
   public boolean brighter(int body) {
     return brighter.get(body);
   }
@@ -93,8 +94,8 @@ public final class LightPictures {
       }
       paint.reflectance(
           triangle - body.firstTriangle(), page.u()[texel], page.v()[texel], reflectance);
-      // What is transparent is mixed with what lies behind by its alpha: its colour is that of
-      // the opaque share alone.
+      // A transparent surface is blended with what lies behind it by its alpha, so its colour is
+      // that of the opaque share alone.
       double opaque = Math.max(LEAST_OPAQUE, 1 - body.transmittance());
       for (int c = 0; c < 3; c++) {
         double light = reflectance[c] * irradiance[3 * texel + c] / Math.PI;
@@ -118,7 +119,7 @@ public final class LightPictures {
     }
   }
 
-  /** The bodies too many of whose texels are brighter than a picture can be. */
+  /** Returns the bodies too many of whose texels are brighter than white. */
   private BitSet bright(float[] colours, int[] bodies) {
     int[] all = new int[lit.scene().bodies().size()];
     int[] over = new int[all.length];

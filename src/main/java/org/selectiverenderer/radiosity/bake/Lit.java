@@ -3,21 +3,21 @@ package org.selectiverenderer.radiosity.bake;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
 
-/** A scene with its light, wherever that is stored. */
+/** The result of lighting a scene, with light stored at vertices or at texels. */
 public sealed interface Lit permits LitScene, TexelScene {
   LightScene scene();
 
   Solution solution();
 
-  /** Makes colours of light. */
+  /** Returns the tone mapping from light to display colours. */
   ToneCurve curve();
 
-  /** Cast in all. */
+  /** Returns the number of rays cast. */
   long rays();
 
-  /** Whether nothing was cancelled. */
+  /** Returns whether the work ran to its end without being cancelled. */
   boolean complete();
 
-  /** Polygons that are written, versions included. */
+  /** Returns the number of polygons that are written, versions included. */
   int polygons();
 }

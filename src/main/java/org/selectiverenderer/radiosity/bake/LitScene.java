@@ -8,8 +8,8 @@ import org.selectiverenderer.radiosity.solve.Solution;
 /**
  * A scene with its light at the vertices.
  *
- * @param curve makes colours of it
- * @param rays cast in all
+ * @param curve the tone mapping from light to display colours
+ * @param rays number of rays cast
  */
 public record LitScene(
     LightScene scene,
@@ -31,9 +31,9 @@ public record LitScene(
   }
 
   /**
-   * The display colours of the corners of a body's facets: r, g, b, 0 .. 1, nine numbers per facet.
-   * Corners that share a vertex have one colour: reflectances that differ from facet to facet are
-   * averaged there.
+   * Returns the display colours of the corners of a body's facets: r, g, b, 0 .. 1, nine numbers
+   * per facet. Corners that share a vertex have one colour: reflectances that differ from facet to
+   * facet are averaged there.
    */
   public float[] colours(int body) {
     int first = facets.firstOfBody()[body];
@@ -50,8 +50,8 @@ public record LitScene(
             of.emission()[c]
                 + reflectance[3 * local[corner] + c] * light.irradiance()[3 * vertex + c] / Math.PI;
       }
-      // What is transparent is mixed with what lies behind by its alpha: its colour is that of
-      // the opaque share alone.
+      // A transparent surface is blended with what lies behind it by its alpha, so its colour is
+      // that of the opaque share alone.
       double opaque = Math.max(0.05, 1 - of.transmittance());
       curve.colour(
           radiance[0] / opaque, radiance[1] / opaque, radiance[2] / opaque, colours, 3 * corner);
@@ -59,7 +59,10 @@ public record LitScene(
     return colours;
   }
 
-  /** The mean reflectance at each vertex of a body; {@code local} gets their numbers by corner. */
+  /**
+   * Returns the mean reflectance at each vertex of a body; {@code local} receives the number of the
+   * vertex at each corner.
+   */
   private float[] reflectances(Body body, int first, int count, int[] local) {
     if (body.reflectance().length == 3) {
       return body.reflectance();

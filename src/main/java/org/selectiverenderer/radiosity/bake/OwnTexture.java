@@ -11,8 +11,8 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * The image that lies on a body, at its full resolution: X3D 4.0, 18.2.1 (what its colours do to
- * the material's) and 18.4.8 (coordinates turned by a TextureTransform).
+ * The author's own texture of a body at full resolution: X3D 4.0, 18.2.1 (how its colours combine
+ * with the material's) and 18.4.8 (coordinates changed by a TextureTransform).
  */
 public final class OwnTexture {
   private static final Set<String> PLAIN = Set.of("ImageTexture", "PixelTexture", "MovieTexture");
@@ -27,16 +27,16 @@ public final class OwnTexture {
     this.coordinates = coordinates;
   }
 
-  /** Whether a body has one. */
+  /** Returns whether a body has a texture and texture coordinates. */
   public static boolean on(Body body) {
     Surface surface = body.shape().surface();
     return surface.lit() && surface.texture() != null && body.mesh().texCoords() != null;
   }
 
   /**
-   * The image of a body that has one.
+   * Returns the texture of a body that has one.
    *
-   * @throws IllegalArgumentException if it has none
+   * @throws IllegalArgumentException if the body has no texture
    */
   public static OwnTexture of(Body body) {
     Texture texture = body.shape().surface().texture();
@@ -59,7 +59,10 @@ public final class OwnTexture {
     return out;
   }
 
-  /** The node of a plain image or film, which a file can have as it is; empty for any other. */
+  /**
+   * Returns the node of an ImageTexture, PixelTexture or MovieTexture, which can be copied to the
+   * lit file as it is; empty for any other texture.
+   */
   public Optional<Node> node() {
     Node appearance = body.shape().node().node("appearance");
     Node material = appearance == null ? null : appearance.node("material");
@@ -71,17 +74,17 @@ public final class OwnTexture {
     return Optional.ofNullable(used).filter(node -> PLAIN.contains(node.type().name()));
   }
 
-  /** The image itself; the same object where it is the same image. */
+  /** Returns the texture; bodies that share an image share this object. */
   public Texture texture() {
     return texture;
   }
 
-  /** Whether a file can have a brighter copy in its place: no film moves in it. */
+  /** Returns whether a brightened copy can replace the image: not for films and layered images. */
   boolean copies() {
     return texture.image().film() == null && texture.image().layers() == 1;
   }
 
-  /** Whether the image multiplies the material's colour, else it replaces it. */
+  /** Returns whether the texture multiplies the material's colour; otherwise it replaces it. */
   boolean tints() {
     return body.shape().surface().tints();
   }
@@ -94,17 +97,18 @@ public final class OwnTexture {
     return texture.image().height();
   }
 
-  /** Whether it has holes or is translucent. */
+  /** Returns whether the texture has an alpha channel that is not opaque everywhere. */
   public boolean hasAlpha() {
     return texture.image().translucent();
   }
 
   /**
-   * Texture coordinates at a place of a triangle of the body, the transform applied.
+   * Computes the texture coordinates at a point of a triangle of the body, with the
+   * TextureTransform applied.
    *
-   * @param u weight of its second corner
-   * @param v weight of its third corner
-   * @param out gets s and t
+   * @param u barycentric weight of its second corner
+   * @param v barycentric weight of its third corner
+   * @param out receives s and t
    */
   public void place(int triangle, double u, double v, double[] out) {
     double[] weights = {1 - u - v, u, v};
@@ -117,12 +121,14 @@ public final class OwnTexture {
     }
   }
 
-  /** Whether all of its coordinates lie in one line or place. */
+  /**
+   * Returns whether all texture coordinates lie on one line or point, so that they span no area.
+   */
   public boolean flat() {
     return pixels() == 0;
   }
 
-  /** How many pixels of the image lie on the body. */
+  /** Returns how many pixels of the image the body shows. */
   double pixels() {
     double sum = 0;
     for (int i = 0; i < body.triangles(); i++) {
@@ -131,7 +137,7 @@ public final class OwnTexture {
     return sum;
   }
 
-  /** How many pixels of the image lie on a triangle, repeated ones each time. */
+  /** Returns how many pixels of the image a triangle shows, repeated pixels counted each time. */
   private double pixels(int triangle) {
     double[] a = new double[2];
     double[] b = new double[2];
@@ -144,10 +150,10 @@ public final class OwnTexture {
   }
 
   /**
-   * The image's colour as a share of light, between its pixels interpolated.
+   * Samples the image bilinearly, in linear light.
    *
-   * @param st two texture coordinates
-   * @param out gets r, g, b and alpha
+   * @param st texture coordinates s and t
+   * @param out receives r, g, b and alpha
    */
   void sample(double[] st, double[] out) {
     double x = st[0] * width() - 0.5;

@@ -5,25 +5,27 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.runtime.instance.Surface;
 
 /**
- * Surfaces that shine and have an image. A Material adds highlights to one picture that it sends
- * out, {@code emissiveTexture}; X3D has no product of two there (4.0, 12.4.5). So the image must be
- * part of the picture of the light, which has to be as fine for that.
+ * Finds glossy surfaces, and how many texels a textured one needs. A Material adds specular
+ * highlights to one emitted texture, {@code emissiveTexture}; X3D has no product of two textures
+ * there (4.0, 12.4.5). So the surface's own texture must be merged into the lightmap, which then
+ * needs the texture's resolution.
  */
 public final class ShiningImages {
-  /** Of the brightest part of the specular colour. */
+  /** Least brightest channel of the specular colour of a glossy surface. */
   private static final float BRIGHT = 0.3f;
 
-  /** Of shininess: an exponent of 26, a highlight of some 20 degrees. */
+  /** Least shininess of a glossy surface: an exponent of 26, a highlight of some 20 degrees. */
   private static final float SMALL = 0.2f;
 
-  /** Not every texel beside a chart's border is on it. */
+  /** Factor of the texels for those beside a chart's border that are not on the chart. */
   private static final double ROOM = 1.1;
 
   private ShiningImages() {}
 
   /**
-   * Whether a surface shines: whether its specular colour is bright and its highlights are small
-   * enough to be seen as such. A wide, weak one is hardly told from the diffuse light beneath it.
+   * Returns whether a surface is glossy: its specular colour is bright and its highlights are small
+   * enough to be seen as such. A wide, weak highlight can hardly be told from the diffuse light
+   * beneath it.
    */
   public static boolean shines(Surface surface) {
     float[] specular = surface.specular();
@@ -31,7 +33,10 @@ public final class ShiningImages {
     return surface.lit() && most >= BRIGHT && surface.shininess() >= SMALL;
   }
 
-  /** Texels by body, from which on its image can be part of its picture; 0 for others. */
+  /**
+   * Returns by body the number of texels from which on its own texture can be merged into its
+   * lightmap; 0 for bodies that are not glossy or have no such texture.
+   */
   public static double[] texels(LightScene scene) {
     double[] texels = new double[scene.bodies().size()];
     for (int i = 0; i < texels.length; i++) {

@@ -9,11 +9,11 @@ import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.texel.LightPages;
 
 /**
- * A scene with its light in pictures.
+ * A scene with its light in lightmaps.
  *
- * @param divided facets of bodies that are written with more polygons than they have, by body
- * @param curve makes colours of the light
- * @param rays cast in all
+ * @param divided facets of the bodies that are written with more polygons than they have, by body
+ * @param curve the tone mapping from light to display colours
+ * @param rays number of rays cast
  */
 public record TexelScene(
     LightScene scene,

@@ -9,22 +9,24 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.scene.Photometry;
 
 /**
- * What becomes of the images that lie on bodies. One with about as many pixels as the light there
- * has texels becomes part of the light's picture. One with more, because it is finer or repeats,
- * and one with holes, stays a texture of its own; the light's picture is multiplied with it.
+ * Decides for each body's own texture whether it is merged into the lightmap or stays. A texture
+ * with about as many pixels as the lightmap has texels there is merged. One with more pixels,
+ * because it is finer or repeats, and one with alpha stays a texture of its own, which the lightmap
+ * is multiplied by.
  */
 public final class TextureUse {
-  /** Pixels for each texel up to which an image becomes part of the light's picture. */
+  /** Pixels per texel up to which a texture is merged into the lightmap. */
   static final double FEW = 1.5;
 
-  /** A mean darker than this is taken for this: what is black stays black by itself. */
+  /** Least mean colour, which is divided by: a black texture stays black by itself. */
   private static final double LEAST = 1e-3;
 
   /**
-   * One body's.
+   * The decision for one body.
    *
-   * @param own the image on it, or null
-   * @param mean of the image over the body, shares of light, if it stays apart; else null
+   * @param own the body's own texture, or null
+   * @param mean mean linear colour of the texture over the body if it stays a texture of its own;
+   *     else null
    */
   private record Use(@Nullable OwnTexture own, double @Nullable [] mean) {}
 
@@ -34,7 +36,7 @@ public final class TextureUse {
     this.uses = uses;
   }
 
-  /** The use of all images of a scene whose light is in these pages. */
+  /** Decides for all bodies of a scene whose light is in these pages. */
   static TextureUse of(LightScene scene, List<TexelMap> pages) {
     int bodies = scene.bodies().size();
     long[] texels = new long[bodies];
@@ -99,17 +101,17 @@ public final class TextureUse {
     return mean;
   }
 
-  /** Bodies whose image stays a texture of its own. */
+  /** Returns the number of bodies whose texture stays a texture of its own. */
   public int apart() {
     return (int) uses.stream().filter(use -> use.mean() != null).count();
   }
 
-  /** Whether a body's image stays a texture of its own. */
+  /** Returns whether a body's texture stays a texture of its own. */
   public boolean apart(int body) {
     return uses.get(body).mean() != null;
   }
 
-  /** What a brighter copy of a body's image would have; 1 where there is none. */
+  /** Returns the factors of a brightened copy of a body's texture; 1 where there is none. */
   double[] gains(int body) {
     OwnTexture own = uses.get(body).own();
     return own == null || !apart(body) || !own.copies()
@@ -121,7 +123,10 @@ public final class TextureUse {
     return new BodyPaint(body, uses.get(number).own(), uses.get(number).mean());
   }
 
-  /** What a body's picture is divided by, as a display is given it: 1 unless its image is apart. */
+  /**
+   * Returns the display colour that a body's lightmap is divided by: the mean of its texture if
+   * that stays a texture of its own, else 1.
+   */
   double[] shown(int body) {
     double[] mean = uses.get(body).mean();
     return mean == null

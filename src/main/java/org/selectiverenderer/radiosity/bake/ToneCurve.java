@@ -5,32 +5,38 @@ import org.selectiverenderer.radiosity.scene.Photometry;
 import org.selectiverenderer.radiosity.solve.Solution;
 
 /**
- * From light to what a display shows: partial adaptation to the colour of the scene's light (von
- * Kries, on linear red, green and blue), then the global operator of Reinhard et al. 2002
- * (equations 1, 2 and 4) on luminance, colours kept, then the display's encoding (sRGB). The
- * log-average of the lit surfaces becomes {@link #KEY}; {@link #BURN} and more is white.
+ * Tone mapping from radiance to display colours: partial chromatic adaptation to the colour of the
+ * scene's light (von Kries, on linear red, green and blue), then the global operator of Reinhard et
+ * al. 2002 (equations 1, 2 and 4) on luminance with hues kept, then the display's encoding (sRGB).
+ * The log-average luminance of the lit surfaces becomes {@link #KEY}; {@link #BURN} and more is
+ * white.
  *
- * @param scale of luminance before the curve
- * @param red what red light is multiplied by; the light of average colour keeps its luminance
+ * @param scale factor of luminance before the curve
+ * @param red adaptation factor of red light, and so {@code green} and {@code blue}; light of the
+ *     average colour keeps its luminance
  */
 public record ToneCurve(double scale, double red, double green, double blue) {
-  /** Middle of the picture before the curve: that of a bright room. */
+  /** The key value: scaled log-average luminance, that of a bright room. */
   static final double KEY = 0.62;
 
-  /** What becomes white, in units of the scaled luminance. */
+  /** The white point: the scaled luminance that becomes white. */
   static final double BURN = 5;
 
-  /** How far eyes adapt to coloured light in a room that they look into from a display. */
+  /** Degree of chromatic adaptation, 0 none to 1 full, for a room seen on a display. */
   private static final double ADAPTATION = 0.6;
 
-  /** What a colour's share is multiplied by at most, or divided. */
+  /** Largest adaptation factor of a channel; its inverse is the least one. */
   private static final double MOST_GAIN = 2;
 
-  /** Surfaces darker than this share of the brightest are not seen: outsides of walls. */
+  /**
+   * Surfaces darker than this share of the brightest, such as outsides of walls, do not count in
+   * the average.
+   */
   private static final double UNSEEN = 1e-3;
 
   /**
-   * @param stops brighter or darker than the automatic exposure
+   * @param stops exposure compensation: stops brighter (above 0) or darker than the automatic
+   *     exposure
    */
   public static ToneCurve of(LightScene scene, Solution solution, double stops) {
     var patches = solution.patches();
@@ -58,7 +64,9 @@ public record ToneCurve(double scale, double red, double green, double blue) {
     return new ToneCurve(KEY / average * StrictMath.pow(2, stops), gain[0], gain[1], gain[2]);
   }
 
-  /** Adds the colour of the light that falls on a patch, of luminance 1. */
+  /**
+   * Adds the colour of the light that arrives at a patch, scaled to luminance 1, times the area.
+   */
   private static void addColour(Solution solution, int patch, double area, double[] sum) {
     double[] arriving = new double[3];
     for (int c = 0; c < 3; c++) {
@@ -89,17 +97,20 @@ public record ToneCurve(double scale, double red, double green, double blue) {
     return Photometry.luminance(all[3 * patch], all[3 * patch + 1], all[3 * patch + 2]);
   }
 
-  /** The share of white, before the display's encoding, of a luminance. */
+  /**
+   * Returns the tone-mapped value of a luminance as a share of white, before the display's
+   * encoding.
+   */
   public double share(double luminance) {
     double x = luminance * scale;
     return x * (1 + x / (BURN * BURN)) / (1 + x);
   }
 
   /**
-   * The colour that a display is given.
+   * Computes the display colour of a radiance.
    *
-   * @param red radiance, cd/m2
-   * @param out gets r, g, b, 0 .. 1
+   * @param red radiance, cd/m2, and so {@code green} and {@code blue}
+   * @param out receives r, g, b, 0 .. 1
    */
   public void colour(double red, double green, double blue, float[] out, int at) {
     double r = this.red * red;
@@ -109,7 +120,8 @@ public record ToneCurve(double scale, double red, double green, double blue) {
     double share = share(luminance);
     double gain = luminance > 0 ? share / luminance : 0;
     double most = Math.max(r, Math.max(g, b)) * gain;
-    // What is too bright in one colour turns whiter instead of changing its hue.
+    // A colour with a channel above 1 is desaturated instead of clipped, which would change its
+    // hue.
     double grey = most > 1 && most > share ? Math.max(0, (1 - share) / (most - share)) : 1;
     double white = Math.min(1, share);
     out[at] = (float) Photometry.display(white + grey * (r * gain - share));

@@ -12,24 +12,25 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Gathers light at vertices. A vertex stands for the facets around it: rays start all over them,
- * densest at the vertex, so its value is the mean that interpolation between vertices needs, and a
- * vertex in a corner or inside of a wall gets what its surroundings see. All vertices use the same
- * points and directions: what error is left changes slowly along a surface instead of speckling it.
+ * Gathers irradiance at vertices. A vertex stands for the facets around it: rays start all over
+ * them, densest at the vertex, so its value is the mean that interpolation between vertices needs,
+ * and a vertex in a corner or inside of a wall gets the light of its surroundings. All vertices use
+ * the same sample points and directions, so that the remaining error changes slowly along a surface
+ * instead of speckling it.
  *
- * <p>Several rays leave from each start. Starts inside of a solid, which see surfaces from behind,
- * do not count, nor do starts that furniture covers closely: nobody sees them, and interpolation
- * would carry their darkness to where it is seen. A vertex without any other start takes the light
- * of its neighbours.
+ * <p>Several rays leave each start point. Start points inside of a solid, whose rays meet surfaces
+ * from behind, do not count, nor do start points that furniture covers closely: nobody sees them,
+ * and interpolation would carry their darkness to visible places. A vertex without any other start
+ * point takes the light of its neighbours.
  */
 public final class VertexGatherer {
-  /** Vertices that are begun together: few, so that after Ctrl-C none is waited for long. */
+  /** Number of vertices in a parallel task: few, so that cancelling does not wait long. */
   private static final int CHUNK = 32;
 
-  /** Facets looked at around one vertex. */
+  /** Largest number of facets sampled around one vertex. */
   private static final int MOST_FACETS = 16;
 
-  /** Places around a vertex from which rays leave. */
+  /** Number of start points of rays around a vertex. */
   private static final int STARTS = 16;
 
   private final LightScene scene;
@@ -42,19 +43,20 @@ public final class VertexGatherer {
   private final Samples dividedSamples;
 
   /**
-   * How much is done for a vertex.
+   * The sampling effort for a vertex.
    *
-   * @param rays for a vertex of an object
-   * @param dividedRays for a vertex of a divided surface, where errors show as blotches
-   * @param lampEvery of so many rays one is accompanied by shadow rays to the lamps
-   * @param regather whether indirect light comes by rays, or from the patches
+   * @param rays number of rays for a vertex of an object
+   * @param dividedRays number of rays for a vertex of a divided surface, where errors show as
+   *     blotches
+   * @param lampEvery one in this many rays is accompanied by shadow rays to the lamps
+   * @param regather whether indirect light is gathered by rays, or taken from the patches
    */
   public record Effort(int rays, int dividedRays, int lampEvery, boolean regather, int seed) {}
 
   /**
-   * What all vertices share.
+   * The point sets that all vertices share.
    *
-   * @param perStart rays from one start
+   * @param perStart number of rays from one start point
    */
   record Samples(
       Directions directions,
@@ -79,7 +81,7 @@ public final class VertexGatherer {
   }
 
   /**
-   * @param sides of what has two, which is lit
+   * @param sides which side of two-sided surfaces is lit
    */
   public VertexGatherer(
       LightScene scene, Solution solution, SeenSides sides, Facets facets, Effort effort) {
@@ -93,7 +95,10 @@ public final class VertexGatherer {
     this.dividedSamples = Samples.of(effort.dividedRays(), effort);
   }
 
-  /** Gathers; if cancelled meanwhile, takes the solution's patches instead of rays. */
+  /**
+   * Gathers the irradiance at all vertices. If the work is cancelled, the irradiance of the
+   * solution's patches is taken instead.
+   */
   public VertexLight gather(WorkProgress progress, WorkProgress.Stage stage) {
     float[] irradiance = new float[3 * facets.vertices()];
     boolean[] valid = new boolean[facets.vertices()];
@@ -127,9 +132,10 @@ public final class VertexGatherer {
   }
 
   /**
-   * A piece of a divided surface that is covered everywhere has no neighbours to take light from:
-   * it keeps the little that it has. So does one with two sides whose lit side is buried: it has
-   * the light of the other. Returns the rays cast.
+   * Gathers at the vertices that are still without light: a part of a divided surface that is
+   * covered everywhere has no neighbours to take light from and keeps the little light that it has;
+   * a two-sided surface whose lit side is buried takes the light of its other side. Returns the
+   * number of rays cast.
    */
   private long rest(float[] irradiance, boolean[] valid) {
     VertexSampler sampler = sampler(dividedSamples);
@@ -152,7 +158,7 @@ public final class VertexGatherer {
     return first < corners.corners().length && divided.get(corners.corners()[first] / 3);
   }
 
-  /** Whether some facet around a vertex is seen from both sides. */
+  /** Returns whether some facet around a vertex is two-sided. */
   private boolean hasTwoSides(int vertex) {
     for (int i = corners.first()[vertex]; i < corners.first()[vertex + 1]; i++) {
       int facet = corners.corners()[i] / 3;
@@ -163,7 +169,9 @@ public final class VertexGatherer {
     return false;
   }
 
-  /** The mean over the facets around a vertex by their areas. */
+  /**
+   * Computes the area-weighted mean over the facets around a vertex; returns whether it is valid.
+   */
   private boolean around(
       int vertex, VertexSampler sampler, float[] irradiance, boolean patchesOnly) {
     int first = corners.first()[vertex];

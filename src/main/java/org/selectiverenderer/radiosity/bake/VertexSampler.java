@@ -11,23 +11,28 @@ import org.selectiverenderer.radiosity.texel.SeenSides;
 import org.selectiverenderer.radiosity.trace.Ray;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
-/** Samples the light around one vertex after the other; one per thread. */
+/** Samples the irradiance on the facets around one vertex after the other. One per thread. */
 final class VertexSampler {
   /**
-   * Of a divided surface, a place counts as covered when so many of its rays end so near, as a
-   * share of the extent, at something else: it is behind a picture, under a carpet.
+   * A start point of a divided surface is covered when at least this share of its rays ends at
+   * another body within {@link #NEAR} of the scene's extent, as behind a picture or under a carpet.
    */
   private static final double COVERED = 0.6;
 
   private static final double NEAR = 1.0 / 150;
 
-  /** How far starts spread from the vertex towards the other corners. */
+  /**
+   * How far start points spread from the vertex towards the other corners, as a share of the way.
+   */
   private static final double SPREAD = 0.6;
 
-  /** With a smaller share of starts outside of solids a vertex counts as buried. */
+  /** Least share of start points outside of solids; a vertex with a smaller share is buried. */
   private static final double BURIED = 0.08;
 
-  /** Facets around a vertex that need half of the rays, as a share of the extent's square. */
+  /**
+   * Area of the facets around a vertex up to which half of the rays are enough, as a share of the
+   * square of the scene's extent.
+   */
   private static final double SMALL = 2e-6;
 
   private final LightScene scene;
@@ -47,18 +52,18 @@ final class VertexSampler {
   private final double[] others = new double[3];
   private final double[] seen = new double[3];
 
-  // Sums of light by area, and of areas: those lit and all.
+  // Sum of light times area, of the areas with valid samples, and of all areas.
   private final double[] sum = new double[3];
   private double weight;
   private double wanted;
 
   private boolean everythingCounts;
 
-  /** Lamps that shine on some facet at the vertex, by bits. */
+  /** Bit i: whether lamp i shines on some facet at the vertex. */
   private long known;
 
   /**
-   * @param divided facets of surfaces that were divided
+   * @param divided the facets of divided surfaces
    */
   VertexSampler(
       LightScene scene,
@@ -82,13 +87,14 @@ final class VertexSampler {
   }
 
   /**
-   * From now on covered places count, too, and the other side where that which counts is buried.
+   * Makes covered start points count from now on, too, and the other side where the lit side is
+   * buried.
    */
   void countEverything() {
     everythingCounts = true;
   }
 
-  /** Rays for a vertex at most. */
+  /** Returns the largest number of rays for a vertex. */
   int most() {
     return samples.rays();
   }
@@ -100,12 +106,14 @@ final class VertexSampler {
     known = 0;
   }
 
-  /** Whether facets around a vertex are so small that light hardly changes over them. */
+  /**
+   * Returns whether the facets around a vertex are so small that light hardly changes over them.
+   */
   boolean small(int corner, int count) {
     return plane(corner / 3) * count < SMALL * scene.extent() * scene.extent();
   }
 
-  /** Adds samples of a facet near one of its corners, on the side that counts. */
+  /** Adds samples of a facet near one of its corners, on its lit side. */
   void sample(int corner, int from, int to) {
     int facet = corner / 3;
     double area = plane(facet);
@@ -121,7 +129,7 @@ final class VertexSampler {
     }
   }
 
-  /** Adds samples of one side; false if nearly all of it is buried. */
+  /** Adds samples of one side; returns false if nearly all of it is buried. */
   private boolean side(int corner, double area, int from, int to, boolean behind) {
     int facet = corner / 3;
     int version = triangles.version()[facets.source()[facet]];
@@ -175,8 +183,8 @@ final class VertexSampler {
   }
 
   /**
-   * The lamps that may shine on a corner: those that the patch there sees, and those of which one
-   * more try from the vertex sees a place.
+   * Finds the lamps that may shine on a corner: those that the patch there sees, and those of which
+   * one more shadow ray from the vertex reaches a point. Returns them as bits.
    */
   private long lampsNear(int corner, int i, int version, boolean behind) {
     place(corner, 0.5f, 0.5f);
@@ -195,8 +203,9 @@ final class VertexSampler {
   }
 
   /**
-   * Follows the rays of one start and adds what they see; nothing and false if the start lies
-   * inside of something, as one ray is enough to tell, or is covered.
+   * Casts the rays of one start point and adds the radiance that they meet. Returns false, and adds
+   * nothing, if the start point lies inside of a solid, which one ray is enough to tell, or is
+   * covered.
    */
   private boolean indirect(int begin, int end, int facet, int version) {
     Arrays.fill(seen, 0);
@@ -231,7 +240,7 @@ final class VertexSampler {
     return true;
   }
 
-  /** Adds the light of the patch in the middle of a facet, without any ray. */
+  /** Adds the light of the patch in the middle of a facet, without casting rays. */
   void patches(int corner) {
     int facet = corner / 3;
     double area = plane(facet);
@@ -254,7 +263,7 @@ final class VertexSampler {
     }
   }
 
-  /** The patch at the last place on a facet; adds its values. */
+  /** Returns the patch at the last sample point of a facet and adds its values. */
   private int patch(int facet, boolean behind, float[] values, double[] sum) {
     int source = facets.source()[facet];
     SceneTriangles.weights(triangles.corners(), source, place, direction);
@@ -265,7 +274,7 @@ final class VertexSampler {
     return patch;
   }
 
-  /** Writes the mean of what was added; false if the vertex is buried. */
+  /** Writes the mean of the added samples; returns false if the vertex is buried. */
   boolean end(float[] out, int at) {
     if (!(weight > BURIED * wanted)) {
       return false;
@@ -276,7 +285,7 @@ final class VertexSampler {
     return true;
   }
 
-  /** Normal of a facet; returns its area. */
+  /** Computes the normal of a facet; returns its area. */
   private double plane(int facet) {
     float[] c = facets.corners();
     int at = 9 * facet;
@@ -295,11 +304,12 @@ final class VertexSampler {
     return length / 2;
   }
 
-  /** A place on a facet, the likelier the nearer to the corner. */
+  /** Chooses a sample point on a facet, with a density that grows towards the corner. */
   private void place(int corner, double s, double t) {
     int facet = 9 * (corner / 3);
     int k = corner % 3;
-    // Of the density 1 - r of distances from the corner this is the inverse, nearly.
+    // Approximately the inverse of the cumulative distribution of the density 1 - r, where r is the
+    // distance from the corner.
     double r = SPREAD * s * (0.5 + 0.5 * s);
     int a = facet + 3 * k;
     int b = facet + 3 * ((k + 1) % 3);

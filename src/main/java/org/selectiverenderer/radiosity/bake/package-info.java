@@ -1,9 +1,10 @@
 /**
- * Light at the vertices, and how light becomes colours there and in pictures.
+ * Baking: irradiance at the vertices, and tone mapping of light to vertex colours and lightmap
+ * images.
  *
  * <p>In: facets and the solution on patches. Out: irradiance per vertex, and display colours by a
- * tone curve. In: pages of light at texels and what lies on the surfaces. Out: pictures. Uses
- * {@code radiosity.atlas}, {@code radiosity.mesh}, {@code radiosity.sampling}, {@code
+ * tone mapping. In: pages of irradiance at texels and the textures of the surfaces. Out: lightmap
+ * images. Uses {@code radiosity.atlas}, {@code radiosity.mesh}, {@code radiosity.sampling}, {@code
  * radiosity.scene}, {@code radiosity.solve}, {@code radiosity.texel}, {@code radiosity.trace},
  * {@code radiosity.work}, {@code runtime} and {@code geometry}.
  */

@@ -1,11 +1,11 @@
 package org.selectiverenderer.radiosity.light;
 
-/** How light grows weaker with the distance. */
+/** The attenuation of a light source's intensity with distance. */
 public sealed interface Falloff {
-  /** The share of the intensity that arrives, per unit. */
+  /** Returns the factor of the intensity at a distance in metres. */
   double at(double distance);
 
-  /** The inverse square law; within a centimetre nothing grows any more. */
+  /** The inverse square law, constant within a centimetre. */
   record Square() implements Falloff {
     private static final double NEAREST = 1e-4;
 
@@ -15,7 +15,9 @@ public sealed interface Falloff {
     }
   }
 
-  /** 1 / max(c + l d + q d2, 1) up to a radius (X3D 4.0, 17.2.1.3), as X3D lights are drawn. */
+  /**
+   * The attenuation of X3D lights: 1 / max(c + l d + q d2, 1) up to a radius (X3D 4.0, 17.2.1.3).
+   */
   record Attenuation(double constant, double linear, double quadratic, double radius)
       implements Falloff {
     @Override

@@ -3,9 +3,12 @@ package org.selectiverenderer.radiosity.light;
 import java.util.Arrays;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
-/** A glowing surface: triangles of one luminance. */
+/** An emissive surface as an area light source: triangles of one luminance. */
 public final class GlowLamp implements Lamp {
-  /** Triangles up to which each is summed in closed form; above, so many places are taken. */
+  /**
+   * Number of triangles up to which each is integrated in closed form; above it, {@link #PLACES}
+   * sample points are taken.
+   */
   private static final int MOST_EXACT = 12;
 
   private static final int PLACES = 48;
@@ -16,13 +19,13 @@ public final class GlowLamp implements Lamp {
   private final float[] luminance;
   private final double area;
 
-  // The box around it.
+  // The bounding box.
   private final double[] low = new double[3];
   private final double[] high = new double[3];
 
   /**
-   * @param first of its consecutive triangles
-   * @param luminance r, g, b, cd/m2
+   * @param first the first of its consecutive triangles
+   * @param luminance r, g, b of the surface, cd/m2
    */
   public GlowLamp(SceneTriangles triangles, int first, int count, float[] luminance) {
     this.triangles = triangles;
@@ -44,7 +47,7 @@ public final class GlowLamp implements Lamp {
     }
   }
 
-  /** Square metres. */
+  /** Returns the area, square metres. */
   public double area() {
     return area;
   }
@@ -108,7 +111,9 @@ public final class GlowLamp implements Lamp {
     return sum;
   }
 
-  /** The mean over fixed places: the same error at neighbouring points. */
+  /**
+   * Returns the mean over fixed sample points, so that neighbouring receivers have the same error.
+   */
   private double sampled(double[] point, double[] normal) {
     LampSample sample = new LampSample();
     double[] one = new double[3];

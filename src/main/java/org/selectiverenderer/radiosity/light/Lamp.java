@@ -1,40 +1,43 @@
 package org.selectiverenderer.radiosity.light;
 
-/** A light whose places are sampled one by one. Immutable; for several threads. */
+/** A light source that is sampled point by point. Immutable; for several threads. */
 public sealed interface Lamp permits PointLamp, SunLamp, RectangleLamp, GlowLamp {
 
   /**
-   * The light from a place of the lamp to a point.
+   * Samples the light from a point of the lamp to a receiver.
    *
-   * @param point x, y, z, metres
-   * @param s from 0 to 1, with {@code t} the place on the lamp
-   * @param sample gets direction, distance and the irradiance at right angles if the whole lamp
-   *     were at that place; black where none arrives
+   * @param point the receiver: x, y, z, metres
+   * @param s from 0 to 1; with {@code t} it chooses the point on the lamp
+   * @param sample receives direction, distance and the irradiance at normal incidence as if the
+   *     whole lamp were at that point; black where no light arrives
    */
   void sample(double[] point, double s, double t, LampSample sample);
 
   /**
-   * The irradiance from the whole lamp on a surface if nothing is in its way, lx: a closed form
-   * where there is one.
+   * Computes the unshadowed irradiance from the whole lamp on a surface, lx, in closed form where
+   * there is one.
    *
-   * @param point x, y, z, metres
-   * @param normal unit normal of the surface
-   * @param out gets r, g, b
+   * @param point the receiver: x, y, z, metres
+   * @param normal unit normal of the receiving surface
+   * @param out receives r, g, b
    */
   void unshadowed(double[] point, double[] normal, double[] out);
 
   /**
-   * Metres: of what is nearer, single places are no fair sample, as their light changes too much
-   * from one to the next; {@link #unshadowed} is right there, too. 0 where that is no better.
+   * Returns the distance, metres, within which single sample points of the lamp are too noisy,
+   * since their light varies too much, and {@link #unshadowed} is to be used instead; 0 where that
+   * is no better.
    */
   double near();
 
-  /** No farther than it is from a point, metres; infinite for the sun. */
+  /**
+   * Returns a lower bound of the distance from a point to the lamp, metres; infinite for the sun.
+   */
   double away(double[] point);
 
-  /** Whether it is a point or infinitely far, so that its shadows have hard edges. */
+  /** Returns whether the lamp is a point or infinitely far, so that its shadows have hard edges. */
   boolean hard();
 
-  /** What it emits, lm; for what is infinitely far away the lux that arrive. */
+  /** Returns the luminous flux, lm; for a lamp infinitely far away the illuminance, lx. */
   double lumens();
 }

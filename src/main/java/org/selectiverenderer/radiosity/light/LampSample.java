@@ -1,17 +1,20 @@
 package org.selectiverenderer.radiosity.light;
 
-/** A place of a lamp as seen from a point; used again and again by one thread. */
+/**
+ * A sample of a lamp from a receiver's point: direction, distance and irradiance. Reused; one per
+ * thread.
+ */
 public final class LampSample {
-  /** Unit vector from the point to the lamp. */
+  /** Unit vector from the receiver to the lamp. */
   public final double[] towards = new double[3];
 
-  /** How far the place is; infinite for the sun. */
+  /** Distance to the sampled point, metres; infinite for the sun. */
   public double distance;
 
-  /** Irradiance r, g, b on a surface at right angles to the light, lx. */
+  /** Irradiance r, g, b at normal incidence, lx. */
   public final double[] light = new double[3];
 
-  /** For lamps that need it to find a place. */
+  /** Working storage for lamps that are sampled by solid angle. */
   final SphericalRectangle rectangle = new SphericalRectangle();
 
   void black() {
@@ -34,7 +37,7 @@ public final class LampSample {
     return square;
   }
 
-  /** The irradiance on a surface with a unit normal, r, g, b; none from behind. */
+  /** Computes the irradiance r, g, b on a surface with a unit normal; 0 from behind. */
   public void onto(double[] normal, double[] out) {
     double cosine =
         Math.max(0, towards[0] * normal[0] + towards[1] * normal[1] + towards[2] * normal[2]);

@@ -1,13 +1,13 @@
 package org.selectiverenderer.radiosity.light;
 
 /**
- * A point or spot light.
+ * A point or spot light source.
  *
- * @param place x, y, z
- * @param candela r, g, b in the middle of the beam
- * @param axis unit vector in which a spot shines
- * @param beamCosine of the angle up to which it shines in full; -1 for all around
- * @param cutOffCosine of the angle from which it is dark; -2 for all around
+ * @param place position x, y, z, metres
+ * @param candela intensity r, g, b on the axis of the beam, cd
+ * @param axis unit vector along the beam of a spot light
+ * @param beamCosine cosine of the angle up to which the intensity is full; -1 for a point light
+ * @param cutOffCosine cosine of the angle from which on the intensity is 0; -2 for a point light
  */
 public record PointLamp(
     double[] place,
@@ -26,7 +26,7 @@ public record PointLamp(
     double cosine = -(to[0] * axis[0] + to[1] * axis[1] + to[2] * axis[2]);
     double beam = cosine >= beamCosine ? 1 : 0;
     if (beam == 0 && cosine > cutOffCosine) {
-      // Linear in the cosine: X3D 4.0, 17.4.3 asks for linear in the angle, a hair's breadth away.
+      // Linear in the cosine; X3D 4.0, 17.4.3 asks for linear in the angle, which differs little.
       beam = (cosine - cutOffCosine) / (beamCosine - cutOffCosine);
     }
     sample.shine(candela, beam * falloff.at(sample.distance));

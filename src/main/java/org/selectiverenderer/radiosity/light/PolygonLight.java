@@ -1,21 +1,21 @@
 package org.selectiverenderer.radiosity.light;
 
 /**
- * Irradiance from a flat polygon of one luminance, in closed form: half of the luminance times the
- * sum over its edges of the angle that they subtend, turned towards the normal (Lambert 1760; Baum,
- * Rushmeier and Winget 1989, equation 11). What lies below the receiver's horizon is cut off. One
- * per thread and call.
+ * Computes the irradiance from a flat polygon of one luminance in closed form: half of the
+ * luminance times the sum over its edges of the angle that each subtends, projected on the normal
+ * (Lambert 1760; Baum, Rushmeier and Winget 1989, equation 11). The polygon is clipped at the
+ * receiver's horizon. One per thread and call.
  */
 final class PolygonLight {
   private final double[] above = new double[3 * 8];
   private int count;
 
   /**
-   * The irradiance per luminance.
+   * Returns the irradiance per luminance.
    *
    * @param corners x, y, z of three or four points, in either order
-   * @param point the receiver
-   * @param normal its unit normal
+   * @param point the receiver's position
+   * @param normal the receiver's unit normal
    */
   double perLuminance(double[] corners, int points, double[] point, double[] normal) {
     clip(corners, points, point, normal);
@@ -37,7 +37,7 @@ final class PolygonLight {
     return Math.abs(sum) / 2;
   }
 
-  /** Keeps what lies above the horizon, relative to the point. */
+  /** Keeps the part of the polygon above the horizon, in coordinates relative to the point. */
   private void clip(double[] corners, int points, double[] point, double[] normal) {
     count = 0;
     for (int i = 0; i < points; i++) {

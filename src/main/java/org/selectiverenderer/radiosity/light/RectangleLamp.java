@@ -1,14 +1,14 @@
 package org.selectiverenderer.radiosity.light;
 
 /**
- * A bright rectangle that shines to one side, such as a window or a ceiling lamp. Diffuse: seen
- * from everywhere it has the same luminance.
+ * A diffuse rectangular area light source that shines to one side, such as a window or a ceiling
+ * lamp: it has the same luminance from every direction.
  *
- * @param centre x, y, z
- * @param half half of its width as a vector
- * @param up half of its height as a vector
- * @param axis unit vector in which it shines
- * @param luminance r, g, b, cd/m2
+ * @param centre x, y, z, metres
+ * @param half vector from the centre to the right edge
+ * @param up vector from the centre to the upper edge
+ * @param axis unit normal of the side that shines
+ * @param luminance r, g, b of the rectangle, cd/m2
  */
 public record RectangleLamp(
     double[] centre,
@@ -20,7 +20,10 @@ public record RectangleLamp(
     double lumens)
     implements Lamp {
 
-  /** Nearer than this, in its sides, places are spread over the solid angle, not over the area. */
+  /**
+   * Distance, in units of the side of a square of its area, up to which sample points are uniform
+   * over the solid angle instead of over the area.
+   */
   private static final double NEAR = 2;
 
   @Override

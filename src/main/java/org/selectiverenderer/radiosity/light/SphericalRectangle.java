@@ -1,12 +1,12 @@
 package org.selectiverenderer.radiosity.light;
 
 /**
- * Places of a rectangle that are spread evenly over the solid angle in which it is seen (Urena,
- * Fajardo and King 2013, "An Area-Preserving Parametrization for Spherical Rectangles"): however
- * near it is, no place counts more than another. One per thread.
+ * Samples points of a rectangle uniformly over the solid angle that it subtends (Urena, Fajardo and
+ * King 2013, "An Area-Preserving Parametrization for Spherical Rectangles"), so that all points
+ * have the same weight however near the rectangle is. One per thread.
  */
 final class SphericalRectangle {
-  // The rectangle in a frame with the point as origin and sides along x and y; z is below 0.
+  // The rectangle in a frame with the receiver as origin and sides along x and y; z is below 0.
   private double x0;
   private double x1;
   private double y0;
@@ -17,17 +17,18 @@ final class SphericalRectangle {
   private double turn;
   private double solidAngle;
 
-  /** Along the width and the height from the corner of the rectangle's lowest x and y, metres. */
+  /** The sampled point: metres along the width and the height from the corner of lowest x and y. */
   double across;
 
   double along;
 
   /**
-   * Looks at a rectangle.
+   * Sets the rectangle.
    *
-   * @param left from the point's foot on its plane to its edges along its width, metres
-   * @param bottom likewise along its height
-   * @param height of the point above its plane; above 0
+   * @param left signed distance along its width from the receiver's projection on its plane to its
+   *     left edge, metres, and so {@code right}
+   * @param bottom the same along its height, and so {@code top}
+   * @param height of the receiver above its plane, metres; above 0
    * @return the solid angle, steradian
    */
   double look(double left, double right, double bottom, double top, double height) {
@@ -40,7 +41,7 @@ final class SphericalRectangle {
     double highY = Math.sqrt(z * z + y1 * y1);
     double lowX = Math.sqrt(z * z + x0 * x0);
     double highX = Math.sqrt(z * z + x1 * x1);
-    // The angles at its corners, on the sphere.
+    // The interior angles of the spherical rectangle.
     double a = angle(y0 * x1 / (lowY * highX));
     double b = angle(-x1 * y1 / (highX * highY));
     double c = angle(y1 * x0 / (highY * lowX));
@@ -57,9 +58,9 @@ final class SphericalRectangle {
   }
 
   /**
-   * Goes to a place of the rectangle looked at.
+   * Samples a point of the rectangle.
    *
-   * @param s from 0 to 1, with {@code t} where in the solid angle
+   * @param s from 0 to 1; with {@code t} it chooses the direction in the solid angle
    */
   void place(double s, double t) {
     double at = s * solidAngle + turn;

@@ -1,10 +1,10 @@
 package org.selectiverenderer.radiosity.light;
 
 /**
- * A directional light.
+ * A directional light source.
  *
- * @param towards unit vector from the scene to it
- * @param lux r, g, b at right angles
+ * @param towards unit vector from the scene to the light source
+ * @param lux illuminance r, g, b at normal incidence
  */
 public record SunLamp(double[] towards, float[] lux, double lumens) implements Lamp {
 

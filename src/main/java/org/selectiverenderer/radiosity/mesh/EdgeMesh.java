@@ -9,31 +9,32 @@ import java.util.TreeSet;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
- * Facets of several bodies that are divided together: where two share an edge, both are divided
- * there, so that there are no T-junctions. Points count as one by their place.
+ * A conforming triangle mesh over the facets of several bodies: where facets share an edge, all of
+ * them are divided there, so that there are no T-junctions. Corners at the same position are one
+ * point.
  *
- * <p>A facet is divided by halving the longest edge that can be reached from its own over
- * neighbours with ever longer ones (Rivara 1997), which keeps angles from growing sharp.
+ * <p>A facet is refined by longest-edge bisection: the edge that is halved is the end of the path
+ * over neighbours with ever longer longest edges (Rivara 1997), which bounds the smallest angle.
  */
 final class EdgeMesh {
-  /** Two points, the smaller first. */
+  /** An edge between two points, the smaller number first. */
   record Edge(int a, int b) {
     static Edge of(int a, int b) {
       return a < b ? new Edge(a, b) : new Edge(b, a);
     }
   }
 
-  /** A live facet with its points. */
+  /** A facet of the mesh with its points. */
   static final class Tile {
     final int body;
     final Facet facet;
     final int[] points;
     final int number;
 
-    /** The number of the added facet that this one is a part of. */
+    /** The number of the facet, as it was added, that this one is a part of. */
     final int root;
 
-    /** Unit normal, and twice the area. */
+    /** The unit normal, and twice the area. */
     final double[] plane;
 
     Tile(int body, Facet facet, int[] points, int number, int root) {
@@ -53,7 +54,7 @@ final class EdgeMesh {
       return plane;
     }
 
-    /** Whether another facet faces the same way. */
+    /** Returns whether another facet's plane has nearly the same normal. */
     boolean alike(double[] other) {
       return plane[0] * other[0] + plane[1] * other[1] + plane[2] * other[2] > 0.999;
     }
@@ -63,10 +64,16 @@ final class EdgeMesh {
     }
   }
 
-  /** Facets lower than this over an edge would become lines; a share of the scene's extent. */
+  /**
+   * Least height of a facet over an edge that is divided, as a share of the scene's extent: lower
+   * ones would become lines.
+   */
   private static final double HEIGHT = 2.5e-5;
 
-  /** Facets with less area than this count as none; a share of the extent's square. */
+  /**
+   * Facets with less area than this are degenerate and do not count; a share of the extent's
+   * square.
+   */
   private static final double FLAT = 3e-10;
 
   private final double height;
@@ -81,7 +88,7 @@ final class EdgeMesh {
   private int count;
 
   /**
-   * @param extent of the scene
+   * @param extent largest extent of the scene, metres
    */
   EdgeMesh(double extent) {
     this(HEIGHT * extent, FLAT * extent * extent);
@@ -92,7 +99,7 @@ final class EdgeMesh {
     this.flat = flat;
   }
 
-  /** A mesh of the same scene without facets. */
+  /** Returns a mesh of the same scene without facets. */
   EdgeMesh empty() {
     return new EdgeMesh(height, flat);
   }
@@ -127,14 +134,12 @@ final class EdgeMesh {
         });
   }
 
-  /**
-   * Whether a facet has no area that a file would show: others' corners have left nothing of it.
-   */
+  /** Returns whether a facet is degenerate: so thin that a file would show no area. */
   boolean flat(Tile tile) {
     return tile.plane[3] < flat;
   }
 
-  /** The facets with an area: what a browser draws. */
+  /** Returns the number of facets that are not degenerate, as a browser draws them. */
   int count() {
     return count;
   }
@@ -155,7 +160,7 @@ final class EdgeMesh {
     return places.get(point);
   }
 
-  /** What is known of the light at a point. */
+  /** Returns the light at a point, as a share of display white. */
   double value(int point) {
     return values.get(point);
   }
@@ -184,7 +189,7 @@ final class EdgeMesh {
     return best;
   }
 
-  /** A strict order, so that no path runs in circles. */
+  /** A strict total order, so that the longest-edge path ends. */
   private boolean longer(Edge edge, Edge other) {
     int order = Double.compare(length(edge), length(other));
     if (order == 0) {
@@ -193,7 +198,10 @@ final class EdgeMesh {
     return order == 0 ? edge.b() > other.b() : order > 0;
   }
 
-  /** The edge to halve so that in the end this facet can be halved at its longest edge. */
+  /**
+   * Returns the terminal edge of a facet's longest-edge path, which has to be halved before the
+   * facet can be halved at its own longest edge.
+   */
   Edge terminal(Tile tile) {
     Edge edge = longest(tile);
     boolean moved = true;
@@ -211,7 +219,7 @@ final class EdgeMesh {
     return edge;
   }
 
-  /** Whether all facets at an edge stand high enough over it to be divided there. */
+  /** Returns whether all facets at an edge are high enough over it to be divided there. */
   boolean sound(Edge edge) {
     double least = height * length(edge);
     for (Tile tile : byEdge.get(edge)) {
@@ -222,12 +230,12 @@ final class EdgeMesh {
     return true;
   }
 
-  /** How many facets more there are after an edge is divided. */
+  /** Returns the number of facets that dividing an edge adds. */
   int cost(Edge edge) {
     return byEdge.get(edge).size();
   }
 
-  /** The longest edge whose division costs so many facets, shorter ones excluded. */
+  /** Returns the longest edge whose division adds exactly this number of facets. */
   Optional<Edge> longestOfCost(int cost) {
     Edge best = null;
     for (Map.Entry<Edge, List<Tile>> entry : byEdge.entrySet()) {
@@ -243,12 +251,12 @@ final class EdgeMesh {
     return new ArrayList<>(byEdge.keySet());
   }
 
-  /** The facets at an edge. */
+  /** Returns the facets at an edge. */
   List<Tile> at(Edge edge) {
     return byEdge.getOrDefault(edge, List.of());
   }
 
-  /** Divides an edge in its middle. */
+  /** Divides an edge at its midpoint; returns the new facets. */
   List<Tile> halve(Edge edge) {
     float[] a = places.get(edge.a());
     float[] b = places.get(edge.b());
@@ -257,9 +265,9 @@ final class EdgeMesh {
   }
 
   /**
-   * Divides an edge at a place on it.
+   * Divides an edge at a point on it.
    *
-   * @param share of the way from its first point
+   * @param share position of the point on the edge, 0 at its first point to 1 at its second
    * @return the new facets
    */
   List<Tile> divide(Edge edge, float[] place, float share) {
@@ -296,7 +304,7 @@ final class EdgeMesh {
     }
   }
 
-  /** The facet with one corner moved to a place between its corners i and j. */
+  /** Returns the facet with one corner moved to a point between its corners i and j. */
   private static Facet part(Facet facet, int moved, int i, int j, float share, float[] place) {
     float[] corners = facet.corners().clone();
     float[] local = facet.local().clone();

@@ -5,14 +5,15 @@ import org.selectiverenderer.radiosity.scene.Body;
 /**
  * A triangle that carries light, a whole triangle of the scene or a part of one.
  *
- * @param source the triangle of the scene
- * @param corners x, y, z of three corners in the world
- * @param local x, y, z of the corners in the shape's own coordinates
- * @param normals x, y, z at the corners: corners with one place and one normal share their light
+ * @param source number of the triangle in the scene
+ * @param corners x, y, z of the three corners in world coordinates, metres
+ * @param local x, y, z of the corners in the shape's local coordinates
+ * @param normals x, y, z at the corners: corners with the same position and normal share their
+ *     light
  */
 public record Facet(int source, float[] corners, float[] local, float[] normals) {
 
-  /** The facet of a whole triangle of a body. */
+  /** Returns the facet of a whole triangle of a body. */
   static Facet of(Body body, int triangle) {
     float[] corners = new float[9];
     float[] local = new float[9];

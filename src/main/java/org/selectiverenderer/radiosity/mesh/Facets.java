@@ -10,15 +10,15 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.trace.Versions;
 
 /**
- * All facets and the vertices at which light is stored. Facets of a body are consecutive. What has
- * no versions shares vertices across bodies, so that light goes on over the joints of a floor.
- * Immutable once built.
+ * The mesh on which light is stored at vertices: all facets and the vertices that they share.
+ * Facets of a body are consecutive. Bodies without versions share vertices with each other, so that
+ * light is continuous over the joints of a floor. Immutable once built.
  *
- * @param corners nine numbers per facet: x, y, z of its corners in the world
- * @param vertexOf three vertices per facet
- * @param source triangle of the scene per facet
- * @param firstOfBody first facet of each body, and at the end the number of facets
- * @param vertices their number
+ * @param corners nine numbers per facet: x, y, z of its corners in world coordinates, metres
+ * @param vertexOf the vertices of each facet, three numbers per facet
+ * @param source the scene's triangle of each facet
+ * @param firstOfBody the first facet of each body, and at the end the number of facets
+ * @param vertices number of vertices
  * @param divided facets of subdivided bodies, by body
  */
 public record Facets(
@@ -29,7 +29,10 @@ public record Facets(
     int vertices,
     Map<Integer, List<Facet>> divided) {
 
-  /** A place and a normal, rounded, so that what differs by rounding only is one. */
+  /**
+   * Key of a vertex: its position and normal, rounded, so that vertices which differ by rounding
+   * only are one.
+   */
   private record Weld(long place, int normal) {}
 
   public int count() {
@@ -90,7 +93,9 @@ public record Facets(
       at++;
     }
 
-    /** The vertices of a body's mesh are its own: no other version may share them. */
+    /**
+     * Adds a body that shares no vertices with other bodies, since no other version may share them.
+     */
     void own(Body body) {
       int[] ids = new int[body.mesh().vertexCount()];
       Arrays.fill(ids, -1);
@@ -109,7 +114,10 @@ public record Facets(
     }
   }
 
-  /** Rounded to a 50th of a millimetre; 21 bits an axis repeat after 42 m, far from touching. */
+  /**
+   * Returns a hash key of a position, rounded to a 50th of a millimetre; 21 bits an axis repeat
+   * after 42 m, too far apart to be neighbours.
+   */
   static long place(float[] xyz, int at) {
     long key = 0;
     for (int axis = 0; axis < 3; axis++) {
@@ -126,7 +134,7 @@ public record Facets(
     return key;
   }
 
-  /** The facets at every vertex: three times a facet plus the corner, vertex after vertex. */
+  /** Returns the facet corners at each vertex. */
   public Corners cornersByVertex() {
     int[] first = new int[vertices + 1];
     for (int vertex : vertexOf) {
@@ -143,7 +151,7 @@ public record Facets(
     return new Corners(first, all);
   }
 
-  /** The facets of bodies that were divided. */
+  /** Returns the facets of bodies that were divided. */
   public BitSet ofDividedBodies() {
     BitSet all = new BitSet(count());
     for (int body : divided.keySet()) {
@@ -153,8 +161,8 @@ public record Facets(
   }
 
   /**
-   * @param first per vertex: where its corners begin; one more at the end
-   * @param corners three times a facet plus the corner
+   * @param first per vertex: the index of its first corner; one more entry at the end
+   * @param corners facet corners, each three times the facet plus the corner, vertex after vertex
    */
   public record Corners(int[] first, int[] corners) {}
 }

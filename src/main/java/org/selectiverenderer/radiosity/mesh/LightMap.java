@@ -5,17 +5,18 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What is known of the light on the surfaces of a region from a fine mesh: shares of white at the
- * middles of its facets, by the facets that they are parts of, and at its corners.
+ * Reference light of a region, sampled on a fine mesh, against which the interpolation error of a
+ * coarser mesh is measured: shares of display white at the centroids of the fine facets, grouped by
+ * the coarse facet that they are parts of, and at their corners.
  */
 final class LightMap {
-  /** A corner of facets that face one way. */
+  /** Key of a corner shared by facets of one plane. */
   private record Spot(long place, long plane) {}
 
   /**
-   * The light at one place.
+   * The light at one sample point.
    *
-   * @param area that it stands for, square metres, times what it counts
+   * @param area the area that the sample stands for, square metres, times its weight
    */
   record Sample(double x, double y, double z, double value, double area) {}
 
@@ -27,7 +28,7 @@ final class LightMap {
   private final Map<Spot, Double> corners = new HashMap<>();
 
   /**
-   * @param values of the three corners
+   * @param values shares of white at the three corners, from {@code at} on
    */
   void add(EdgeMesh.Tile tile, double[] values, int at) {
     float[] c = tile.facet.corners();
@@ -46,18 +47,21 @@ final class LightMap {
     }
   }
 
-  /** What faces up carries the shadows of what stands on it; few look at a ceiling. */
+  /**
+   * Returns the weight of a facet: surfaces that face up carry the shadows of the things that stand
+   * on them, and few people look at a ceiling.
+   */
   private static double weight(EdgeMesh.Tile tile) {
     double up = tile.plane[1];
     return up > LEVEL ? UP : up < -LEVEL ? DOWN : 1;
   }
 
-  /** All that is known inside of a facet as it was before any division. */
+  /** Returns the samples inside of a facet as it was before any division. */
   List<Sample> of(int root) {
     return samples.getOrDefault(root, List.of());
   }
 
-  /** The light at a corner, or what is given if it is not known. */
+  /** Returns the light at a corner, or {@code otherwise} if it is not known. */
   double corner(EdgeMesh.Tile tile, int corner, double otherwise) {
     return corners.getOrDefault(spot(tile, corner), otherwise);
   }

@@ -10,18 +10,18 @@ import java.util.PriorityQueue;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
- * Spends facets where colours interpolated between corners are farthest from the light: the facet
- * with the largest error is divided next. The error is that of shares of white as displayed,
- * squared, over the facet's area, from the samples of a {@link LightMap}, times the facet's size:
- * fans of light over a wall are seen before those along a window's frame.
+ * Error-driven refinement: the facet with the largest interpolation error is divided next. The
+ * error is the squared difference between interpolated corner colours and the samples of a {@link
+ * LightMap}, in shares of display white, integrated over the facet's area, times the facet's size,
+ * since artefacts over a wall are more visible than those along a window's frame.
  */
 final class Refinement {
-  /** With an error below this nothing is gained by division. */
+  /** Error below which nothing is gained by division. */
   private static final double NONE = 1e-12;
 
   /**
-   * @param error sum of squares by area, times size
-   * @param worst difference of shares of white
+   * @param error area-weighted sum of squared differences, times the facet's size
+   * @param worst largest difference, as a share of white
    */
   private record Wish(EdgeMesh.Tile tile, double error, double worst) {}
 
@@ -34,7 +34,7 @@ final class Refinement {
               .thenComparingInt(wish -> wish.tile().number));
 
   /**
-   * @param roots the number that each facet has in the map, by its number in the mesh
+   * @param roots the number of each facet in the map, by its number in the mesh
    */
   Refinement(EdgeMesh mesh, LightMap map, Map<Integer, Integer> roots) {
     this.mesh = mesh;
@@ -46,11 +46,14 @@ final class Refinement {
   }
 
   /**
-   * Divides until there are so many facets.
+   * Divides facets until their number is reached or none is worth it.
    *
-   * @param shortest facets without a longer edge are left alone, metres, as are those that have no
-   *     more area than half a square with this diagonal: strips need no finer light than planes
-   * @param threshold facets that are nowhere farther from the light are left alone
+   * @param polygons the number of facets to reach
+   * @param shortest facets without an edge longer than this, metres, are not divided, nor are those
+   *     with no more area than half a square with this diagonal: strips need no finer light than
+   *     planes
+   * @param threshold facets whose largest difference does not exceed this share of white are not
+   *     divided
    */
   void divide(int polygons, double shortest, double threshold) {
     while (!queue.isEmpty() && mesh.count() < polygons) {
@@ -68,7 +71,7 @@ final class Refinement {
       }
       halve(edge);
       if (mesh.alive(wish.tile())) {
-        queue.add(wish); // Only a neighbour was divided so far.
+        queue.add(wish); // Only a neighbour has been divided so far.
       }
     }
   }
@@ -122,7 +125,7 @@ final class Refinement {
     return Math.min(weights[0], Math.min(weights[1], weights[2]));
   }
 
-  /** The weights of a facet's corners at a place in its plane. */
+  /** Computes the barycentric weights of a facet's corners at a point in its plane. */
   private static void weights(EdgeMesh.Tile tile, LightMap.Sample at, double[] out) {
     float[] c = tile.facet.corners();
     for (int i = 0; i < 3; i++) {

@@ -11,14 +11,14 @@ import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 
 /**
- * Divides the surfaces of a region adaptively: first down to the maximum mesh size, then where
+ * Adaptive subdivision of the surfaces of a region: first down to the maximum mesh size, then where
  * light changes most, to an exact number of facets (thesis 5.2.1, Figs 60 and 61).
  */
 public final class Subdivision {
-  /** Of the facets to be added, the share that may go into reaching the maximum mesh size. */
+  /** Share of the facets to be added that may go into reaching the maximum mesh size. */
   private static final double FOR_SIZE = 0.3;
 
-  /** What is shown darker than this share of white is not divided. */
+  /** Surfaces displayed darker than this share of white are not divided. */
   private static final double DARK = 0.02;
 
   private final EdgeMesh mesh;
@@ -27,12 +27,12 @@ public final class Subdivision {
   private final double maxMesh;
   private final List<Integer> bodies;
 
-  /** In a copy: its facets' numbers by those of what was copied. */
+  /** In a copy: the number of each facet by that of the facet that it copies. */
   private final Map<Integer, Integer> origins = new HashMap<>();
 
   /**
-   * @param bodies of the region, by their numbers in the scene
-   * @param polygons to come to
+   * @param bodies numbers of the region's bodies in the scene
+   * @param polygons the number of facets to reach
    */
   public Subdivision(
       LightScene scene, List<Integer> bodies, int polygons, double minMesh, double maxMesh) {
@@ -54,7 +54,7 @@ public final class Subdivision {
     this.maxMesh = maxMesh;
   }
 
-  /** The same facets, to be divided on their own, to another number. */
+  /** Returns a copy that is divided independently, up to another number of facets. */
   public Subdivision copy(int limit) {
     Subdivision copy = new Subdivision(mesh.empty(), bodies, limit, minMesh, maxMesh);
     for (EdgeMesh.Tile tile : mesh.tiles()) {
@@ -67,17 +67,23 @@ public final class Subdivision {
     return copy;
   }
 
-  /** Facets now. */
+  /** Returns the present number of facets. */
   public int count() {
     return mesh.count();
   }
 
-  /** Divides edges on which corners of others lie, as far as the number of polygons allows. */
+  /**
+   * Removes T-junctions: divides edges on which corners of other facets lie, as far as the number
+   * of polygons allows.
+   */
   public void join() {
     joinTJunctions(polygons);
   }
 
-  /** Divides down to the maximum size, but for what lies in the dark such as outsides of walls. */
+  /**
+   * Divides lit facets down to the maximum mesh size; dark ones, such as outsides of walls, are
+   * left.
+   */
   public void toSize() {
     int limit = count() + (int) (FOR_SIZE * (polygons - count()));
     divide(limit, edge -> lit(edge) && mesh.length(edge) > maxMesh ? mesh.length(edge) : -1);
@@ -88,19 +94,19 @@ public final class Subdivision {
   }
 
   /**
-   * Divides what is lit down to twice the minimum size, or as far as the number allows: so fine
-   * that errors of a coarser mesh can be measured on it.
+   * Divides lit facets down to twice the minimum mesh size, or as far as the number allows, so that
+   * the errors of a coarser mesh can be measured on the result.
    */
   public void toFinest() {
     divide(polygons, edge -> lit(edge) && mesh.length(edge) > 2 * minMesh ? mesh.length(edge) : -1);
   }
 
   /**
-   * Divides where interpolation between corners is farthest from the light.
+   * Divides where the interpolation error is largest.
    *
-   * @param finer a finer division of this one's {@link #copy}
-   * @param light on it, by body and facet, three shares of white each
-   * @param threshold of the error in shares of white; smaller ones are left
+   * @param finer a finer division of a {@link #copy} of this one
+   * @param light the light on the finer division, by body and facet, three shares of white each
+   * @param threshold error, as a share of white, up to which a facet is not divided
    */
   public void toLight(Subdivision finer, Map<Integer, double[]> light, double threshold) {
     new Refinement(mesh, finer.map(light), finer.origins).divide(polygons, 2 * minMesh, threshold);
@@ -124,9 +130,9 @@ public final class Subdivision {
   }
 
   /**
-   * Comes to the exact number, longest edges first.
+   * Divides to the exact number of facets, longest edges first.
    *
-   * @return whether it does: a closed surface has an even number
+   * @return whether the number is reached: a closed surface has an even number of facets
    */
   public boolean toNumber() {
     while (count() < polygons) {
@@ -175,7 +181,7 @@ public final class Subdivision {
     }
   }
 
-  /** Divides edges at points of other facets that lie on them. */
+  /** Divides edges at corners of other facets that lie on them. */
   private void joinTJunctions(int limit) {
     boolean again = true;
     while (again) {
@@ -204,7 +210,7 @@ public final class Subdivision {
 
   private static final double CELL = 0.25;
 
-  /** A corner of a facet. */
+  /** A corner of a facet and the facet's plane. */
   private record Spot(int point, double[] plane) {}
 
   private Map<Long, List<Spot>> cells() {
@@ -227,7 +233,10 @@ public final class Subdivision {
     return i << 42 | j << 21 | k;
   }
 
-  /** A point on an edge, corner of a facet in the plane of one at the edge, or -1. */
+  /**
+   * Returns a point that lies on an edge and is a corner of a facet in the plane of a facet at the
+   * edge, or -1.
+   */
   private int on(EdgeMesh.Edge edge, Map<Long, List<Spot>> cells) {
     float[] a = mesh.place(edge.a());
     float[] b = mesh.place(edge.b());
@@ -252,7 +261,9 @@ public final class Subdivision {
     return -1;
   }
 
-  /** Whether a point is a corner of a facet at the edge: a facet without area must not be cut. */
+  /**
+   * Returns whether a point is a corner of a facet at the edge: a degenerate facet must not be cut.
+   */
   private boolean touches(EdgeMesh.Edge edge, int point) {
     for (EdgeMesh.Tile tile : mesh.at(edge)) {
       for (int corner : tile.points) {
@@ -282,7 +293,7 @@ public final class Subdivision {
     return sum;
   }
 
-  /** The facets by body. */
+  /** Returns the facets by body, degenerate ones left out. */
   public Map<Integer, List<Facet>> facets() {
     Map<Integer, List<Facet>> all = new HashMap<>();
     bodies.forEach(body -> all.put(body, new ArrayList<>()));
@@ -295,9 +306,9 @@ public final class Subdivision {
   }
 
   /**
-   * Takes what is known of the light: the value of a point is the mean over its vertices.
+   * Sets the light at the points: the value of a point is the mean over the facet corners there.
    *
-   * @param light by body and facet in the order of {@link #facets}, three values each
+   * @param light by body and facet in the order of {@link #facets}, three shares of white each
    */
   public void light(Map<Integer, double[]> light) {
     double[] sums = new double[mesh.pointCount()];

@@ -1,6 +1,6 @@
 /**
- * The surfaces that carry the light: facets and the vertices that they share, and their adaptive
- * subdivision (thesis Figs 60 and 61).
+ * The mesh that carries light at its vertices: facets, the vertices that they share, and their
+ * adaptive subdivision (thesis Figs 60 and 61).
  *
  * <p>In: the bodies of a scene and light at vertices. Out: {@link
  * org.selectiverenderer.radiosity.mesh.Facets}. Uses {@code radiosity.scene}, {@code

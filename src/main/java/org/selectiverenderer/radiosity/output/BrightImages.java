@@ -18,8 +18,9 @@ import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * Brighter copies of images beside the files that show them, one of each in a folder. Their names
- * begin with that of the lit file, so that no image of the author's is overwritten.
+ * The files of brightened texture copies beside the lit files that show them, one copy of each
+ * image in a folder. Their names begin with that of the lit file, so that no image of the author's
+ * is overwritten.
  */
 final class BrightImages {
   private static final String BRIGHT = "-bright";
@@ -27,13 +28,13 @@ final class BrightImages {
   private final Map<Path, Map<Texture.Image, Path>> known = new HashMap<>();
   private final Map<Path, Texture.Image> images = new LinkedHashMap<>();
 
-  /** Names in small letters: some systems do not tell them from capitals. */
+  /** Used file names in lower case, since some file systems ignore case. */
   private final Set<String> taken = new HashSet<>();
 
   /**
-   * Appends the texture of a body with a brighter copy of its image, and what else its node says.
-   * The node's name stays with the image itself, which another shape of the file may show: what
-   * leads to that name must not change this copy.
+   * Appends the texture node of a body with a brightened copy of its image and the node's other
+   * fields. The DEF name stays with the original texture, which another shape of the file may show:
+   * routes to that name must not change this copy.
    */
   void append(LitFile into, OwnTexture own) {
     Texture.Image image = own.texture().image();

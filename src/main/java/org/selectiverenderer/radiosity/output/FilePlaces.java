@@ -9,11 +9,11 @@ import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.nodes.group.InlineNode;
 
 /**
- * The files that bodies are written to: one for each place of an Inline that holds some, and the
- * scene's own, by numbers in the order of their first bodies.
+ * Numbers the files that bodies are written to: one for each instance of an Inline that holds
+ * bodies, and the scene's own, in the order of their first bodies.
  */
 final class FilePlaces {
-  /** What has no number: no body is in that file itself. */
+  /** The number of a file without bodies of its own. */
   static final int NONE = -1;
 
   private final int[] ofBody;
@@ -28,7 +28,7 @@ final class FilePlaces {
     }
   }
 
-  /** The files of a scene's bodies. */
+  /** Numbers the files of a scene's bodies. */
   static FilePlaces of(LightScene scene) {
     return new FilePlaces(scene);
   }
@@ -50,7 +50,7 @@ final class FilePlaces {
     return known;
   }
 
-  /** The number of the file of each body. */
+  /** Returns the number of the file of each body. */
   int[] ofBodies() {
     return ofBody.clone();
   }
@@ -60,9 +60,9 @@ final class FilePlaces {
   }
 
   /**
-   * The number of the file of a place of an Inline, or of the scene's own.
+   * Returns the number of the file of an Inline's instance, or of the scene's own file.
    *
-   * @param inline null for the scene
+   * @param inline the Inline's instance; null for the scene
    */
   int at(@Nullable GroupInstance inline) {
     return inline == null ? scene : inlines.getOrDefault(inline, NONE);

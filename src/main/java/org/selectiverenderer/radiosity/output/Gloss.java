@@ -11,8 +11,8 @@ import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * The bodies that shine and whose colours are all in one picture: the Materials that add highlights
- * to it.
+ * The glossy bodies whose colours are all in one lightmap, and the X3D Materials that add specular
+ * highlights to it.
  */
 final class Gloss {
   private static final int DECIMALS = 3;
@@ -23,12 +23,15 @@ final class Gloss {
     this.bodies = bodies;
   }
 
-  /** Nothing shines. */
+  /** Returns the set without glossy bodies. */
   static Gloss none() {
     return new Gloss(new BitSet());
   }
 
-  /** Beside an image that stays apart there can be none: see {@link ShiningImages}. */
+  /**
+   * Returns the glossy bodies of a scene; a body whose own texture stays cannot be one: see {@link
+   * ShiningImages}.
+   */
   static Gloss of(LightScene scene, TextureUse use) {
     BitSet bodies = new BitSet();
     for (int i = 0; i < scene.bodies().size(); i++) {
@@ -45,7 +48,7 @@ final class Gloss {
     return bodies.cardinality();
   }
 
-  /** Begins the Material of a body that shines. */
+  /** Opens the Material of a glossy body. */
   static void open(X3dWriter out, Body body) {
     Surface surface = body.shape().surface();
     float[] s = surface.specular();
@@ -66,7 +69,7 @@ final class Gloss {
     }
   }
 
-  /** What tells two such Materials apart. */
+  /** Returns a key that differs for different Materials. */
   static String fields(Body body) {
     Surface surface = body.shape().surface();
     return Arrays.toString(surface.specular()) + surface.shininess();

@@ -16,24 +16,24 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.x3d.files.FilesNamed;
 
 /**
- * The files that a scene is made of: none of its lit copy may take their place, and no picture
- * either.
+ * Guards the files that a scene is read from: neither the lit copy nor one of its images nor the
+ * preview may overwrite them.
  */
 public final class InputsKept {
-  /** What follows the name of a lit file in those of its pictures. */
+  /** The part of an image's file name that follows the name of its lit file. */
   private static final Pattern PICTURE =
       Pattern.compile("-(.*-)?(light|bright)(-\\d+)?\\.png", Pattern.DOTALL);
 
   private final Path scene;
   private final Set<Path> read = new LinkedHashSet<>();
 
-  /** What its Inlines' lit copies are called, in small letters and without ending. */
+  /** The file names of the lit copies of Inlines, in lower case and without extension. */
   private final Set<String> copies = new HashSet<>();
 
   /**
    * @param scene the file of the scene itself
-   * @param tree of that scene
-   * @param named by that scene: what it inlines, shows and plays
+   * @param tree the scene's instance tree
+   * @param named the files that the scene names: those that it inlines, shows and plays
    */
   public InputsKept(Path scene, InstanceTree tree, FilesNamed named) {
     this.scene = scene;
@@ -57,33 +57,33 @@ public final class InputsKept {
   }
 
   /**
-   * To be asked before the long work.
+   * Checks the output files; to be called before the long computation.
    *
-   * @param output the file of the lit scene
-   * @param folder for what it inlines
-   * @param preview a picture of the work, or null
-   * @throws IOException with one line, if one of these would be written over
+   * @param output the file for the lit scene
+   * @param folder the folder for the files that the lit scene inlines
+   * @param preview the preview image, or null
+   * @throws IOException if an input file would be overwritten; the message is one line
    */
   public void stay(Path output, Path folder, @Nullable Path preview) throws IOException {
     for (Path file : read) {
       if (preview != null && same(file, preview)) {
         throw new IOException(
-            "%s: would be written over by the preview, and the scene is made of it; name another file"
+            "%s: the scene is made of this file, and the preview would overwrite it; name another"
                     .formatted(shown(file))
-                + " (--preview)");
+                + " file with --preview");
       }
       if (same(file, output)
           || picture(file, output.toAbsolutePath().getParent(), LitFiles.stem(name(output)))
           || copied(file, folder)) {
         throw new IOException(
-            "%s: would be written over, and the scene is made of it; name another file (--output) or"
+            "%s: the scene is made of this file, and the lit scene would overwrite it; name another"
                     .formatted(shown(file))
-                + " folder (--inline-dir) for the lit scene");
+                + " file with --output or another folder with --inline-dir");
       }
     }
   }
 
-  /** Whether the lit copy of an Inline, or one of its pictures, may be called so. */
+  /** Returns whether the lit copy of an Inline, or one of its images, may have this file's name. */
   private boolean copied(Path file, Path folder) throws IOException {
     for (String stem : copies) {
       if (name(file).equals(stem + ".x3d") && same(file.toAbsolutePath().getParent(), folder)
@@ -95,9 +95,10 @@ public final class InputsKept {
   }
 
   /**
-   * Whether a picture of a lit file may be called so: they begin with its name.
+   * Returns whether an image of a lit file may have this file's name; such names begin with that of
+   * the lit file.
    *
-   * @param stem of the lit file, in small letters
+   * @param stem file name of the lit file without extension, in lower case
    */
   private static boolean picture(Path file, @Nullable Path folder, String stem) throws IOException {
     String name = name(file);
@@ -107,7 +108,7 @@ public final class InputsKept {
         && same(file.toAbsolutePath().getParent(), folder);
   }
 
-  /** As the user named it, where he did. */
+  /** Returns the path as the user gave it, if the file is the scene itself. */
   private Path shown(Path file) throws IOException {
     return same(file, scene) ? scene : file;
   }

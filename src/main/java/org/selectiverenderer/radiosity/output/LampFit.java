@@ -19,19 +19,20 @@ import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * Lights that stay on for highlights, as bright as the tone curve shows what they light. X3D adds
- * highlights to display colours, so a light gets as its intensity the display colour of a white
- * surface that it lights at a distance of {@value #NEAR} m. In display colours the light of a lamp
- * falls off about with its distance (the square by the display's exponent), and so it does here. No
- * light has ambient light. A rectangle becomes a spot that shines to its front.
+ * Writes the lights that stay on for specular highlights, as bright as the tone mapping shows the
+ * surfaces that they light. X3D adds highlights to display colours, so a light gets as its
+ * intensity the display colour of a white surface that it lights at a distance of {@value #NEAR} m.
+ * In display colours the light of a lamp falls approximately with its distance (the square, by the
+ * display's exponent), and so it does here. No light has ambient intensity. A rectangle becomes a
+ * spot light that shines to its front.
  */
 public final class LampFit {
-  /** Metres. */
+  /** Distance at which the intensity is fitted, metres. */
   private static final double NEAR = 2;
 
   private static final int DECIMALS = 3;
 
-  /** Fields that are written anew. */
+  /** Fields that get new values. */
   private static final Set<String> FITTED =
       Set.of("on", "intensity", "ambientIntensity", "attenuation", "beamWidth");
 
@@ -40,8 +41,8 @@ public final class LampFit {
   private final double unit;
 
   /**
-   * @param photometric whether lights fall off with the square of the distance; if not, they are
-   *     left as they are
+   * @param photometric whether lights fall with the square of the distance; if not, they are
+   *     written as they are
    * @param unit metres per unit of length
    */
   public LampFit(ToneCurve curve, boolean photometric, double unit) {
@@ -90,7 +91,7 @@ public final class LampFit {
     return Math.min(1, Photometry.display(curve.share(lux(lamp) / Math.PI)));
   }
 
-  /** What arrives in the middle of the beam at that distance. */
+  /** Returns the illuminance on the axis of the beam at that distance, lx. */
   private static double lux(Lamp lamp) {
     double square = NEAR * NEAR;
     if (lamp instanceof SunLamp sun) {

@@ -8,11 +8,11 @@ import org.selectiverenderer.x3d.write.NodeText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * A file that is being written.
+ * A lit X3D file that is being written.
  *
- * @param file where it will lie
- * @param place its number in {@link FilePlaces}
- * @param prefix of names that nothing else in it has
+ * @param file path of the file
+ * @param place number of the file in {@link FilePlaces}
+ * @param prefix a prefix of DEF names that no node of the scene has
  */
 record LitFile(X3dWriter out, NodeText nodes, Path file, int place, String prefix)
     implements NodeText.UrlRule {
@@ -24,7 +24,7 @@ record LitFile(X3dWriter out, NodeText nodes, Path file, int place, String prefi
     return Objects.requireNonNull(file.toAbsolutePath().getParent());
   }
 
-  /** Its name without the ending. */
+  /** Returns the file's name without extension. */
   String stem() {
     return String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
   }

@@ -8,7 +8,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 
-/** The files of a lit scene and their names: one for every place of every Inline. */
+/**
+ * The texts of a lit scene's files by their paths, with unique names: one file for every instance
+ * of every Inline.
+ */
 final class LitFiles {
   private final Path scene;
   private final Path folder;
@@ -16,12 +19,14 @@ final class LitFiles {
 
   private final Map<String, Integer> numbers = new HashMap<>();
 
-  /** Without endings, names in small letters: some systems do not tell them from capitals. */
+  /**
+   * Used paths without extension, with names in lower case, since some file systems ignore case.
+   */
   private final Set<Path> taken = new HashSet<>();
 
   /**
    * @param scene the file of the scene itself
-   * @param folder for what it inlines
+   * @param folder the folder for the files that the scene inlines
    */
   LitFiles(Path scene, Path folder) {
     this.scene = scene;
@@ -34,7 +39,10 @@ final class LitFiles {
     return scene;
   }
 
-  /** A new file for a place of an Inline: named as the one inlined, numbered from the second. */
+  /**
+   * Returns a new file for an instance of an Inline: named as the file inlined, with a number from
+   * the second instance on.
+   */
   Path next(String inlined) {
     String name =
         inlined.substring(Math.max(inlined.lastIndexOf('/'), inlined.lastIndexOf('\\')) + 1);

@@ -5,16 +5,16 @@ import java.util.Map;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 
-/** What becomes of lit shapes and of lights where a lit scene is written. */
+/** The format in which a lit scene stores its light: how lit shapes and lights are written. */
 public interface LitForm {
-  /** The files that lit shapes are written to. */
+  /** Returns the numbers of the files that lit shapes are written to. */
   FilePlaces places();
 
   /**
-   * The version of X3D that a file needs.
+   * Returns the version of X3D that a file needs.
    *
-   * @param place its number
-   * @param version that it had
+   * @param place number of the file
+   * @param version the version of the original file
    */
   String version(int place, String version);
 
@@ -24,6 +24,6 @@ public interface LitForm {
   /** Appends a light that has not been written yet. */
   void light(LitFile into, LightInstance light, String container);
 
-  /** The pictures by file, once all shapes are written. */
+  /** Returns the images by file, once all shapes are written. */
   Map<Path, byte[]> pictures();
 }

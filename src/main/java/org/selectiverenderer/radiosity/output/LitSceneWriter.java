@@ -21,9 +21,9 @@ import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * Writes a lit scene. Groups, sensors, metadata, names and routes stay; a shape or Inline that is
- * USEd in several places has a copy in each, and only the first keeps the names, since light
- * differs from place to place. The same scene gives the same bytes.
+ * Writes a lit scene. Groups, sensors, metadata, DEF names and routes stay; a shape or Inline that
+ * is USEd several times is copied for each use, and only the first copy keeps the DEF names, since
+ * light differs from place to place. The same scene gives the same bytes.
  */
 public final class LitSceneWriter {
   private final LitForm form;
@@ -32,10 +32,10 @@ public final class LitSceneWriter {
   private final Map<ShapeInstance, Integer> bodies = new IdentityHashMap<>();
 
   /**
-   * @param form of its lit shapes and its lights
-   * @param file of the scene
-   * @param folder for what it inlines
-   * @param problems hears what could not be kept
+   * @param form the format of lit shapes and lights
+   * @param file the file for the lit scene
+   * @param folder the folder for the files that it inlines
+   * @param problems receives notes on nodes that could not be kept
    */
   public LitSceneWriter(LightScene scene, LitForm form, Path file, Path folder, Problems problems) {
     this.form = form;
@@ -46,7 +46,7 @@ public final class LitSceneWriter {
     }
   }
 
-  /** The texts by file, the scene's own among them. */
+  /** Returns the X3D texts by file, the scene's own included. */
   public Map<Path, String> write(Scene scene, InstanceTree tree, String description) {
     file(files.scene(), scene, tree.root(), form.places().at(null), description);
     return files.texts();
@@ -66,14 +66,14 @@ public final class LitSceneWriter {
     if (left > 0 || !scene.imported().isEmpty()) {
       problems.info(
           Location.of(scene.url()),
-          "routes and IMPORTs that lead to nodes without a name of their own are not in the lit"
+          "ROUTEs and IMPORTs of nodes without a DEF name of their own are not in the lit"
               + " scene");
     }
     scene.exports().forEach((as, name) -> out.empty("EXPORT", "localDEF", name, "AS", as));
     files.put(file, out.finish());
   }
 
-  /** The beginning of names that no node of a scene has. */
+  /** Returns a prefix that no DEF name of a scene begins with. */
   private static String prefix(Scene scene) {
     String prefix = "Lit";
     while (startsSome(scene, prefix)) {
@@ -130,7 +130,10 @@ public final class LitSceneWriter {
     }
   }
 
-  /** Whether a group can be USEd as it stands in the file: it holds nothing that is lit. */
+  /**
+   * Returns whether a group can be written as a USE of an earlier one: it is named already and
+   * holds no lit shape.
+   */
   private boolean used(GroupInstance group, NodeText nodes) {
     return !nodes.name(group.node()).isEmpty() && !holdsLit(group);
   }

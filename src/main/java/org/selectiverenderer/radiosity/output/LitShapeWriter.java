@@ -11,14 +11,14 @@ import org.selectiverenderer.x3d.write.TupleLines;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * A lit shape as text: an IndexedTriangleStripSet with a Color, or ColorRGBA where it is
- * transparent, at every vertex, and no Appearance. Without a material the colours are shown as they
- * are (X3D 3.3, 17.2.2.4; X3D 4.0, 17.2.2.5), in any browser.
+ * Writes a shape with lit vertex colours: an IndexedTriangleStripSet with a Color, or ColorRGBA
+ * where it is transparent, and no Appearance. Without a material every browser shows the colours as
+ * they are (X3D 3.3, 17.2.2.4; X3D 4.0, 17.2.2.5).
  */
 final class LitShapeWriter {
   private static final int COLOUR_DECIMALS = 3;
 
-  /** Steps that a shape's extent is measured in at least: a 50th of a millimetre in a room. */
+  /** Least number of coordinate steps across a shape's extent: a 50th of a millimetre in a room. */
   private static final double LEAST = 200_000;
 
   private final LitScene lit;
@@ -44,7 +44,7 @@ final class LitShapeWriter {
     double[] place = new double[3];
     for (int facet = 0; facet < count; facet++) {
       for (int i = 0; i < 3; i++) {
-        // What its place turns inside out is written as it was.
+        // A shape whose transform mirrors it is written with its original winding.
         int corner = body.mirrored() && i > 0 ? 3 - i : i;
         place(body, number, facet, corner, place);
         key.setLength(0);
@@ -78,7 +78,7 @@ final class LitShapeWriter {
     out.close().close();
   }
 
-  /** The local coordinates of a corner of a body's facet. */
+  /** Writes the local coordinates of a corner of a body's facet to {@code out}. */
   private void place(Body body, int number, int facet, int corner, double[] out) {
     List<Facet> divided = lit.facets().divided().get(number);
     float[] local = divided == null ? body.mesh().positions() : divided.get(facet).local();

@@ -4,7 +4,7 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.x3d.write.TupleLines;
 
-/** The numbers of a lit shape as text, no longer than they need to be. */
+/** Formats the numbers of a lit shape's geometry as text with as few characters as possible. */
 final class ShapeNumbers {
   private static final int PER_LINE = 24;
   private static final int MOST_DECIMALS = 9;
@@ -15,7 +15,7 @@ final class ShapeNumbers {
     return TupleLines.perLine(PER_LINE);
   }
 
-  /** The {@code index} of an IndexedTriangleStripSet. */
+  /** Returns the {@code index} field of an IndexedTriangleStripSet. */
   static StringBuilder strips(int[] index) {
     TupleLines strips = lines();
     for (int[] strip : Strips.of(index)) {
@@ -28,9 +28,9 @@ final class ShapeNumbers {
   }
 
   /**
-   * Decimals of coordinates.
+   * Returns the number of decimals of a mesh's coordinates.
    *
-   * @param least steps that the shape's extent is measured in
+   * @param least least number of steps across the shape's extent
    */
   static int decimals(Mesh mesh, double least) {
     float[] b = mesh.bounds();
@@ -42,7 +42,7 @@ final class ShapeNumbers {
     return Math.max(1, digits);
   }
 
-  /** Numbers with blanks between them. */
+  /** Appends numbers with blanks between them. */
   static void tuple(StringBuilder text, double[] values, int decimals) {
     for (int i = 0; i < values.length; i++) {
       text.append(i == 0 ? "" : " ");
@@ -50,7 +50,10 @@ final class ShapeNumbers {
     }
   }
 
-  /** A number without the zero before its point, which the encoding does not ask for. */
+  /**
+   * Appends a number without the zero before its decimal point, which the encoding does not
+   * require.
+   */
   static void number(StringBuilder text, double value, int decimals) {
     int at = text.length();
     DecimalText.appendRounded(text, value, decimals);

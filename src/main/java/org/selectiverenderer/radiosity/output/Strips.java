@@ -8,21 +8,24 @@ import java.util.Map;
 import org.selectiverenderer.geometry.mesh.EdgeKey;
 
 /**
- * Triangles as strips, in which each further one takes a single number: less than half of the text.
- * Every triangle is in one strip, wound as it was (X3D 4.0, 11.4.7): of a strip a b c d e the
- * triangles are a b c, c b d, c d e. From the first triangle that is left, the longest of the three
- * strips that go on from its edges is taken.
+ * Greedy triangle stripification: in a strip each further triangle takes a single index, so that
+ * the text is less than half as long. Every triangle is in one strip with its original winding (X3D
+ * 4.0, 11.4.7): the strip a b c d e stands for the triangles a b c, c b d, c d e. From the first
+ * triangle left, the longest of the three strips that start at its edges is taken.
  */
 final class Strips {
   private static final int NONE = -1;
 
-  /** Three vertices per triangle. */
+  /** The vertices of each triangle, three numbers per triangle. */
   private final int[] corners;
 
-  /** By directed edge: the last corner (three times a triangle plus 0 to 2) at which it begins. */
+  /**
+   * By directed edge: the last corner (three times a triangle plus 0 to 2) at which the edge
+   * begins.
+   */
   private final Map<Long, Integer> lastAt = new HashMap<>();
 
-  /** Per corner: another one with the same edge, or {@link #NONE}. */
+  /** Per corner: another corner at which the same edge begins, or {@link #NONE}. */
   private final int[] before;
 
   private final boolean[] used;
@@ -38,7 +41,7 @@ final class Strips {
   }
 
   /**
-   * @param corners three vertices per triangle
+   * @param corners the vertices of each triangle, three numbers per triangle
    * @return the vertices of each strip
    */
   static List<int[]> of(int[] corners) {
@@ -85,7 +88,10 @@ final class Strips {
     }
   }
 
-  /** The strip that begins with the triangle of a corner, from that corner; nothing stays used. */
+  /**
+   * Returns the strip that begins with the triangle of a corner, at that corner; its triangles stay
+   * unused.
+   */
   private Walk walk(int corner) {
     Walk walk = new Walk();
     walk.vertices[0] = corners[corner];
@@ -95,7 +101,7 @@ final class Strips {
     while (found != NONE) {
       int a = walk.vertices[walk.count];
       int b = walk.vertices[walk.count + 1];
-      // Of every other triangle the first two vertices change places.
+      // In every other triangle of a strip the first two vertices are swapped.
       found = walk.count % 2 == 1 ? unused(b, a) : unused(a, b);
       if (found != NONE) {
         walk.add(found / 3, corners[next(next(found))]);

@@ -22,13 +22,14 @@ import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * Light in pictures beside the files. A matte shape has an Appearance with a picture and no
- * material: it is shown as it is (X3D 3.3, 17.2.2.4; X3D 4.0, 17.2.2.5). One that shines has a
- * Material that throws back nothing but highlights and sends out its picture (X3D 4.0, 17.2.2.4);
- * then lights stay on. One whose own image stays has both in a MultiTexture (18.4.3).
+ * Stores light in lightmap images beside the X3D files. A matte shape has an Appearance with a
+ * lightmap and no material, so that the lightmap is shown as it is (X3D 3.3, 17.2.2.4; X3D 4.0,
+ * 17.2.2.5). A glossy shape has a Material that reflects highlights only and emits its lightmap
+ * (X3D 4.0, 17.2.2.4); then lights stay on. A shape whose own texture stays has both in a
+ * MultiTexture (18.4.3).
  */
 public final class TexelForm implements LitForm {
-  /** The version that has {@code emissiveTexture} and UnlitMaterial. */
+  /** The X3D version that has {@code emissiveTexture} and UnlitMaterial. */
   private static final String NEW = "4.0";
 
   private final TexelScene lit;
@@ -42,8 +43,8 @@ public final class TexelForm implements LitForm {
   private final Map<Path, Map<String, String>> appearances = new HashMap<>();
 
   /**
-   * @param lamps what lights become, if highlights are kept
-   * @param highlights whether they are
+   * @param lamps writes the lights, if highlights are kept
+   * @param highlights whether highlights are kept
    */
   public TexelForm(TexelScene lit, LightPictures painted, LampFit lamps, boolean highlights) {
     this.lit = lit;
@@ -54,8 +55,8 @@ public final class TexelForm implements LitForm {
   }
 
   /**
-   * The number of the file of each body; {@link AtlasMaker#NO_GROUP} for those that need no light:
-   * they show a picture by their own.
+   * Returns the number of the file of each body; {@link AtlasMaker#NO_GROUP} for bodies that need
+   * no light, since they show an unlit texture.
    */
   public static int[] files(LightScene scene) {
     int[] files = FilePlaces.of(scene).ofBodies();
@@ -69,7 +70,7 @@ public final class TexelForm implements LitForm {
     return !body.shape().surface().lit() && body.shape().surface().texture() != null;
   }
 
-  /** Shapes that keep their highlights. */
+  /** Returns the number of shapes that keep their highlights. */
   public int shining() {
     return gloss.count();
   }
@@ -134,7 +135,7 @@ public final class TexelForm implements LitForm {
     out.close();
   }
 
-  /** What two shapes of a file share if they look alike. */
+  /** Returns a key that two shapes of a file share if they can share an Appearance. */
   private String kind(int number, Body body) {
     String image = "";
     if (painted.use().apart(number)) {
@@ -180,7 +181,10 @@ public final class TexelForm implements LitForm {
     out.close();
   }
 
-  /** A picture beside a file: named like it, numbered from the second. */
+  /**
+   * Returns the file of a new image beside an X3D file: named like it, with a number from the
+   * second one on.
+   */
   private Path next(LitFile into) {
     int number = numbers.merge(into.file(), 1, Integer::sum);
     String name = into.stem() + "-light" + (number == 1 ? "" : "-" + number);
@@ -213,7 +217,10 @@ public final class TexelForm implements LitForm {
     return made;
   }
 
-  /** As small as can be; quickly when it was cancelled, since somebody waits for the end. */
+  /**
+   * Compresses an image as far as possible, or quickly if the work was cancelled and the user waits
+   * for its end.
+   */
   private byte[] png(LightPicture picture) {
     return lit.complete()
         ? PngFile.small(picture.width(), picture.height(), picture.rgb())

@@ -18,26 +18,32 @@ import org.selectiverenderer.x3d.write.TupleLines;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * The geometry of a shape whose light is in a picture: an IndexedTriangleStripSet with texture
- * coordinates, those of its own image before them if that stays, and normals if it shines. Vertices
- * are shared where all of that agrees.
+ * Writes the geometry of a shape whose light is in a lightmap: an IndexedTriangleStripSet with
+ * lightmap texture coordinates, preceded by those of its own texture if that stays, and with
+ * normals if it is glossy. Vertices are shared where all of these agree.
  */
 final class TexelShapeWriter {
   /**
-   * Steps that the extent of a room's surface is measured in at least, and that of an object's:
-   * rooms must be tight, and objects have nearly all of the text.
+   * Least number of coordinate steps across the extent of a room's surface, and of an object's: the
+   * surfaces of rooms must meet without gaps, and objects make up nearly all of the text.
    */
   private static final double ROOM = 30_000;
 
   private static final double OBJECT = 3_000;
 
-  /** Steps in a texel, or in a pixel of an image: so it is met to a 16th. */
+  /**
+   * Steps of a texture coordinate in a texel, or in a pixel of an image: so coordinates are exact
+   * to a 16th of it.
+   */
   private static final double FINE = 8;
 
   private static final int NORMAL_DECIMALS = 2;
   private static final int MOST_DECIMALS = 9;
 
-  /** Height by longest edge below which a facet may count as one without area, with some room. */
+  /**
+   * Ratio of height to longest edge below which a facet may count as degenerate, with a safety
+   * margin.
+   */
   private static final double FLAT = 1e-7;
 
   private final TexelScene lit;
@@ -45,8 +51,8 @@ final class TexelShapeWriter {
   private final boolean normals;
 
   /**
-   * @param apart whether the body's own image stays
-   * @param normals whether it has normals
+   * @param apart whether the body's own texture stays a texture of its own
+   * @param normals whether normals are written
    */
   TexelShapeWriter(TexelScene lit, boolean apart, boolean normals) {
     this.lit = lit;
@@ -54,7 +60,10 @@ final class TexelShapeWriter {
     this.normals = normals;
   }
 
-  /** The lists of numbers of a shape. */
+  /**
+   * The number lists of a shape: positions, normals, coordinates of its own texture, coordinates of
+   * the lightmap, and the vertex of each corner.
+   */
   private record Lists(
       TupleLines points, TupleLines turned, TupleLines own, TupleLines light, int[] index) {}
 
@@ -102,7 +111,7 @@ final class TexelShapeWriter {
     int[] ends = new int[4];
     for (int facet = 0; facet < count; facet++) {
       for (int i = 0; i < 3; i++) {
-        // What its place turns inside out is written as it was.
+        // A shape whose transform mirrors it is written with its original winding.
         int corner = body.mirrored() && i > 0 ? 3 - i : i;
         Corner at = corner(body, divided == null ? null : divided.get(facet), facet, corner);
         key.setLength(0);
@@ -133,14 +142,17 @@ final class TexelShapeWriter {
     return lists;
   }
 
-  /** Appends what follows a semicolon, if there is any. */
+  /** Appends the part of the key that follows a semicolon, if there is one. */
   private static void add(TupleLines lines, StringBuilder key, int from, int to) {
     if (to > from) {
       lines.next().append(key, from + 1, to);
     }
   }
 
-  /** As few as leave every facet its area: a browser does not count one without. */
+  /**
+   * Returns the least number of decimals with which every facet keeps an area, since a browser does
+   * not count degenerate facets.
+   */
   private int decimals(Body body, @Nullable List<Facet> divided, int count) {
     double least = body.version() == Versions.FIXED ? ROOM : OBJECT;
     int decimals = ShapeNumbers.decimals(body.mesh(), least);
@@ -174,10 +186,10 @@ final class TexelShapeWriter {
   }
 
   /**
-   * The corner of a facet as a place of a triangle of its body.
+   * The corner of a facet as a point of a triangle of its body.
    *
-   * @param triangle of the body
-   * @param local x, y, z in the shape's own coordinates
+   * @param triangle number of the triangle in the body
+   * @param local x, y, z in the shape's local coordinates
    */
   private record Corner(int triangle, double u, double v, double[] local) {
     double[] light(Atlas.Layout layout) {
@@ -190,7 +202,7 @@ final class TexelShapeWriter {
       return st;
     }
 
-    /** In the shape's own coordinates. */
+    /** Returns the interpolated unit normal in the shape's local coordinates. */
     double[] normal(Body body) {
       float[] all = body.mesh().normals();
       double[] sum = new double[3];

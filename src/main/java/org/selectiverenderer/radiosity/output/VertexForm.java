@@ -6,7 +6,7 @@ import org.selectiverenderer.radiosity.bake.LitScene;
 import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 
-/** Light in the colours of vertices; no lamp is needed. */
+/** Stores light in vertex colours; all lights are switched off. */
 public final class VertexForm implements LitForm {
   private final LitScene lit;
   private final FilePlaces places;

@@ -1,9 +1,10 @@
 /**
- * Lit scenes as X3D files: the scene as it was, every Inline with a file of its own, its shapes as
- * a {@link org.selectiverenderer.radiosity.output.LitForm} has them: with pictures, and highlights
- * by lights that stay on, or with colours at their vertices and lights off.
+ * Lit scenes as X3D files: the original scene graph, every instance of an Inline with a file of its
+ * own, and its shapes as a {@link org.selectiverenderer.radiosity.output.LitForm} writes them: with
+ * lightmaps, and with highlights by lights that stay on, or with colours at their vertices and
+ * lights off.
  *
- * <p>In: a scene's instance tree and its light. Out: texts and pictures by file. Uses {@code
+ * <p>In: a scene's instance tree and its light. Out: X3D texts and images by file. Uses {@code
  * radiosity.atlas}, {@code radiosity.bake}, {@code radiosity.light}, {@code radiosity.mesh}, {@code
  * radiosity.scene} and {@code radiosity.trace}, {@code base.picture}, {@code runtime}, {@code
  * polygon.model}'s urls, {@code geometry.mesh}, {@code x3d} and {@code base}.

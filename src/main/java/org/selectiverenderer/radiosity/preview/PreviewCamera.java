@@ -8,14 +8,16 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * Where a preview is seen from.
+ * The camera of a preview.
  *
- * @param world from the camera's coordinates, looking along -z, to the world in metres
- * @param fieldOfView radians, of the shorter side
+ * @param world transform from camera coordinates, looking along -z, to world coordinates in metres
+ * @param fieldOfView field of view along the image's shorter side, radians
  */
 public record PreviewCamera(Matrix4d world, double fieldOfView) {
 
-  /** The first Viewpoint of a scene, or X3D's default place (X3D 4.0, 23.4.6). */
+  /**
+   * Returns the camera of a scene's first Viewpoint, or of X3D's default view (X3D 4.0, 23.4.6).
+   */
   public static PreviewCamera of(InstanceTree tree, double unit) {
     for (Node node : tree.otherNodes()) {
       List<Matrix4dc> places = tree.places(node);
@@ -34,7 +36,9 @@ public record PreviewCamera(Matrix4d world, double fieldOfView) {
     return new PreviewCamera(new Matrix4d().translation(0, 0, 10 * unit), Math.PI / 4);
   }
 
-  /** The direction through a pixel's middle in the world, of unit length. */
+  /**
+   * Computes the unit vector, in world coordinates, from the camera through a point of the image.
+   */
   Vector3d direction(double x, double y, int width, int height, Vector3d out) {
     double scale = 2 * StrictMath.tan(fieldOfView / 2) / Math.min(width, height);
     out.set((x - width / 2.0) * scale, (height / 2.0 - y) * scale, -1);

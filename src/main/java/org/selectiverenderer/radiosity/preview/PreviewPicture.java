@@ -15,7 +15,10 @@ import org.selectiverenderer.radiosity.trace.Ray;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 import org.selectiverenderer.radiosity.trace.Versions;
 
-/** Pictures of a scene's light from one place; what meets each pixel is found once. */
+/**
+ * Renders images of a scene's light from one camera; the surface point behind each pixel is found
+ * once by ray casting.
+ */
 public final class PreviewPicture {
   private static final int WIDTH = 480;
   private static final int HEIGHT = 360;
@@ -49,13 +52,13 @@ public final class PreviewPicture {
     }
   }
 
-  /** What each pixel has. */
+  /** Computes the colour of a pixel. */
   @FunctionalInterface
   private interface Painter {
     void paint(int pixel, float[] rgb);
   }
 
-  /** The patches of a solution. */
+  /** Renders the patches of a solution; returns the bytes of a PNG file. */
   public byte[] of(Solution solution, double stops) {
     ToneCurve curve = ToneCurve.of(scene, solution, stops);
     return draw(
@@ -72,7 +75,10 @@ public final class PreviewPicture {
         });
   }
 
-  /** The light at the vertices, interpolated as it will be drawn. */
+  /**
+   * Renders the light at the vertices, interpolated as a browser draws it; returns the bytes of a
+   * PNG file.
+   */
   public byte[] of(LitScene lit) {
     int[] facetOf = facets(lit);
     float[][] colours = new float[scene.bodies().size()][];
@@ -102,7 +108,10 @@ public final class PreviewPicture {
         });
   }
 
-  /** The light at the texels, with the mean colour of each triangle. */
+  /**
+   * Renders the light at the texels with the mean reflectance of each triangle; returns the bytes
+   * of a PNG file.
+   */
   public byte[] of(LightPages light, ToneCurve curve) {
     return draw(
         (pixel, rgb) -> {
@@ -126,7 +135,10 @@ public final class PreviewPicture {
         });
   }
 
-  /** The first facet of each triangle, those of one triangle found by walking on from it. */
+  /**
+   * Returns the first facet of each triangle of the scene, or -1; further facets of the triangle
+   * follow it.
+   */
   private int[] facets(LitScene lit) {
     int[] first = new int[scene.triangles().count()];
     Arrays.fill(first, -1);

@@ -1,5 +1,5 @@
 /**
- * Small pictures of light while it is computed: rays through pixels.
+ * Small preview images of the light while it is computed, by ray casting.
  *
  * <p>In: a scene and its light so far. Out: the bytes of a PNG file. Uses {@code radiosity.atlas},
  * {@code radiosity.bake}, {@code radiosity.mesh}, {@code radiosity.scene}, {@code radiosity.solve},

@@ -1,8 +1,8 @@
 package org.selectiverenderer.radiosity.sampling;
 
 /**
- * Directions of a hemisphere about +z, as dense as the cosine of their angle with it, so that a
- * mean over them is an irradiance over pi (Malley's method).
+ * Cosine-weighted directions of the hemisphere about +z: their density is the cosine of the angle
+ * with +z over pi, so the mean radiance over them is the irradiance over pi (Malley's method).
  */
 public final class Directions {
   private final float[] xyz;
@@ -23,10 +23,11 @@ public final class Directions {
   }
 
   /**
-   * A direction about a normal, in a frame that turns with the normal steadily (Duff et al. 2017).
+   * Computes the i-th direction of the hemisphere about a normal, in an orthonormal basis built
+   * from the normal (Duff et al. 2017).
    *
    * @param n unit normal
-   * @param out gets x, y, z
+   * @param out receives x, y, z
    */
   public void about(double[] n, int i, double[] out) {
     double sign = n[2] < 0 ? -1 : 1;

@@ -1,10 +1,10 @@
 package org.selectiverenderer.radiosity.sampling;
 
 /**
- * A low-discrepancy point set: Sobol's sequence in pairs of dimensions, each pair shuffled and
- * scrambled by an integer hash (Kollig and Keller 2002; Burley 2020, "Practical Hash-based Owen
- * Scrambling"). Any run of consecutive points is spread evenly too, so that several places can
- * share one set.
+ * A low-discrepancy point set in the unit square: Sobol's sequence in pairs of dimensions, each
+ * pair shuffled and scrambled by an integer hash (Kollig and Keller 2002; Burley 2020, "Practical
+ * Hash-based Owen Scrambling"). Any run of consecutive points is well distributed too, so that
+ * several sample points can share one set.
  */
 public final class PointSet {
   private static final float SCALE = 0x1p-24f;
@@ -14,9 +14,9 @@ public final class PointSet {
   private final float[] y;
 
   /**
-   * @param size points
-   * @param seed another one gives another set
-   * @param pair which pair of dimensions; different pairs are independent
+   * @param size number of points
+   * @param seed random seed of the set
+   * @param pair number of the pair of dimensions; different pairs are independent
    */
   public PointSet(int size, int seed, int pair) {
     this.size = size;
@@ -44,13 +44,16 @@ public final class PointSet {
     return y[i];
   }
 
-  /** A number of 0 .. 1 moved by another, around: a set that is moved stays as even as it was. */
+  /**
+   * Adds two numbers of 0 .. 1 modulo 1 (Cranley-Patterson rotation): a rotated set is distributed
+   * as evenly as before.
+   */
   public static double turned(double value, double by) {
     double sum = value + by;
     return sum >= 1 ? sum - 1 : sum;
   }
 
-  /** An integer without visible order; a bijection (Wellons 2018). */
+  /** Hashes an integer by a bijection (Wellons 2018). */
   public static int hash(int value) {
     int h = value;
     h ^= h >>> 16;
@@ -60,7 +63,7 @@ public final class PointSet {
     return h ^ (h >>> 16);
   }
 
-  /** The second dimension of Sobol's sequence. */
+  /** Returns the second dimension of Sobol's sequence. */
   private static int second(int index) {
     int result = 0;
     int direction = 1 << 31;
@@ -74,8 +77,8 @@ public final class PointSet {
   }
 
   /**
-   * Permutes indices so that aligned blocks of powers of two stay together: the hash carries from
-   * low bits to high ones only, hence the reversals (Laine and Karras 2011).
+   * Permutes an index so that aligned blocks of powers of two stay together: the hash carries from
+   * low bits to high ones only, hence the bit reversals (Laine and Karras 2011).
    */
   private static int scramble(int index, int seed) {
     int v = Integer.reverse(index);

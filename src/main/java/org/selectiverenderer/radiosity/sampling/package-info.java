@@ -1,5 +1,5 @@
 /**
- * Points that fill squares and hemispheres evenly.
+ * Low-discrepancy sample points of the unit square and the hemisphere.
  *
  * <p>In: integers. Out: numbers that are the same on every machine and with any number of threads.
  * Uses nothing else of ours.

@@ -4,19 +4,22 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 
 /**
- * A shape in one place that takes part in the light. Its triangles are consecutive, in the order of
- * its mesh.
+ * One instance of a shape in world coordinates that takes part in the light transport: its mesh,
+ * reflectance, emission and transmittance. Its triangles are consecutive in the scene's triangles,
+ * in the order of its mesh.
  *
- * @param mesh in local coordinates
- * @param positions x, y, z per vertex of the mesh in the world, metres
- * @param normals x, y, z per vertex in the world
- * @param mirrored whether its place turns triangles inside out, so that their winding is swapped
- * @param version of an object, or {@link org.selectiverenderer.radiosity.trace.Versions#FIXED}
- * @param budget the region whose polygons are to come to a given number, or -1
- * @param firstTriangle in the scene's triangles
- * @param reflectance r, g, b of each triangle, or of all when there are three numbers
- * @param emission luminance r, g, b, cd/m2
- * @param transmittance the share of light that goes straight through
+ * @param mesh the shape's mesh in local coordinates
+ * @param positions x, y, z of each vertex of the mesh in world coordinates, metres
+ * @param normals x, y, z of each vertex's unit normal in world coordinates
+ * @param mirrored whether its transform mirrors the mesh, so that the winding of triangles is
+ *     swapped
+ * @param version the version of an object that it belongs to, or {@link
+ *     org.selectiverenderer.radiosity.trace.Versions#FIXED}
+ * @param budget number of the region with a polygon budget that it belongs to, or -1
+ * @param firstTriangle number of its first triangle in the scene's triangles
+ * @param reflectance r, g, b of each triangle, or of all triangles if there are three numbers only
+ * @param emission emitted luminance r, g, b, cd/m2
+ * @param transmittance share of light that passes straight through
  */
 public record Body(
     ShapeInstance shape,
@@ -39,12 +42,15 @@ public record Body(
     return emission[0] > 0 || emission[1] > 0 || emission[2] > 0;
   }
 
-  /** Where the reflectance of its i-th triangle begins. */
+  /** Returns the index at which the reflectance of a triangle begins. */
   public int reflectanceAt(int triangle) {
     return reflectance.length == 3 ? 0 : 3 * triangle;
   }
 
-  /** The vertex of the mesh at a corner, 0 to 2, of its i-th triangle, counter-clockwise. */
+  /**
+   * Returns the mesh vertex at a corner, 0 to 2, of a triangle, counter-clockwise in world
+   * coordinates.
+   */
   public int vertex(int triangle, int corner) {
     int at = mirrored && corner > 0 ? 3 - corner : corner;
     return mesh.indices()[3 * triangle + at];

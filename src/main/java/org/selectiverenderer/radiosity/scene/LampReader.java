@@ -16,14 +16,14 @@ import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
 
 /**
- * X3D's lights as lamps.
+ * Converts X3D's light nodes to light sources with photometric units.
  *
- * <p>A light whose metadata has a set {@code photometric} says in it what it emits: {@code lumen},
- * {@code candela} or, for a SpotLight with a {@code size} (width and height, metres), {@code
- * luminance} in cd/m2; for a DirectionalLight {@code lux}. A SpotLight with a {@code size} is a
- * rectangle that shines evenly to its front, such as a window: its width is horizontal. Any other
- * light has {@code intensity} times {@link Photometry#WHITE} times pi candela (lux), so that a
- * white surface a metre away is as bright as X3D draws it.
+ * <p>A MetadataSet {@code photometric} on a light states what it emits: {@code lumen}, {@code
+ * candela} or, for a SpotLight with a {@code size} (width and height, metres), {@code luminance} in
+ * cd/m2; for a DirectionalLight {@code lux}. A SpotLight with a {@code size} is a diffuse rectangle
+ * that shines to its front, such as a window; its width is horizontal. Any other light has {@code
+ * intensity} times {@link Photometry#WHITE} times pi candela (lux), so that a white surface a metre
+ * away is as bright as X3D draws it.
  */
 public final class LampReader {
   private static final double[] DOWN = {0, -1, 0};
@@ -33,9 +33,9 @@ public final class LampReader {
   private final Problems problems;
 
   /**
-   * @param photometric whether light falls off with the square of the distance
+   * @param photometric whether light falls with the square of the distance
    * @param unit metres per unit of length
-   * @param problems hears of photometric metadata that says nothing
+   * @param problems receives warnings about photometric metadata that cannot be used
    */
   public LampReader(boolean photometric, double unit, Problems problems) {
     this.photometric = photometric;
@@ -52,7 +52,9 @@ public final class LampReader {
         });
   }
 
-  /** The lamp of a light; empty if it is off or has no place. */
+  /**
+   * Returns the light source of a light node; empty if it is off or its transform is not finite.
+   */
   public Optional<Lamp> read(LightInstance instance) {
     Light light = instance.light();
     if (!light.on() || !(light.intensity() > 0)) {
@@ -118,7 +120,7 @@ public final class LampReader {
     double luminance = Photometry.luminance(hue);
     double outer = StrictMath.cos(light.cutOffAngle());
     double inner = StrictMath.cos(Math.min(light.beamWidth(), light.cutOffAngle()));
-    // The solid angle of the beam, its border counted half.
+    // The solid angle of the beam, with its border counted half.
     double solid = 2 * Math.PI * (1 - (inner + outer) / 2);
     double candela =
         wishes

@@ -7,15 +7,16 @@ import org.selectiverenderer.radiosity.trace.Versions;
 import org.selectiverenderer.radiosity.trace.Visibility;
 
 /**
- * What there is to be lit, and by what.
+ * A scene prepared for radiosity: the bodies to light, their triangles and visibility, and the
+ * lamps that light them.
  *
- * @param bodies in document order
- * @param bodyOf body by triangle
- * @param lamps that are sampled directly
- * @param sampled per body: whether its glow is among the lamps
- * @param budgets polygons by region
- * @param extent the largest side of the box around it, metres
- * @param lumens what the lamps emit
+ * @param bodies the bodies in document order
+ * @param bodyOf number of the body of each triangle
+ * @param lamps the light sources that are sampled directly
+ * @param sampled per body: whether its emission is one of the lamps
+ * @param budgets number of polygons of each region
+ * @param extent longest side of the scene's bounding box, metres
+ * @param lumens luminous flux of all lamps, lm
  */
 public record LightScene(
     List<Body> bodies,
@@ -33,12 +34,15 @@ public record LightScene(
     return bodies.get(bodyOf[triangle]);
   }
 
-  /** Whether a triangle gives light to others: all do but those of versions that do not stand. */
+  /**
+   * Returns whether a triangle gives light to others: all do except those of versions that are not
+   * the reference of their object.
+   */
   public boolean stands(int triangle) {
     return versions.isReference(triangles.version()[triangle]);
   }
 
-  /** The same scene with only some bodies to be lit; all triangles stay where they are. */
+  /** Returns the same scene with only some bodies to light; all triangles stay. */
   public LightScene only(List<Integer> numbers) {
     return new LightScene(
         numbers.stream().map(bodies::get).toList(),
@@ -53,7 +57,9 @@ public record LightScene(
         lumens);
   }
 
-  /** How far rays start off a surface, so that they do not meet it. */
+  /**
+   * Returns the distance from a surface at which rays start, so that they do not hit it, metres.
+   */
   public double offset() {
     return 1e-5 * extent;
   }

@@ -11,19 +11,20 @@ import org.selectiverenderer.radiosity.trace.Visibility;
 import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.LightInstance;
 
-/** Makes the {@link LightScene} of a loaded scene. */
+/** Builds the {@link LightScene} of a loaded scene. */
 public final class LightSceneReader {
   /** Coordinates beyond which single precision cannot tell neighbouring points apart, metres. */
   private static final double FARTHEST = 100_000;
 
-  /** Glowing surfaces with less of the lamps' light than this are met by chance only. */
+  /** Emissive surfaces with less than this share of all light are found by indirect rays only. */
   private static final double WEAK = 0.002;
 
   private static final int MOST_GLOWS = 48;
 
   /**
-   * Glowing surfaces larger than this share of the square of the scene's extent are met by rays
-   * often enough, and are so near to others that sampled places would show as spots.
+   * Emissive surfaces with more area than this share of the square of the scene's extent are hit by
+   * indirect rays often enough, and are so near to other surfaces that sample points of them would
+   * show as spots.
    */
   private static final double WIDE = 0.1;
 
@@ -31,8 +32,8 @@ public final class LightSceneReader {
   private final Problems problems;
 
   /**
-   * @param photometric whether light falls off with the square of the distance
-   * @param problems hears what is not as it is in the scene
+   * @param photometric whether light falls with the square of the distance
+   * @param problems receives warnings about content that cannot be used
    */
   public LightSceneReader(boolean photometric, Problems problems) {
     this.photometric = photometric;
@@ -41,7 +42,7 @@ public final class LightSceneReader {
 
   /**
    * @param unit metres per unit of length
-   * @throws UnlitSceneException if nothing could be lit, before any long work
+   * @throws UnlitSceneException if nothing can be lit, before any long computation
    */
   public LightScene read(InstanceTree tree, double unit) throws UnlitSceneException {
     SceneGatherer gatherer = new SceneGatherer(unit, problems);
@@ -123,7 +124,7 @@ public final class LightSceneReader {
     return new SceneTriangles(corners, twoSided, transmittance, version);
   }
 
-  /** The brightest glowing surfaces of what stands in the scene become lamps. */
+  /** Makes the brightest emissive surfaces of reference versions lamps. */
   private static void glows(
       List<Body> bodies,
       SceneTriangles triangles,

@@ -3,37 +3,38 @@ package org.selectiverenderer.radiosity.scene;
 import java.util.Locale;
 
 /**
- * What the parts of the work take of Java's memory, told before each starts. Of what may be used a
- * part gets a share, since others keep theirs meanwhile; bytes were measured.
+ * Estimates the Java memory that each part of the computation takes, before it starts. Each part
+ * may use a share of the maximum heap, since other parts keep theirs; the bytes per item were
+ * measured.
  */
 public final class MemoryNeed {
-  /** For a triangle: its corners, box, tree, facets, vertices and text. */
+  /** Bytes for a triangle: its corners, box, tree node, facets, vertices and text. */
   private static final long TRIANGLE = 700;
 
-  /** For a patch besides its rays. */
+  /** Bytes for a patch besides its rays. */
   private static final long PATCH = 250;
 
-  /** For a ray of a patch: what it met. */
+  /** Bytes for a ray of a patch: the number of the patch that it hit. */
   private static final long RAY = 4;
 
-  /** For a facet while it may be divided. */
+  /** Bytes for a facet that may be divided. */
   private static final long FACET = 1_200;
 
-  /** For a texel while light is gathered: its place, its light, its picture. */
+  /** Bytes for a texel while light is gathered: its surface point, its light, its pixel. */
   private static final long TEXEL = 48;
 
   private static final double ALL = 1;
 
-  /** The scene itself is in the rest. */
+  /** Share of the heap besides the scene itself. */
   private static final double BESIDE_SCENE = 0.8;
 
-  /** The scene and its patches are in the rest. */
+  /** Share of the heap besides the scene and its patches. */
   private static final double BESIDE_PATCHES = 0.6;
 
   private MemoryNeed() {}
 
   /**
-   * The scene itself.
+   * Checks the memory for the scene itself.
    *
    * @throws UnlitSceneException if there is not enough
    */
@@ -42,11 +43,11 @@ public final class MemoryNeed {
   }
 
   /**
-   * What light is passed on by, and what is divided for it.
+   * Checks the memory for the patches and for the facets of the subdivision.
    *
-   * @param patches of the scene, and rays of each
-   * @param facets of the largest region
-   * @param made what they come from, as a sentence's beginning with its verb
+   * @param patches number of patches, each with {@code rays}
+   * @param facets number of facets of the largest region
+   * @param made beginning of the message, with its verb: the setting that makes so many patches
    * @throws UnlitSceneException if there is not enough
    */
   public static void ofPatches(double patches, int rays, double facets, String made)
@@ -59,7 +60,7 @@ public final class MemoryNeed {
   }
 
   /**
-   * Light in pictures.
+   * Checks the memory for lightmaps.
    *
    * @throws UnlitSceneException if there is not enough
    */

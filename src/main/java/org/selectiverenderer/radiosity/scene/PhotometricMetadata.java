@@ -8,8 +8,9 @@ import org.selectiverenderer.schema.nodes.NodeMetadata;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * What a scene asks of the light, in metadata: a MetadataSet named {@code photometric} on a light
- * and one named {@code radiosity} on a group or Inline; alone or among other metadata.
+ * The values that a scene gives for radiosity in metadata: a MetadataSet named {@code photometric}
+ * on a light, or one named {@code radiosity} on a group or Inline, alone or inside another
+ * MetadataSet.
  */
 final class PhotometricMetadata {
   private final NodeMetadata set;
@@ -19,10 +20,10 @@ final class PhotometricMetadata {
   }
 
   /**
-   * What a node asks for.
+   * Returns the values of a node; empty if it has no such set.
    *
-   * @param members that the set may have; of others, and of values that none can have, the problems
-   *     hear, and they are passed over
+   * @param members the names that the set may contain; other names and impossible values are
+   *     reported to {@code problems} and ignored
    */
   static Optional<PhotometricMetadata> of(
       NodeView node, String name, SortedSet<String> members, Problems problems) {
@@ -47,7 +48,7 @@ final class PhotometricMetadata {
       if (!members.contains(member)) {
         problems.warning(
             child.node().location(),
-            "the metadata %s has no member %s, so it is ignored; known members are %s"
+            "the MetadataSet %s has no member %s, so it is ignored; known members are %s"
                 .formatted(set.name(), member, String.join(", ", members)));
       } else if (numbers(member).filter(values -> values.length > 0).isEmpty()) {
         problems.warning(
@@ -57,12 +58,15 @@ final class PhotometricMetadata {
     }
   }
 
-  /** The first number of a member; empty if there is none, or if it is no finite number above 0. */
+  /**
+   * Returns the first number of a member; empty if there is none, or if a value is not a finite
+   * number above 0.
+   */
   Optional<Double> number(String member) {
     return numbers(member).filter(values -> values.length > 0).map(values -> values[0]);
   }
 
-  /** All numbers of a member, each finite and above 0. */
+  /** Returns all numbers of a member; empty unless each is finite and above 0. */
   Optional<double[]> numbers(String member) {
     for (NodeMetadata child : set.children()) {
       if (child.name().equals(member)) {

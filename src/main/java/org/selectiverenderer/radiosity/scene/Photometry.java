@@ -3,25 +3,25 @@ package org.selectiverenderer.radiosity.scene;
 import org.selectiverenderer.base.picture.Srgb;
 
 /**
- * How X3D's colours and intensities are read as light.
+ * Conversions between X3D's colours and photometric quantities.
  *
- * <p>X3D knows no units: a surface of {@code emissiveColor} 1 is drawn as white as a white surface
- * at right angles to a light of {@code intensity} 1. Both are taken as a luminance of {@link
- * #WHITE}. Colours are encoded for the display (IEC 61966-2-1, sRGB) and are decoded to shares of
- * light.
+ * <p>X3D has no units of light: a surface of {@code emissiveColor} 1 is drawn as white as a white
+ * surface at right angles to a light of {@code intensity} 1. Both are taken as a luminance of
+ * {@link #WHITE}. Colours are encoded for the display (IEC 61966-2-1, sRGB) and are decoded to
+ * linear light.
  */
 public final class Photometry {
-  /** Luminance of a display's white, cd/m2. */
+  /** Luminance of display white, cd/m2. */
   public static final double WHITE = 250;
 
   private Photometry() {}
 
-  /** A display colour's share of light, 0 .. 1 to 0 .. 1 (IEC 61966-2-1). */
+  /** Decodes a display value to linear light, 0 .. 1 to 0 .. 1 (IEC 61966-2-1). */
   public static float linear(double display) {
     return (float) Srgb.light(Math.max(0, Math.min(1, display)));
   }
 
-  /** The inverse of {@link #linear}. */
+  /** Encodes linear light for the display, the inverse of {@link #linear}. */
   public static double display(double linear) {
     return Srgb.display(Math.max(0, Math.min(1, linear)));
   }
@@ -30,7 +30,7 @@ public final class Photometry {
     return new float[] {linear(rgb[0]), linear(rgb[1]), linear(rgb[2])};
   }
 
-  /** The luminance of linear red, green and blue (ITU-R BT.709). */
+  /** Returns the luminance of linear red, green and blue (ITU-R BT.709). */
   public static double luminance(double r, double g, double b) {
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
   }

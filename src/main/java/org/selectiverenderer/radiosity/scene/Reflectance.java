@@ -6,27 +6,30 @@ import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.instance.Texture;
 
 /**
- * The share of light that surfaces throw back: the diffuse colour, colours at vertices in its
- * place, and textures averaged over each triangle.
+ * Computes the diffuse reflectance of a mesh's triangles: the material's diffuse colour or the
+ * vertex colours in its place, and textures averaged over each triangle.
  */
 final class Reflectance {
-  /** Nothing throws back all light; without this a closed white box would grow bright for ever. */
+  /**
+   * Largest reflectance: no surface reflects all light, and with 1 the light in a closed white box
+   * would grow without limit.
+   */
   private static final float MOST = 0.95f;
 
-  /** Places in a triangle at which a texture is looked at: of so many pixels one, within bounds. */
+  /** Pixels per texture sample in a triangle; the number of samples is limited by the next two. */
   private static final double PIXELS = 4;
 
   private static final int LEAST_PLACES = 10;
   private static final int MOST_PLACES = 400;
 
-  /** Of each further place from the last: they fill squares evenly (Roberts 2018, "R2"). */
+  /** Steps of the low-discrepancy sequence R2 (Roberts 2018) from one sample to the next. */
   private static final double STEP_U = 0.7548776662466927;
 
   private static final double STEP_V = 0.5698402909980532;
 
   private Reflectance() {}
 
-  /** Three numbers for all triangles, or three for each. */
+  /** Returns r, g, b for all triangles together, or for each triangle. */
   static float[] of(Surface surface, Mesh mesh) {
     float opaque = 1 - surface.transparency();
     float[] colours = mesh.colors();
@@ -63,7 +66,7 @@ final class Reflectance {
     return rgb;
   }
 
-  /** An image tints or replaces the colour (X3D 4.0, 18.2.1). */
+  /** Applies a texture, which multiplies or replaces the colour (X3D 4.0, 18.2.1). */
   private static void paint(
       float[] rgb,
       Texture texture,

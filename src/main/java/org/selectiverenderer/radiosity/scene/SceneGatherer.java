@@ -19,9 +19,10 @@ import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 
 /**
- * Walks the instance tree and notes every shape in every place. The children of a Switch or LOD are
- * versions of one object; the one with most polygons stands for it where others are lit. Of a
- * Switch within a version only what is shown takes part in shadows.
+ * Walks the instance tree and collects every instance of every shape as a body. The children of a
+ * Switch or LOD are versions of one object; the version with most polygons is the reference that
+ * stands for the object where others are lit. A Switch within a version contributes its shown child
+ * only.
  */
 final class SceneGatherer {
   private static final SortedSet<String> MEMBERS = new TreeSet<>(Set.of("polygons"));
@@ -97,7 +98,9 @@ final class SceneGatherer {
     return group.node() instanceof SwitchNode || group.node().type().name().equals("LOD");
   }
 
-  /** The child with most polygons, the first of equals; none if the Switch shows nothing. */
+  /**
+   * Returns the child with most polygons, the first of equals; null if the Switch shows nothing.
+   */
   private static @org.jspecify.annotations.Nullable Instance reference(GroupInstance group) {
     if (group.node() instanceof SwitchNode choice && choice.integer("whichChoice") < 0) {
       return null;
@@ -132,14 +135,14 @@ final class SceneGatherer {
     }
     Matrix4dc world = shape.world();
     if (world.determinant3x3() == 0) {
-      return; // A scale of 0 leaves it no sides that light could fall on.
+      return; // A scale of 0 leaves no surface that light could fall on.
     }
     float[] positions = moved(mesh.positions(), world);
     float[] normals = turned(mesh.normals(), world);
     for (float value : positions) {
       if (!Float.isFinite(value)) {
         problems.warning(
-            shape.node().location(), "the shape's position is not finite; it is left out");
+            shape.node().location(), "a coordinate of the shape is not finite; it is left out");
         return;
       }
     }
@@ -172,7 +175,7 @@ final class SceneGatherer {
         : appearance.node("material");
   }
 
-  /** A mesh in several places has one look in all of them. */
+  /** Returns the reflectance of a mesh; instances of one mesh share it. */
   private float[] reflectance(Surface surface, Mesh mesh) {
     return mesh.colors() == null && surface.texture() == null
         ? Reflectance.of(surface, mesh)

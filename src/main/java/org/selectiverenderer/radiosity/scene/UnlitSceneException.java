@@ -1,6 +1,6 @@
 package org.selectiverenderer.radiosity.scene;
 
-/** A scene that cannot be lit; the message is a sentence for its author. */
+/** Thrown when a scene cannot be lit; the message is one sentence for its author. */
 public final class UnlitSceneException extends Exception {
   private static final long serialVersionUID = 1L;
 
@@ -15,12 +15,15 @@ public final class UnlitSceneException extends Exception {
     this.told = told;
   }
 
-  /** A file in which the reader found no scene: its author was told why as a problem. */
+  /**
+   * Returns the exception for a file in which the reader found no scene; the reason was already
+   * reported as a problem.
+   */
   public static UnlitSceneException unread() {
     return new UnlitSceneException("there is no scene in the file", true);
   }
 
-  /** Whether the author knows already what is wrong. */
+  /** Returns whether the reason was already reported as a problem. */
   public boolean isTold() {
     return told;
   }

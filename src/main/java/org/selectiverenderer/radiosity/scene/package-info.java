@@ -1,5 +1,5 @@
 /**
- * A loaded scene as the light sees it: triangles with reflectance and emission, and lamps.
+ * A loaded scene prepared for light transport: triangles with reflectance and emission, and lamps.
  *
  * <p>In: the instance tree of a scene as it is when loaded. Out: {@link
  * org.selectiverenderer.radiosity.scene.LightScene}, or the one sentence why there can be none.

@@ -6,13 +6,17 @@ import org.selectiverenderer.radiosity.light.LampSample;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.trace.Ray;
 
-/** Light that comes straight from the lamps to a point. One per thread. */
+/**
+ * Monte Carlo estimator of the direct light from the lamps at a point, with shadow rays. One per
+ * thread.
+ */
 public final class DirectLight {
-  /** All lamps. */
+  /** The bit mask of all lamps. */
   public static final long ALL = -1;
 
   /**
-   * Shadow rays end this share before the lamp, so that a glowing surface is not in its own way.
+   * Share of the distance to the lamp at which shadow rays end, so that an emissive surface does
+   * not shadow itself.
    */
   private static final double SHORT = 1 - 1e-4;
 
@@ -28,15 +32,16 @@ public final class DirectLight {
   }
 
   /**
-   * Adds the irradiance from one place of each lamp.
+   * Adds the irradiance from one sample point of each lamp.
    *
-   * @param point off the surface
+   * @param point the receiver, off the surface: x, y, z, metres
    * @param normal unit normal
-   * @param version that the surface belongs to
-   * @param s from 0 to 1, with {@code t} the place on each lamp; lamps after the first take others
-   * @param among bit i: whether lamp i counts; those from the 64th on always do
-   * @param sum r, g, b, lx
-   * @return bit i: whether light came from lamp i
+   * @param version the version of an object that the surface belongs to
+   * @param s from 0 to 1; with {@code t} it chooses the point on each lamp, a different one for
+   *     each lamp
+   * @param among bit i: whether lamp i is sampled; lamps from the 64th on always are
+   * @param sum irradiance r, g, b, lx; added to
+   * @return bit i: whether light arrived from lamp i
    */
   public long add(
       double[] point, double[] normal, int version, double s, double t, long among, double[] sum) {
@@ -63,10 +68,10 @@ public final class DirectLight {
   }
 
   /**
-   * Turns to a place of a lamp; returns the cosine of the angle at which its light falls on a
-   * surface, 0 if none does.
+   * Samples a point of a lamp; returns the cosine of the angle of incidence on the surface, 0 if no
+   * light arrives even unshadowed.
    *
-   * @param point off the surface
+   * @param point the receiver, off the surface: x, y, z, metres
    * @param normal unit normal
    */
   public double aim(int lamp, double[] point, double[] normal, double s, double t) {
@@ -76,24 +81,27 @@ public final class DirectLight {
     return cosine > 0 && aimed() > 0 ? cosine : 0;
   }
 
-  /** The light of the last place aimed at: red, green and blue together, at right angles. */
+  /**
+   * Returns the unshadowed irradiance of the last sample at normal incidence, red, green and blue
+   * together.
+   */
   public double aimed() {
     return sample.light[0] + sample.light[1] + sample.light[2];
   }
 
-  /** How far the last place aimed at is, metres; infinite for the sun. */
+  /** Returns the distance to the last sample, metres; infinite for the sun. */
   double distance() {
     return sample.distance;
   }
 
-  /** Adds the light of the last place aimed at, r, g, b, at right angles, times a share. */
+  /** Adds the irradiance r, g, b of the last sample at normal incidence, times a factor. */
   void addAimed(double share, double[] sum) {
     for (int c = 0; c < 3; c++) {
       sum[c] += share * sample.light[c];
     }
   }
 
-  /** The share of light that arrives from the last place aimed at: one ray. */
+  /** Casts a shadow ray to the last sample; returns the share of its light that arrives. */
   public double passed(double[] point, int version) {
     ray.from(point, sample.towards);
     ray.length = sample.distance * SHORT;

@@ -1,15 +1,15 @@
 package org.selectiverenderer.radiosity.solve;
 
 /**
- * Where the light is after an iteration, lm; luminous flux of red, green and blue together.
+ * The energy balance after an iteration: luminous flux of red, green and blue together, lm.
  *
- * @param iteration from 1
- * @param emitted what has arrived straight from the lamps, and what else glows
- * @param absorbed by the surfaces
- * @param escaped out of the scene
- * @param unshot reflected for the first time in this iteration, to be passed on in the next
- * @param distributed percent of the energy that is distributed, the rest estimated from how fast it
- *     falls
+ * @param iteration number of the iteration, from 1
+ * @param emitted flux that arrived directly from the lamps, and flux of other emissive surfaces
+ * @param absorbed flux absorbed by surfaces
+ * @param escaped flux that left the scene
+ * @param unshot flux reflected for the first time in this iteration, to be distributed in the next
+ * @param distributed percent of the energy that is distributed; the rest is estimated from its rate
+ *     of decrease
  */
 public record EnergyBalance(
     int iteration,
@@ -19,7 +19,9 @@ public record EnergyBalance(
     double unshot,
     double distributed) {
 
-  /** What is unaccounted for, as a share of what is emitted: the error of the form factors. */
+  /**
+   * Returns the flux unaccounted for as a share of the emitted flux: the error of the form factors.
+   */
   public double discrepancy() {
     return emitted > 0 ? (emitted - absorbed - escaped - unshot) / emitted : 0;
   }

@@ -8,24 +8,25 @@ import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 
 /**
- * The surfaces of a scene in patches of about one size. A large triangle is divided into equal
- * triangles; small ones of a body that lie in the same cube and face the same side make one patch.
- * What is seen from both sides has two patches, the one behind with the next number. Immutable; for
- * several threads.
+ * The surfaces of a scene divided into patches of about one size. A large triangle is divided into
+ * equal triangles; small triangles of a body that lie in the same grid cube and face the same side
+ * form one patch. A two-sided surface has two patches, the one of its back with the next number.
+ * Immutable; for several threads.
  */
 public final class LightPatches {
-  /** Parts that an edge is divided into at most. */
+  /** Largest number of parts that an edge is divided into. */
   private static final int MOST_PARTS = 100;
 
   private final LightScene scene;
 
-  /** Per triangle: its first area. */
+  /** Per triangle: the number of its first area. An area is a patch without regard to its side. */
   private final int[] areaOf;
 
-  /** Per triangle: parts of an edge; 0 when the triangle shares an area with others. */
+  /** Per triangle: the number of parts of an edge; 0 if the triangle shares an area with others. */
   private final int[] parts;
 
-  // Per area: the patch in front, its triangles and which part of the only triangle it is.
+  // Per area: the patch of its front, its triangles, the part of the triangle that it is if there
+  // is only one, and its size.
   private final int[] frontOf;
   private final int[][] members;
   private final int[] cell;
@@ -38,7 +39,7 @@ public final class LightPatches {
   private record Cube(int x, int y, int z, int side) {}
 
   /**
-   * @param length of a patch's sides, metres
+   * @param length side of a patch, metres
    */
   public LightPatches(LightScene scene, double length) {
     this.scene = scene;
@@ -89,7 +90,7 @@ public final class LightPatches {
       double edge = longestEdge(triangle);
       double area = scene.triangles().normal(triangle, normal);
       int n = (int) Math.min(MOST_PARTS, Math.ceil(edge / length));
-      // A long sliver is not worth many parts.
+      // Fewer parts for long slivers.
       n = (int) Math.min(n, Math.ceil(Math.sqrt(4 * area / (length * length))) + 1);
       if (edge > 1.5 * length && n > 1) {
         areaOf[triangle] = memberLists.size();
@@ -150,26 +151,26 @@ public final class LightPatches {
     return Math.sqrt(longest);
   }
 
-  /** The number of patches. */
+  /** Returns the number of patches. */
   public int count() {
     return areaOfPatch.length;
   }
 
-  /** Square metres. */
+  /** Returns the area of a patch, square metres. */
   public double area(int patch) {
     return size[areaOfPatch[patch]];
   }
 
-  /** One of its triangles; all of a patch are of one body. */
+  /** Returns one triangle of a patch; all triangles of a patch belong to one body. */
   public int triangle(int patch) {
     return members[areaOfPatch[patch]][0];
   }
 
   /**
-   * The patch at a place of a triangle.
+   * Returns the patch at a point of a triangle.
    *
-   * @param u weight of the second corner
-   * @param v weight of the third corner
+   * @param u barycentric weight of the second corner
+   * @param v barycentric weight of the third corner
    */
   public int at(int triangle, double u, double v, boolean behind) {
     int n = parts[triangle];
@@ -186,12 +187,12 @@ public final class LightPatches {
   }
 
   /**
-   * A place on a patch.
+   * Samples a point of a patch uniformly.
    *
-   * @param pick from 0 to 1: which of its triangles
-   * @param s from 0 to 1, with {@code t} where in the triangle
-   * @param point gets x, y, z
-   * @param normal gets the unit normal to the patch's side
+   * @param pick from 0 to 1: chooses the triangle
+   * @param s from 0 to 1; with {@code t} it chooses the point in the triangle
+   * @param point receives x, y, z
+   * @param normal receives the unit normal on the patch's side
    * @return the triangle
    */
   public int place(int patch, double pick, double s, double t, double[] point, double[] normal) {

@@ -8,10 +8,10 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /**
- * Light that comes straight from the lamps to a patch: the mean over some places of it, each of
- * which tries another place of every lamp. Of a lamp that is near compared to its size these tries
- * tell only the share that nothing is in the way of; the light itself has a closed form. One per
- * thread.
+ * Estimates the direct irradiance from the lamps on a patch: the mean over several sample points of
+ * the patch, each with a shadow ray to another point of every lamp. For a lamp that is near
+ * compared to its size the shadow rays give the visible share only, and the unshadowed irradiance
+ * is computed in closed form. One per thread.
  */
 final class PatchLamps {
   private final LightScene scene;
@@ -20,7 +20,7 @@ final class PatchLamps {
   private final PointSet onLamps;
   private final DirectLight shadows;
 
-  // Of the places of the patch looked at.
+  // The sample points of the present patch, with their normals and versions.
   private final double[][] points;
   private final double[][] normals;
   private final int[] versions;
@@ -32,8 +32,8 @@ final class PatchLamps {
   private final double[] open = new double[3];
 
   /**
-   * @param starts on a patch
-   * @param onLamps on a lamp, one for each start
+   * @param starts points on a patch
+   * @param onLamps points on a lamp, one for each point on the patch
    */
   PatchLamps(LightScene scene, LightPatches patches, Ray ray, PointSet starts, PointSet onLamps) {
     this.scene = scene;
@@ -47,11 +47,11 @@ final class PatchLamps {
   }
 
   /**
-   * Finds the light on a patch.
+   * Estimates the direct irradiance on a patch.
    *
-   * @param shift of the point sets, from 0 to 1
-   * @param direct irradiance r, g, b by patch, lx; gets this patch's
-   * @return bit i: whether light came from lamp i
+   * @param shift rotation of the point sets, from 0 to 1
+   * @param direct irradiance r, g, b of each patch, lx; receives that of this patch
+   * @return bit i: whether light arrived from lamp i
    */
   long light(int patch, float shift, float[] direct) {
     place(patch, shift);
@@ -72,8 +72,8 @@ final class PatchLamps {
   }
 
   /**
-   * Another shift of each dimension: else all patches would miss the same parts of a lamp, and of
-   * all lamps together more light would arrive than they give, or less.
+   * Derives a different rotation for each dimension: otherwise all patches would miss the same
+   * parts of a lamp, and the flux that arrives from all lamps would be biased.
    */
   private static double shift(float shift, int dimension) {
     int bits = PointSet.hash(Float.floatToIntBits(shift) + 0x51ed270b * dimension);
@@ -97,14 +97,14 @@ final class PatchLamps {
     }
   }
 
-  /** Adds a lamp's light at all places; whether there is any. */
+  /** Adds a lamp's light at all sample points; returns whether there is any. */
   private boolean add(int number, Lamp lamp) {
     double tried = 0;
     double passed = 0;
     boolean near = false;
     Arrays.fill(one, 0);
     for (int i = 0; i < versions.length; i++) {
-      // Lamps take different places of theirs.
+      // Each lamp is sampled at different points.
       double s = PointSet.turned(onLamps.x(i), lampS) + number * 0.618034;
       double t = PointSet.turned(onLamps.y(i), lampT);
       double cosine = shadows.aim(number, points[i], normals[i], s - Math.floor(s), t);

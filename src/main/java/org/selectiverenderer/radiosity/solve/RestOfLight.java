@@ -4,20 +4,20 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What later iterations would bring: light comes in steps that soon shrink by one factor, the share
- * that the scene's surfaces throw back, so their sum is that of a geometric series. The factor is
- * that of the whole scene: where little light comes early, as under a table, a patch's own steps do
- * not shrink yet.
+ * Estimates the remainder of the Neumann series, the light that later iterations would add: its
+ * terms soon shrink by a constant factor, the mean reflectance of the scene, so the remainder is
+ * that of a geometric series. The factor is that of the whole scene, since where little light
+ * arrives early, as under a table, a patch's own terms do not shrink yet.
  */
 final class RestOfLight {
-  /** Nothing throws back all light: see {@code scene.Reflectance}. */
+  /** Largest factor: see {@code scene.Reflectance}. */
   private static final double MOST = 0.95;
 
   private float @Nullable [] last;
   private float @Nullable [] before;
 
   /**
-   * @param irradiance r, g, b per patch after an iteration; it is not changed later
+   * @param irradiance r, g, b of each patch after an iteration; it must not be changed later
    */
   void heard(float[] irradiance) {
     before = last;
@@ -25,13 +25,14 @@ final class RestOfLight {
   }
 
   /**
-   * The last irradiance with all that is to come; as it is after the first iteration.
+   * Returns the last irradiance plus the estimated remainder; after the first iteration the
+   * irradiance as it is.
    *
-   * @param balances of all iterations
+   * @param balances the energy balances of all iterations
    */
   float[] added(List<EnergyBalance> balances) {
     if (last == null) {
-      throw new IllegalStateException("no iteration was heard of");
+      throw new IllegalStateException("no iteration has been added");
     }
     float[] sum = last.clone();
     int count = balances.size();

@@ -3,18 +3,18 @@ package org.selectiverenderer.radiosity.solve;
 import java.util.List;
 
 /**
- * The light on the patches.
+ * The radiosity solution: the light on each patch.
  *
- * <p>Radiance is that of the opaque part, which a ray meets that is not let through: of a pane that
- * lets through three quarters it is what the remaining quarter has.
+ * <p>Radiance is that of the opaque share of a surface, which stops a ray: for a pane that
+ * transmits three quarters of the light it is the radiance of the remaining quarter.
  *
- * @param reflected radiance r, g, b per patch of what is reflected, cd/m2
- * @param glow radiance r, g, b per patch of what glows and is not among the lamps, cd/m2
- * @param direct irradiance r, g, b per patch by the lamps, lx
- * @param indirect irradiance r, g, b per patch by other surfaces, lx
- * @param lampsOf per patch, bit i: whether it sees some of lamp i
- * @param buried per patch: whether it lies inside of something
- * @param balances one per iteration
+ * @param reflected reflected radiance r, g, b of each patch, cd/m2
+ * @param glow emitted radiance r, g, b of each patch that is not one of the lamps, cd/m2
+ * @param direct irradiance r, g, b of each patch from the lamps, lx
+ * @param indirect irradiance r, g, b of each patch from other surfaces, lx
+ * @param lampsOf per patch, bit i: whether some part of lamp i is visible from it
+ * @param buried per patch: whether it lies inside of a solid
+ * @param balances the energy balance of each iteration
  */
 public record Solution(
     LightPatches patches,

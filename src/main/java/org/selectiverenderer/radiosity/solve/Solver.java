@@ -9,12 +9,13 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Solves B = E + rho F B (Goral et al. 1984; thesis 2.1.4) by gathering: in iteration k every patch
- * takes what those that it sees had after k - 1, so light has been reflected k times (Jacobi's
- * method; Kajiya's Neumann series, 1986). Light only grows from one iteration to the next. Since
- * the form factors are found beforehand, an iteration costs no rays, and it can end after any of
- * them as in progressive refinement (Cohen et al. 1988). When the wanted share of the energy is
- * distributed, the rest is estimated and added, as Cohen et al. do by an ambient term.
+ * Solves the radiosity equation B = E + rho F B (Goral et al. 1984; thesis 2.1.4) by gathering: in
+ * iteration k every patch gathers the light that the patches visible from it had after iteration k
+ * - 1, so light has been reflected k times (Jacobi's method; Kajiya's Neumann series, 1986). Light
+ * only grows from one iteration to the next. Since the form factors are found beforehand, an
+ * iteration costs no rays, and the solver can stop after any of them as in progressive refinement
+ * (Cohen et al. 1988). When the requested share of the energy is distributed, the rest is estimated
+ * and added, as Cohen et al. do by an ambient term.
  */
 public final class Solver {
   private final LightScene scene;
@@ -38,7 +39,8 @@ public final class Solver {
       Body body = scene.body(patches.triangle(patch));
       int at = body.reflectanceAt(patches.triangle(patch) - body.firstTriangle());
       boolean sampled = scene.sampled()[scene.bodyOf()[patches.triangle(patch)]];
-      // The scene has both beside what shines through; rays are stopped by the opaque part only.
+      // A body's reflectance and emission are per whole surface, but rays are stopped by its opaque
+      // share only.
       float opaque = 1 - body.transmittance();
       for (int c = 0; c < 3 && opaque > 0; c++) {
         rho[3 * patch + c] = body.reflectance()[at + c] / opaque;
@@ -56,12 +58,12 @@ public final class Solver {
   }
 
   /**
-   * Passes light on. If it is cancelled, the last complete iteration stays; before the first there
-   * are no balances.
+   * Iterates. If the work is cancelled, the last complete iteration is returned; if none is
+   * complete, the solution has no balances.
    *
-   * @param iterations at most
-   * @param quality percent of the energy distributed at which it stops
-   * @param each hears the solution after every iteration; it must not keep it
+   * @param iterations largest number of iterations
+   * @param quality percent of the energy distributed at which the solver stops
+   * @param each receives the solution after every iteration; it must not keep it
    */
   public Solution solve(
       int iterations, double quality, WorkProgress progress, Consumer<Solution> each) {
@@ -125,7 +127,7 @@ public final class Solver {
     return solution;
   }
 
-  /** With what is still to come. */
+  /** Returns the solution with the estimated remainder of the series added. */
   private Solution whole(Solution solution, RestOfLight rest) {
     float[] indirect = rest.added(solution.balances());
     float[] reflected = solution.reflected().clone();
@@ -181,13 +183,13 @@ public final class Solver {
     double unshot = 0;
     double reflected = 0;
     for (int patch = 0; patch < patches.count(); patch++) {
-      // Versions that only stand for a reference take light but give none to others.
+      // Versions other than the reference receive light but give none to others.
       if (buried[patch] || !scene.stands(patches.triangle(patch))) {
         continue;
       }
-      // Light that fell on what lies outside of solids arrived there only: see open().
+      // Light arrived at the open share of the patch only: see open().
       double area = patches.area(patch) * open(patch);
-      // What goes through glass is counted where it arrives.
+      // Light that passes through glass is counted where it arrives.
       double through = scene.body(patches.triangle(patch)).transmittance();
       for (int c = 0; c < 3; c++) {
         int at = 3 * patch + c;
@@ -207,14 +209,18 @@ public final class Solver {
   }
 
   /**
-   * The share of a patch outside of solids. What lamps throw on it was averaged over all of it, and
-   * the rest got none; a patch that is not buried is open by an eighth at least.
+   * Returns the share of a patch that lies outside of solids. Direct light was averaged over the
+   * whole patch, of which the rest receives none; a patch that is not buried is open by an eighth
+   * at least.
    */
   private double open(int patch) {
     return 1 - (double) inside[patch] / transport.rays(patch);
   }
 
-  /** What is still to come, as a geometric series of the last two iterations. */
+  /**
+   * Estimates the percentage of the energy that is distributed; the rest is extrapolated as a
+   * geometric series of the last two iterations.
+   */
   private static double distributed(
       double unshot, double reflected, double emitted, List<EnergyBalance> earlier) {
     double before = earlier.isEmpty() ? emitted : earlier.get(earlier.size() - 1).unshot();

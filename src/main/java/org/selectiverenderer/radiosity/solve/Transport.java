@@ -11,24 +11,28 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * What every patch sees, found once by rays that leave it as light does from a diffuse surface: the
- * share of them that meets a patch is the form factor to it (thesis Fig 13, Nusselt's analog; rays
- * for the hemicube: Malley 1988, Wallace et al. 1989). Also the light straight from the lamps.
+ * The form factors of all patches, sampled once by cosine-distributed rays: the share of a patch's
+ * rays that hit another patch is the form factor to it (thesis Fig 13, Nusselt's analog; rays in
+ * place of the hemicube: Malley 1988, Wallace et al. 1989). Also holds the direct irradiance from
+ * the lamps.
  */
 public final class Transport {
   /** The ray left the scene. */
   public static final int OUTSIDE = -1;
 
   /**
-   * The ray does not count: it met a surface from behind, so its start lies inside of something; or
-   * its start is covered closely by something else, as behind a cupboard, while others are open.
+   * The ray does not count: it hit a surface from behind, so its start point lies inside of a
+   * solid; or its start point is covered closely by another body, as behind a cupboard, while
+   * others of the patch are open.
    */
   public static final int INSIDE = -2;
 
-  /** With a larger share of its rays inside of solids a patch counts as buried. */
+  /** Share of rays inside of solids above which a patch is buried. */
   static final double BURIED = 7.0 / 8;
 
-  /** What is nearer covers a place, as a share of the side of the patch. */
+  /**
+   * Distance up to which another body covers a start point, as a share of the side of the patch.
+   */
   private static final double CLOSE = 0.25;
 
   private final LightPatches patches;
@@ -39,12 +43,12 @@ public final class Transport {
   private final long cast;
 
   /**
-   * How much is done.
+   * The sampling effort.
    *
-   * @param rays per patch
-   * @param lampPlaces per patch and lamp
-   * @param fewer the share of both for patches of versions that do not stand for their object, and
-   *     so give no light to any other: 1 for all, 4 for a quarter and so on
+   * @param rays number of rays per patch
+   * @param lampPlaces number of sample points per patch and lamp
+   * @param fewer divisor of both numbers for patches of versions that are not the reference of
+   *     their object, and so give no light to others: 1 for all, 4 for a quarter and so on
    */
   public record Effort(int rays, int lampPlaces, int fewer) {}
 
@@ -58,7 +62,7 @@ public final class Transport {
     this.cast = cast;
   }
 
-  /** Likewise, with as many rays for all patches. */
+  /** Samples the form factors with the same number of rays for all patches. */
   public static Transport find(
       LightScene scene,
       LightPatches patches,
@@ -70,7 +74,8 @@ public final class Transport {
   }
 
   /**
-   * @return what the patches see; if cancelled, what was found so far, the rest being dark
+   * @return the form factors and the direct light; if cancelled, those found so far, and the rest
+   *     dark
    */
   public static Transport find(
       LightScene scene, LightPatches patches, Effort effort, int seed, WorkProgress progress) {
@@ -103,7 +108,8 @@ public final class Transport {
           PatchLamps fewLamps = lamps(scene, patches, ray, fewPlaces, seed);
           boolean[] covered = new boolean[rays];
           for (int patch = from; patch < to; patch++) {
-            // Each patch has its own shift of the sets: errors of neighbours must not agree.
+            // Each patch has its own rotation of the sets, so that the errors of neighbours are not
+            // correlated.
             float shift = (PointSet.hash(patch + 31 * seed) >>> 8) * 0x1p-24f;
             int own = first[patch + 1] - first[patch];
             for (int i = 0; i < own; i++) {
@@ -126,8 +132,9 @@ public final class Transport {
   }
 
   /**
-   * Light meets the open part of a patch, so this is what it throws back: what lies behind a
-   * cupboard must not darken what is seen beside it. Where hardly anything is open, all counts.
+   * Leaves out covered rays, since light arrives at the open part of a patch only: the part behind
+   * a cupboard must not darken the part that is visible beside it. Where hardly any ray is open,
+   * all rays count.
    */
   private static void leaveOut(boolean[] covered, int rays, int[] seen, int first) {
     int closed = 0;
@@ -139,7 +146,7 @@ public final class Transport {
     }
   }
 
-  /** One thread's work. */
+  /** Casts the rays of one thread. */
   private static final class Caster {
     private final LightScene scene;
     private final LightPatches patches;
@@ -191,7 +198,7 @@ public final class Transport {
       return met;
     }
 
-    /** Whether the start of the last ray is covered closely by another body. */
+    /** Returns whether the start point of the last ray is covered closely by another body. */
     boolean covered() {
       return covered;
     }
@@ -212,27 +219,27 @@ public final class Transport {
     return patches;
   }
 
-  /** The number of a patch's rays. */
+  /** Returns the number of a patch's rays. */
   public int rays(int patch) {
     return first[patch + 1] - first[patch];
   }
 
-  /** The patch that the i-th ray of a patch met, {@link #OUTSIDE} or {@link #INSIDE}. */
+  /** Returns the patch that the i-th ray of a patch hit, {@link #OUTSIDE} or {@link #INSIDE}. */
   public int seen(int patch, int i) {
     return seen[first[patch] + i];
   }
 
-  /** Irradiance from the lamps, r, g, b per patch, lx. */
+  /** Returns the direct irradiance from the lamps, r, g, b of each patch, lx. */
   public float[] direct() {
     return direct;
   }
 
-  /** Per patch, bit i: whether it sees some of lamp i. */
+  /** Returns per patch, bit i: whether some part of lamp i is visible from it. */
   public long[] lampsOf() {
     return lampsOf;
   }
 
-  /** The share of light that leaves one patch and arrives at another. */
+  /** Returns the form factor: the share of the light leaving one patch that arrives at another. */
   public double formFactor(int patch, int other) {
     int met = 0;
     for (int i = 0; i < rays(patch); i++) {
@@ -241,7 +248,7 @@ public final class Transport {
     return (double) met / rays(patch);
   }
 
-  /** Rays cast. */
+  /** Returns the number of rays cast. */
   public long cast() {
     return cast;
   }

@@ -1,7 +1,7 @@
 /**
  * The radiosity solution on patches: the surfaces are divided into patches, form factors between
- * them are found by rays, and light is passed on until the wanted share of the energy is
- * distributed.
+ * them are sampled by rays, and the radiosity equation is iterated until the requested share of the
+ * energy is distributed.
  *
  * <p>In: a {@link org.selectiverenderer.radiosity.scene.LightScene}. Out: the radiance of each
  * patch, with an {@link org.selectiverenderer.radiosity.solve.EnergyBalance} per iteration. Uses

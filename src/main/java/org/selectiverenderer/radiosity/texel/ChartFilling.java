@@ -5,8 +5,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.radiosity.atlas.TexelMap;
 
 /**
- * Gives texels that nobody sees the light of those around them in their chart, so that no darkness
- * is carried to where it is seen, and then the gutters that of the nearest chart.
+ * Hole filling of a page: hidden texels take the mean light of the texels around them in their
+ * chart, so that filtering carries no darkness to visible places; then gutters take the light of
+ * the nearest chart.
  */
 final class ChartFilling {
   private final TexelMap map;
@@ -21,7 +22,8 @@ final class ChartFilling {
   }
 
   /**
-   * Fills the texels of charts that are not gathered. A chart of which none is keeps what it has.
+   * Fills the texels of charts that are not gathered. A chart without any gathered texel keeps its
+   * values.
    *
    * @param light r, g, b per texel
    */
@@ -33,7 +35,7 @@ final class ChartFilling {
     new ChartFilling(map, light).grow(has, true);
   }
 
-  /** Fills what belongs to no chart. */
+  /** Fills the gutters. */
   static void gutters(TexelMap map, float[] light) {
     boolean[] has = new boolean[map.texels()];
     for (int i = 0; i < has.length; i++) {
@@ -42,7 +44,7 @@ final class ChartFilling {
     new ChartFilling(map, light).grow(has, false);
   }
 
-  /** Grows what has light, one texel at a time, until there is nothing more to grow into. */
+  /** Dilates the texels that have light by one texel per round until no texel is left to fill. */
   private void grow(boolean[] has, boolean inChart) {
     count = 0;
     for (int i = 0; i < has.length; i++) {

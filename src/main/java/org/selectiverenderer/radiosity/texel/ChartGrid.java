@@ -3,7 +3,10 @@ package org.selectiverenderer.radiosity.texel;
 import java.util.Arrays;
 import org.selectiverenderer.radiosity.atlas.TexelMap;
 
-/** Grids of texels, each from the corner of its chart on, so that no chart is without. */
+/**
+ * Regular grids of texels, one for each chart and beginning at the lower left corner of the chart,
+ * so that every chart has grid texels.
+ */
 final class ChartGrid {
   private final TexelMap map;
   private final int lowest;
@@ -34,7 +37,7 @@ final class ChartGrid {
     }
   }
 
-  /** Whether a texel of a chart is on the grid of this stride. */
+  /** Returns whether a texel of a chart is on the grid of a stride. */
   boolean on(int texel, int stride) {
     int chart = map.chart()[texel] - lowest;
     return (texel % map.width() - left[chart]) % stride == 0

@@ -13,12 +13,12 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Light from the lamps at every texel: what would arrive if nothing were in the way, in closed
- * form, times the share that reaches it. The share is found with many rays on every fourth texel of
- * every fourth row and with one ray on every other texel in between; where all say the same, or the
- * share changes slowly and the single rays agree with that, it is interpolated; elsewhere each
- * texel has rays of its own, few of them in half-shadows, whose noise is evened out with the texels
- * beside that have about the same share.
+ * Computes the direct irradiance from the lamps at every texel: the unshadowed irradiance in closed
+ * form, times the visible share of the lamp. That share is estimated with many shadow rays at every
+ * fourth texel of every fourth row, and with one ray at every other texel in between. Where all of
+ * them agree, or the share changes slowly and the single rays agree with the interpolated share, it
+ * is interpolated. Elsewhere each texel casts rays of its own, few of them in penumbras, and their
+ * noise is filtered with the adjacent texels that have about the same share.
  */
 final class DirectPass {
   private final LightScene scene;
@@ -27,10 +27,10 @@ final class DirectPass {
   private final LampShadow.Points points;
   private final char[] shares;
 
-  /** What has been found for each texel, before half-shadows are evened out. */
+  /** Per texel: its visible share, before penumbras are filtered. */
   private final char[] found;
 
-  /** Whose share is evened out: one of its own few rays, or of a half-shadow. */
+  /** Per texel: whether its share is filtered, since it comes of few rays or lies in a penumbra. */
   private final boolean[] noisy;
 
   private final float[] light;
@@ -51,7 +51,7 @@ final class DirectPass {
     return rays.sum();
   }
 
-  /** Irradiance by all texels, lx; null if it was cancelled. */
+  /** Returns the irradiance r, g, b of all texels, lx; null if the work was cancelled. */
   float @Nullable [] gather(WorkProgress progress, DoubleConsumer done) {
     LampTiles tiles = LampTiles.find(scene, solution, texels, points, progress, rays);
     int lamps = scene.lamps().size();
@@ -100,7 +100,7 @@ final class DirectPass {
         });
   }
 
-  /** One thread's work on one lamp. */
+  /** The work of one thread on one lamp. */
   private final class Worker {
     private final int number;
     private final Lamp lamp;
@@ -130,7 +130,10 @@ final class DirectPass {
       shares[texel] = ShareGrid.of(share);
     }
 
-    /** Finds the share and adds its light, unless that is to be evened out first. */
+    /**
+     * Finds the visible share of a texel and adds its light, unless the share has to be filtered
+     * first.
+     */
     void find(int texel) {
       place.at(texel);
       unhidden.of(lamp, place, open);
@@ -150,7 +153,7 @@ final class DirectPass {
       }
     }
 
-    /** What is known around; NaN where the texel needs rays of its own. */
+    /** Returns the share known from the grid; NaN if the texel needs rays of its own. */
     private double known() {
       if (grid.onGrid()) {
         return grid.settled() ? grid.known() : Double.NaN;
@@ -174,8 +177,8 @@ final class DirectPass {
     }
 
     /**
-     * Takes the mean over the texels around that have about the same share. In a half-shadow all of
-     * few rays may say the same by chance: such a texel, too.
+     * Filters the share of a noisy texel: takes the mean over the adjacent texels that have about
+     * the same share. This includes texels of a penumbra whose few rays agree by chance.
      */
     void even(int texel) {
       if (!noisy[texel]) {

@@ -4,26 +4,33 @@ import java.util.Arrays;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.trace.Ray;
 
-/** What a place gets from all the surfaces that it sees. One per thread. */
+/**
+ * Monte Carlo estimator of the indirect irradiance at a surface point from all surfaces visible
+ * over its hemisphere. One per thread.
+ */
 final class Hemisphere {
-  /** Parts of a set that are compared to know its error. */
+  /** Number of batches of rays whose means are compared to estimate the standard error. */
   private static final int PARTS = 8;
 
-  /** A place that meets so many backs, as a share of its rays, lies inside of something. */
+  /** Share of rays that hit back faces above which a point lies inside of a solid. */
   private static final double BURIED = 0.25;
 
   /**
-   * Covered: so many of the rays end so near, in offsets of starts, that something lies right on
-   * the place. Through a wider gap it can be seen, and it is dark.
+   * A point is covered when at least this share of its rays ends within {@link #TOUCHING} ray
+   * offsets: another surface lies right on it. Through a wider gap the point is visible, and
+   * rightly dark.
    */
   private static final double COVERED = 0.95;
 
   static final double TOUCHING = 4;
 
-  /** Reflections between things that are near to each other that a ray follows. */
+  /** Largest number of reflections that a ray follows between surfaces close to each other. */
   static final int MOST_BOUNCES = 4;
 
-  /** Of flat rays no more than this counts for how light turns, as a cosine. */
+  /**
+   * Least cosine by which the rotational gradient is divided, so that grazing rays do not dominate
+   * it.
+   */
   private static final double LEAST_COSINE = 0.1;
 
   private final LightScene scene;
@@ -47,16 +54,16 @@ final class Hemisphere {
     walls = new NearWalls(scene);
   }
 
-  /** Rays cast so far. */
+  /** Returns the number of rays cast so far. */
   long rays() {
     return ray.cast();
   }
 
   /**
-   * Gathers at a place.
+   * Estimates the irradiance at a surface point.
    *
-   * @param turn which set of directions
-   * @param fewer what share of the rays is cast: 1 for all, 2 for half and so on
+   * @param turn chooses the set of directions
+   * @param fewer divisor of the number of rays: 1 for all, 2 for half and so on
    */
   void gather(TexelPlace place, int turn, int fewer, LightRecord out) {
     int count = Math.max(PARTS, rays.most() / fewer);
@@ -105,8 +112,9 @@ final class Hemisphere {
   }
 
   /**
-   * Finds the radiance of what the ray has met. Where that is near, as in a corner or under
-   * furniture, the light from surfaces there is not the patch's: one more ray fetches it.
+   * Computes the radiance of the surface that the ray hit. Where the hit is near, as in a corner or
+   * under furniture, the patch is too coarse for the indirect light there, and a further ray
+   * follows the reflection.
    */
   private void look(int i) {
     Arrays.fill(radiance, 0);

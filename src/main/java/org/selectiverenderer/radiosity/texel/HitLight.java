@@ -8,12 +8,11 @@ import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /**
- * What a ray sees where it ends: light from the lamps as the texel there has it, so that shadows
- * are as sharp as they are seen, and light from surfaces as the patch has it. Immutable; for
- * several threads.
+ * Light at the point that a ray hits: direct light from the texel there, so that shadows are as
+ * sharp as in the lightmap, and indirect light from the patch. Immutable; for several threads.
  */
 final class HitLight {
-  /** Of a patch's area: rays shorter than the root of that are near. */
+  /** Squared length of a ray, in areas of the patch that it hits, below which the hit is near. */
   private static final double NEAR = 2.25;
 
   private final LightScene scene;
@@ -22,7 +21,7 @@ final class HitLight {
   private final float[] direct;
 
   /**
-   * @param direct irradiance from the lamps by all texels
+   * @param direct irradiance r, g, b from the lamps at all texels, lx
    */
   HitLight(LightScene scene, Solution solution, Texels texels, float[] direct) {
     this.scene = scene;
@@ -31,13 +30,13 @@ final class HitLight {
     this.direct = direct;
   }
 
-  /** The patch that a ray has met. */
+  /** Returns the patch that a ray hit. */
   int patch(Ray ray) {
     return solution.patches().at(ray.triangle, ray.u, ray.v, ray.behind);
   }
 
   /**
-   * Whether a ray ended so near that the patch there is too coarse for what it sees: the light of a
+   * Returns whether a ray's hit is so near that the patch there is too coarse, since the light of a
    * patch is a mean over its area.
    */
   boolean near(Ray ray, int patch) {
@@ -45,8 +44,8 @@ final class HitLight {
   }
 
   /**
-   * Writes the reflectance r, g, b of the place that a ray has met: of its opaque share, since that
-   * stopped the ray.
+   * Writes the reflectance r, g, b at the point that a ray hit, per opaque share of the surface,
+   * since that share stopped the ray.
    */
   void reflectance(Ray ray, double[] out) {
     Body body = scene.body(ray.triangle);
@@ -57,7 +56,7 @@ final class HitLight {
     }
   }
 
-  /** Writes the irradiance r, g, b from the lamps at the place that a ray has met, lx. */
+  /** Writes the direct irradiance r, g, b at the point that a ray hit, lx. */
   void direct(Ray ray, int patch, double[] out) {
     boolean shown = ray.behind == texels.sides().behind(ray.triangle);
     int texel = shown ? texel(ray, scene.bodyOf()[ray.triangle]) : -1;
@@ -67,14 +66,14 @@ final class HitLight {
     }
   }
 
-  /** Writes the irradiance r, g, b from surfaces on a patch, lx. */
+  /** Writes the indirect irradiance r, g, b on a patch, lx. */
   void indirect(int patch, double[] out) {
     for (int c = 0; c < 3; c++) {
       out[c] = solution.indirect()[3 * patch + c];
     }
   }
 
-  /** The radiance of a colour with which a patch glows, cd/m2. */
+  /** Returns the emitted radiance of a patch in a colour channel, cd/m2. */
   double glow(int patch, int colour) {
     return solution.glow()[3 * patch + colour];
   }

@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
 
-/** Light from surfaces at every texel, by interpolation between records. */
+/** Computes the indirect irradiance of every texel by interpolation between irradiance records. */
 final class IndirectBetween {
   private static final int CHUNK = 16;
 
@@ -21,7 +21,10 @@ final class IndirectBetween {
     this.pass = pass;
   }
 
-  /** Adds to r, g, b of all texels that are gathered; returns the noise that is left in them. */
+  /**
+   * Adds the indirect irradiance r, g, b to all texels that are gathered; returns the statistics of
+   * the noise that is left in them.
+   */
   TexelNoise addTo(float[] light) {
     IntStream.range(0, (texels.tiles() + CHUNK - 1) / CHUNK)
         .parallel()
@@ -37,7 +40,10 @@ final class IndirectBetween {
     return noise.of(pass.records().size());
   }
 
-  /** Texels side by side in one chart share the search for records. One per thread. */
+  /**
+   * Collects runs of adjacent texels in one chart, which share the search for records. One per
+   * thread.
+   */
   private final class Runs {
     private final float[] light;
     private final TexelPlace place = new TexelPlace(scene, solution, texels);

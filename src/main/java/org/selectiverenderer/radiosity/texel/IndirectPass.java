@@ -9,35 +9,42 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Light from surfaces: records on grids of texels, the coarsest first. A finer grid gets records
- * where those of the coarser ones do not reach; single texels where light changes so much that no
- * plane fits the records. The records of one grid do not depend on each other, so the result is the
- * same with any number of threads.
+ * Irradiance caching of the indirect light: records are placed on grids of texels, the coarsest
+ * grid first. A finer grid gets records where those of the coarser ones do not reach, and single
+ * texels where light changes so much that no plane fits the records. The records of one grid do not
+ * depend on each other, so the result is the same with any number of threads.
  */
 final class IndirectPass {
   private static final int[] STRIDES = {16, 8, 4, 2, 1};
 
-  /** A record counts within this share of how far what it sees is. */
+  /**
+   * Radius of validity of a record as a share of the harmonic mean distance to the surfaces visible
+   * from it.
+   */
   private static final double REACH = 0.15;
 
   /**
-   * The radius of a record, in texels: at least on all grids, on that of single texels; at most.
+   * Limits of a record's radius, texels: the least one on grids, the least one at single texels,
+   * and the largest.
    */
   private static final double LEAST = 2.4;
 
   private static final double LEAST_SINGLE = 1.4;
   private static final double MOST = 24;
 
-  /** With less weight of records around, a texel needs one of its own. */
+  /** Sum of the weights of the records around below which a texel needs a record of its own. */
   private static final double KNOWN = 0.4;
 
-  /** Light that is farther off the plane between records, as a share, needs more of them. */
+  /**
+   * Deviation of the records from their plane, as a share of the light, above which more records
+   * are needed.
+   */
   private static final double BENT = 0.03;
 
-  /** What is darker than this share of the scene's mean light counts as if it had so much. */
+  /** Least light, as a share of the scene's mean light, that relative errors refer to. */
   private static final double DARK = 0.01;
 
-  /** The part of the work after which each record has its first rays. */
+  /** Share of the progress after which each record has its first rays. */
   private static final double GATHERED = 0.6;
 
   private final LightScene scene;
@@ -53,7 +60,7 @@ final class IndirectPass {
   private final LongAdder rays = new LongAdder();
 
   /**
-   * @param noise the standard error of a place, as a share of its light, above which it gets more
+   * @param noise the standard error of a record, as a share of its light, above which it gets more
    *     rays
    */
   IndirectPass(
@@ -79,7 +86,10 @@ final class IndirectPass {
     return rays.sum();
   }
 
-  /** With less light, noise is a share of this; red, green and blue together, lx. */
+  /**
+   * Returns the least light that noise is expressed as a share of; red, green and blue together,
+   * lx.
+   */
   double dark() {
     return dark;
   }
@@ -88,7 +98,7 @@ final class IndirectPass {
     return records;
   }
 
-  /** Gathers the records; false if it was cancelled. */
+  /** Gathers the records; returns false if the work was cancelled. */
   boolean gather(WorkProgress progress, DoubleConsumer done) {
     for (int level = 0; level < STRIDES.length; level++) {
       int stride = STRIDES[level];
@@ -108,7 +118,7 @@ final class IndirectPass {
     return whole;
   }
 
-  /** The texels of a grid that need a record of their own. */
+  /** Returns the texels of a grid that need a record of their own. */
   private int[] wanting(int stride, WorkProgress progress) {
     int[][] byChunk = new int[texels.tiles()][];
     ParallelWork.run(
@@ -128,7 +138,7 @@ final class IndirectPass {
         .toArray();
   }
 
-  /** One thread's search for texels that need records. */
+  /** Searches for texels that need records. One per thread. */
   private final class Search {
     private final int stride;
     private final TexelPlace place = new TexelPlace(scene, solution, texels);
@@ -174,13 +184,16 @@ final class IndirectPass {
     }
   }
 
-  /** Looks at a place of the reader; whether anything is known there. */
+  /** Interpolates at a surface point; returns whether some record is valid there. */
   boolean at(RecordReader reader, int texel, TexelPlace place) {
     return reader.at(
         place.point, place.normal, place.flat(), group(place), nearby.reach(texel, place));
   }
 
-  /** All references and what has no versions see one scene; any other version sees its own. */
+  /**
+   * Returns the group of a surface point: reference versions and bodies without versions see the
+   * same scene, and any other version sees one of its own.
+   */
   private int group(TexelPlace place) {
     return scene.versions().isReference(place.version) ? 0 : place.version;
   }
@@ -222,12 +235,17 @@ final class IndirectPass {
     return whole;
   }
 
-  /** Near to each other, records share their noise: what share of the rays each gets. */
+  /**
+   * Returns the divisor of the rays of a record: dense records share their noise, so each needs
+   * fewer.
+   */
   private static int fewer(int stride) {
     return stride > 4 ? 1 : stride == 4 ? 2 : 4;
   }
 
-  /** What falls on the surfaces that are seen, red, green and blue together, lx. */
+  /**
+   * Returns the mean irradiance on surfaces that are not buried, red, green and blue together, lx.
+   */
   private double meanLight() {
     double sum = 0;
     double area = 0;

@@ -6,15 +6,15 @@ import org.selectiverenderer.radiosity.solve.DirectLight;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /**
- * The share of a lamp's light that reaches a texel, by shadow rays from all over its square to all
- * over the lamp: shadows' edges are as smooth as the lamp is wide, and as the texel. One per
- * thread.
+ * Estimates the visible share of a lamp at a texel with shadow rays from points all over the
+ * texel's square to points all over the lamp, so that the edges of shadows are as soft as the
+ * lamp's size makes them and are antialiased over the texel. One per thread.
  */
 final class LampShadow {
-  /** No share: nothing of the lamp's light falls on the texel, even if nothing is in the way. */
+  /** Marks a texel that receives no light of the lamp even if nothing occludes it. */
   static final double NOTHING = -1;
 
-  /** Shares closer to none or all than this have no edge in them. */
+  /** Shares closer to 0 or 1 than this have no shadow edge in them. */
   private static final double CLEAR = 0.01;
 
   private final boolean[] hard;
@@ -26,10 +26,10 @@ final class LampShadow {
   private double passed;
 
   /**
-   * What all share.
+   * The point sets that all threads share.
    *
-   * @param onLamp places on a lamp
-   * @param onTexel starts
+   * @param onLamp sample points on a lamp
+   * @param onTexel start points on a texel
    */
   record Points(PointSet onLamp, PointSet onTexel) {
     static Points of(int most, int seed) {
@@ -54,14 +54,14 @@ final class LampShadow {
     return ray.cast();
   }
 
-  /** The share where nothing is known yet, by few rays if they agree. */
+  /** Estimates the share where nothing is known yet, with few rays if they agree. */
   double share(TexelPlace place, int lamp, int turn) {
     return share(place, lamp, hard[lamp] ? 4 : 16, points.most(), turn);
   }
 
   /**
-   * The share where an edge may be. Of a hard shadow's all rays are needed to place it; a soft
-   * one's is taken together with those of the texels around.
+   * Estimates the share where a shadow edge may be. A hard edge needs all rays to be located; a
+   * soft edge is filtered with the texels around and needs fewer.
    */
   double edge(TexelPlace place, int lamp, int turn) {
     return hard[lamp]
@@ -69,7 +69,7 @@ final class LampShadow {
         : share(place, lamp, points.most() / 8, points.most() / 4, turn);
   }
 
-  /** The share on a piece of few texels, on which little of a half-shadow can be seen. */
+  /** Estimates the share on a chart of few texels, on which little of a penumbra is visible. */
   double small(TexelPlace place, int lamp, int turn) {
     return share(place, lamp, 4, points.most() / 4, turn);
   }
@@ -90,7 +90,7 @@ final class LampShadow {
     return share;
   }
 
-  /** The share by one ray. */
+  /** Estimates the share with one ray. */
   double one(TexelPlace place, int lamp, int i, int turn) {
     open = 0;
     passed = 0;
@@ -99,7 +99,7 @@ final class LampShadow {
   }
 
   /**
-   * @param turn shifts the points, another number another way
+   * @param turn chooses the rotation of the point sets
    */
   private void cast(TexelPlace place, int lamp, int from, int to, int turn) {
     double a = unit(turn);

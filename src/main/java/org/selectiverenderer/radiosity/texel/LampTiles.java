@@ -9,12 +9,15 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Which lamps may shine on which tiles of texels: those that the patches there see, those of which
- * one more try finds something, and those of the tiles around. Lamps from the 64th on shine
- * everywhere.
+ * Light culling by tiles of texels: the lamps that may shine on a tile are those visible from its
+ * patches, those that one more shadow ray reaches, and those of the adjacent tiles. Lamps from the
+ * 64th on are assumed to shine everywhere.
  */
 final class LampTiles {
-  /** A try is made for a lamp that would add this share to the light of the patch. */
+  /**
+   * Least share that a lamp would add to the light of the patch for a further shadow ray to be cast
+   * to it.
+   */
   private static final double MATTERS = 0.002;
 
   private final Texels texels;
@@ -54,7 +57,7 @@ final class LampTiles {
     return new LampTiles(texels, own).spread();
   }
 
-  /** One thread's tries. */
+  /** Finds the lamps of tiles. One per thread. */
   private static final class Tries {
     private final List<Lamp> lamps;
     private final Solution solution;

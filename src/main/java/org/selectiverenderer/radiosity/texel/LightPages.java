@@ -5,28 +5,28 @@ import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.TexelMap;
 
 /**
- * Irradiance on the pages of an atlas.
+ * The irradiance at the texels of an atlas's pages.
  *
  * @param irradiance by page: r, g, b per texel, lx, in the order of {@link
- *     org.selectiverenderer.radiosity.atlas.TexelMap}; gutters hold what the nearest texel of a
- *     chart has
- * @param complete whether every texel was gathered; if not, the rest has the patches' own values
- * @param rays cast
- * @param noise that is left
+ *     org.selectiverenderer.radiosity.atlas.TexelMap}; gutters have the value of the nearest texel
+ *     of a chart
+ * @param complete whether every texel was gathered; if not, the rest has the values of the patches
+ * @param rays number of rays cast
+ * @param noise statistics of the noise that is left
  */
 public record LightPages(
     Atlas atlas, List<float[]> irradiance, boolean complete, long rays, TexelNoise noise) {
 
-  /** Of light whose noise is not known, or that has none. */
+  /** Creates pages without noise statistics. */
   public LightPages(Atlas atlas, List<float[]> irradiance, boolean complete, long rays) {
     this(atlas, irradiance, complete, rays, TexelNoise.NONE);
   }
 
   /**
-   * The irradiance at a place of a page, between the four texels around it, as it will be drawn.
+   * Interpolates the irradiance bilinearly at a point of a page, as a browser draws it.
    *
-   * @param s from 0 to 1, with {@code t} the place
-   * @param out gets r, g, b, lx
+   * @param s texture coordinate from 0 to 1, and so {@code t}
+   * @param out receives r, g, b, lx
    */
   public void at(int page, double s, double t, double[] out) {
     TexelMap map = atlas.pages().get(page);

@@ -1,26 +1,26 @@
 package org.selectiverenderer.radiosity.texel;
 
-/** What a hemisphere of rays finds; used again and again by one thread. */
+/** One irradiance record as the hemisphere estimator returns it. Reused; one per thread. */
 final class LightRecord {
   /** Irradiance r, g, b, lx. */
   final double[] light = new double[3];
 
-  /** How it changes when the normal turns: a vector of the tangent plane for each of r, g, b. */
+  /** Rotational gradient of the irradiance: for each of r, g, b a vector of the tangent plane. */
   final double[] turn = new double[9];
 
-  /** The harmonic mean of how far what is seen is, metres. */
+  /** Harmonic mean distance to the surfaces that the rays hit, metres. */
   double distance;
 
-  /** The standard error of the light, red, green and blue together. */
+  /** Standard error of the irradiance, red, green and blue together. */
   double error;
 
-  /** What stands near to it, as {@link NearWalls} writes it. */
+  /** The walls near the point, as {@link NearWalls} writes them. */
   final float[] walls = new float[NearWalls.NUMBERS];
 
-  /** Rays that found it. */
+  /** Number of rays. */
   int rays;
 
-  /** False inside of something, or where something covers the place closely. */
+  /** Whether the point is visible: not inside of a solid and not covered closely. */
   boolean seen;
 
   double sum() {

@@ -5,12 +5,12 @@ import org.selectiverenderer.geometry.tree.BoxTree;
 import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
 
 /**
- * Light from surfaces at irregular places (Ward et al. 1988), each with a radius within which it
- * counts. Added to by one thread, then read by several.
+ * The irradiance cache: records of indirect irradiance at irregular surface points (Ward et al.
+ * 1988), each with a radius of validity. One thread adds records, then several threads read them.
  */
 final class LightRecords {
-  // Where the numbers of a record begin: place, normal, radius, error, light, turn, rays, whether
-  // it is shaded flat, what stands near to it.
+  // Offsets in the numbers of a record: position (at 0), normal, radius, error, irradiance,
+  // rotational gradient, number of rays, whether the point is shaded flat, walls nearby.
   static final int NORMAL = 3;
   static final int RADIUS = 6;
   static final int ERROR = 7;
@@ -32,32 +32,38 @@ final class LightRecords {
     return size;
   }
 
-  /** {@link #NUMBERS} by record; the first {@link #size} count. */
+  /** Returns {@link #NUMBERS} numbers per record; the first {@link #size} records are valid. */
   float[] numbers() {
     return numbers;
   }
 
-  /** By record; places of one group see the same surroundings. */
+  /** Returns the group of each record; points of one group see the same scene. */
   int[] groups() {
     return groups;
   }
 
-  /** By record: where it was gathered. */
+  /** Returns the texel at which each record was gathered. */
   int[] texels() {
     return texels;
   }
 
-  /** Whether their noise was taken out, so that what is left is the same in those side by side. */
+  /**
+   * Returns whether the records were denoised, so that the remaining errors of neighbouring records
+   * are correlated.
+   */
   boolean evened() {
     return evened;
   }
 
-  /** Boxes of the spheres within which the records count, as they were when it was last indexed. */
+  /**
+   * Returns the tree over the bounding boxes of the records' spheres of validity, as of the last
+   * call of {@link #index}.
+   */
   BoxTree tree() {
     return tree;
   }
 
-  /** Writes a record into a block of such. */
+  /** Writes a record into a block of records. */
   static void write(TexelPlace place, double radius, LightRecord record, float[] block, int at) {
     for (int i = 0; i < 3; i++) {
       block[at + i] = (float) place.point[i];
@@ -74,7 +80,10 @@ final class LightRecords {
     System.arraycopy(record.walls, 0, block, at + WALLS, NearWalls.NUMBERS);
   }
 
-  /** Takes the mean with what more rays from the same place have found; called once for each. */
+  /**
+   * Averages a record with the result of further rays from the same point, weighted by the numbers
+   * of rays.
+   */
   void join(int number, LightRecord more) {
     int at = NUMBERS * number;
     float own = numbers[at + RAYS] / (numbers[at + RAYS] + more.rays);
@@ -92,9 +101,9 @@ final class LightRecords {
   }
 
   /**
-   * Takes what has become of all records.
+   * Replaces the values of all records by denoised ones.
    *
-   * @param others by record: error, light, turn as they are here
+   * @param others per record: error, irradiance and rotational gradient, in the order of this class
    */
   void even(float[] others) {
     int each = RAYS - ERROR;
@@ -116,7 +125,7 @@ final class LightRecords {
     groups[size++] = group;
   }
 
-  /** Makes the records that were added findable. */
+  /** Rebuilds the tree over all records. */
   void index() {
     float[] all = numbers;
     tree =

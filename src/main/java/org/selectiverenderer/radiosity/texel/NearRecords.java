@@ -5,9 +5,8 @@ import org.selectiverenderer.geometry.tree.BoxTree;
 import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
 
 /**
- * The records around one of them, by how far away they are. They are asked for once for each
- * record, so their places are kept side by side, apart from all else that is known of them. One per
- * thread.
+ * Finds the records around one record, sorted into rings by distance. The search runs once for each
+ * record, so the positions are kept in an array of their own. One per thread.
  */
 final class NearRecords {
   private final Places places;
@@ -23,13 +22,13 @@ final class NearRecords {
   private int[] sorted = new int[64];
   private int count;
 
-  /** Where records are and what they belong to, for all threads. */
+  /** The positions and groups of records, shared by all threads. */
   static final class Places {
     private final float[] points;
     private final int[] groups;
     private final BoxTree tree;
 
-    /** Of the records as they are now: those added later are not found. */
+    /** Copies the positions of the present records; records added later are not found. */
     Places(LightRecords records) {
       float[] all = records.numbers();
       points = new float[3 * records.size()];
@@ -50,7 +49,7 @@ final class NearRecords {
   }
 
   /**
-   * @param rings into how many rings those around are divided
+   * @param rings number of rings
    */
   NearRecords(Places places, int rings) {
     this.places = places;
@@ -59,9 +58,9 @@ final class NearRecords {
   }
 
   /**
-   * Finds those of a record's group, itself too.
+   * Finds the records of a record's group around it, itself included.
    *
-   * @param widths the outer radius of each ring, metres; none less than the one before
+   * @param widths the outer radius of each ring, metres, ascending
    */
   void find(int record, double[] widths) {
     float[] points = places.points;
@@ -108,7 +107,7 @@ final class NearRecords {
     ends[ring]++;
   }
 
-  /** Puts the inner ones first. Within a ring they stay as they were found. */
+  /** Sorts the records by ring, inner rings first, in a stable order (counting sort). */
   private void sort() {
     int start = 0;
     for (int ring = 0; ring < ends.length; ring++) {
@@ -121,12 +120,12 @@ final class NearRecords {
     }
   }
 
-  /** Where a ring's records end; those of the next begin there. */
+  /** Returns the index at which a ring's records end and those of the next ring begin. */
   int end(int ring) {
     return ends[ring];
   }
 
-  /** One of the records found, the inner ones first. */
+  /** Returns one of the records found, inner rings first. */
   int record(int i) {
     return sorted[i];
   }

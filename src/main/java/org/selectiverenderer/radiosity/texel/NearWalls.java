@@ -5,26 +5,30 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /**
- * What stands on a surface around a place, as the rays from there tell it: on the other side of it
- * other light may fall, however thin it is. To each of four sides the nearest is kept, as the plane
- * that it stands in. One per thread.
+ * The planes of walls that stand on a surface near a point, as found by the rays from there. A
+ * record must not be used on the other side of a wall, however thin it is, since other light may
+ * fall there. For each of four directions along the surface the nearest wall is kept. One per
+ * thread.
  */
 final class NearWalls {
-  /** Numbers by place: four vectors. */
+  /** Numbers per point: four vectors. */
   static final int NUMBERS = 12;
 
-  /** How far away walls count, and how far above the surface rays may meet them, texels. */
+  /**
+   * Largest distance of a wall from the point, and largest height above the surface at which rays
+   * may hit it, texels.
+   */
   private static final double FAR = 8;
 
   private static final double LOW = 3;
 
   /**
-   * Cosine of the angle between the normals of a wall and of the surface: what rises by less than
-   * 45 degrees is part of the surface.
+   * Largest cosine of the angle between the normals of a wall and of the surface: what rises by
+   * less than 45 degrees is part of the surface.
    */
   private static final double LEANS = 0.7;
 
-  /** Nearer than this share of a texel they count as so near. */
+  /** Least distance of a wall, as a share of a texel; nearer walls count as that far. */
   private static final double LEAST = 1e-6;
 
   private final LightScene scene;
@@ -35,8 +39,8 @@ final class NearWalls {
   private double texel;
 
   /**
-   * To each side a vector along the surface, from the wall to the place, of length one over how far
-   * it is, 1/m; 0 where there is none.
+   * For each direction a vector along the surface from the wall to the point, with the inverse
+   * distance as its length, 1/m; 0 where there is no wall.
    */
   private final float[] planes = new float[NUMBERS];
 
@@ -45,10 +49,10 @@ final class NearWalls {
   }
 
   /**
-   * Begins at a place; nothing is known to be near.
+   * Begins at a point without walls.
    *
-   * @param upright the unit normal there
-   * @param size of its texel, metres
+   * @param upright the unit normal of the surface
+   * @param size side of the point's texel, metres
    */
   void begin(double[] upright, double size) {
     surface = upright;
@@ -57,7 +61,7 @@ final class NearWalls {
     Arrays.fill(planes, 0);
   }
 
-  /** Takes what a ray from the place has met, from either side. */
+  /** Takes the triangle that a ray from the point hit, from either side. */
   void met(Ray ray) {
     double up = ray.dx * surface[0] + ray.dy * surface[1] + ray.dz * surface[2];
     if (ray.length > (FAR + LOW) * texel || ray.length * up > LOW * texel) {
@@ -82,7 +86,8 @@ final class NearWalls {
   private void keep(double x, double y, double z, double near) {
     double a = x * across[0] + y * across[1] + z * across[2];
     double b = x * along[0] + y * along[1] + z * along[2];
-    // Most walls stand at right angles: the middle of each side lies along one of both tangents.
+    // Most walls are at right angles to each other, so each quadrant is centred on one of both
+    // tangents.
     int to = 3 * ((a + b > 0 ? 1 : 0) + (a - b > 0 ? 2 : 0));
     if (near * near > square(planes, to)) {
       planes[to] = (float) (near * x);
@@ -97,12 +102,12 @@ final class NearWalls {
         + (double) all[at + 2] * all[at + 2];
   }
 
-  /** Writes the numbers of the place. */
+  /** Writes the numbers of the point. */
   void write(float[] out) {
     System.arraycopy(planes, 0, out, 0, NUMBERS);
   }
 
-  /** Takes what more rays from the same place have found. */
+  /** Merges the walls that further rays from the same point found. */
   static void join(float[] all, int at, float[] more) {
     for (int i = 0; i < NUMBERS; i += 3) {
       if (square(more, i) > square(all, at + i)) {
@@ -112,10 +117,10 @@ final class NearWalls {
   }
 
   /**
-   * Whether a wall stands in front of another place.
+   * Returns whether a wall near a first point separates it from a second point.
    *
-   * @param at where the numbers of the first place begin
-   * @param dx with {@code dy} and {@code dz} from the first place to the other, metres
+   * @param at index at which the numbers of the first point begin
+   * @param dx with {@code dy} and {@code dz} the vector from the first point to the second, metres
    */
   static boolean between(float[] all, int at, double dx, double dy, double dz) {
     for (int i = at; i < at + NUMBERS; i += 3) {

@@ -8,36 +8,39 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Looks around each texel before light from surfaces is gathered. Texels inside of solids, those on
- * which something lies and those in closed hollows, such as the foot of a bin, are left out: nobody
- * sees them. Only where no lamp shines, or where things are near, are rays needed to know that. One
- * short ray from each texel tells where things are near, so that their contact shadows are not
- * passed over.
+ * Probes the surroundings of each texel before indirect light is gathered. Texels that nobody can
+ * see are left out: those inside of solids, those covered by another surface and those in closed
+ * cavities, such as the foot of a bin. Rays are needed for that only where no lamp shines or other
+ * surfaces are near. One short ray from each texel tells where surfaces are near, so that
+ * interpolation does not skip their contact shadows.
  */
 final class NearbyPass {
-  /** Rays to know whether a place is seen. */
+  /** Number of rays that test whether a point is visible. */
   private static final int RAYS = 4;
 
-  /** How far things are near, texels. */
+  /** Length of the short rays: distance up to which surfaces are near, texels. */
   private static final double NEAR = 6;
 
-  /** Parts of a texel in which that is told. */
+  /** Number of steps per texel in which the distance is stored. */
   private static final int STEPS = 16;
 
-  /** Texels around whose rays count, to each side, and how many of them have to meet something. */
+  /**
+   * Number of texels to each side whose short rays count, and the least number of hits among them.
+   */
   private static final int AROUND = 2;
 
   private static final int ENOUGH = 2;
 
-  /** Sides of squares of texels whose short rays go to different directions. */
+  /** Side of the square of texels whose short rays have different directions. */
   private static final int CELL = 4;
 
-  /** Near to things, records count up to so many texels away. */
+  /** Largest distance of valid records where surfaces are near, texels. */
   private static final double REACH = 3;
 
   /**
-   * In corners light changes from one texel to the next: of the texels right around the ray of one
-   * ends within so many texels, and there records count up to so many texels away.
+   * In corners light changes from one texel to the next. A texel lies in a corner if the short ray
+   * of an adjacent texel ends within {@link #CORNER} texels; there, records are valid within {@link
+   * #CORNER_REACH} texels.
    */
   private static final double CORNER = 2;
 
@@ -47,7 +50,7 @@ final class NearbyPass {
   private final Texels texels;
 
   /**
-   * How far a short ray went from each texel, in steps of a 16th of a texel; 0 if it met nothing.
+   * Per texel: the length of its short ray in 16ths of a texel, plus one; 0 if the ray hit nothing.
    */
   private final byte[] meets;
 
@@ -62,7 +65,7 @@ final class NearbyPass {
     return rays.sum();
   }
 
-  /** Looks around all texels. */
+  /** Probes all texels. */
   static NearbyPass look(
       LightScene scene,
       Solution solution,
@@ -110,7 +113,7 @@ final class NearbyPass {
     meets[texel] = far > NEAR ? 0 : (byte) (1 + STEPS * far);
   }
 
-  /** How far away records may be for a texel, metres. */
+  /** Returns the largest distance of records that are valid for a texel, metres. */
   double reach(int texel, TexelPlace place) {
     int page = texels.pageOf(texel);
     TexelMap map = texels.map(page);
@@ -125,7 +128,10 @@ final class NearbyPass {
         : Double.POSITIVE_INFINITY;
   }
 
-  /** How many texels of one chart around a texel have met something within some texels. */
+  /**
+   * Counts the texels around a texel, in its chart, whose short rays ended within a distance in
+   * texels.
+   */
   private int found(TexelMap map, int first, int x, int y, int around, double most) {
     int chart = map.chart()[y * map.width() + x];
     int found = 0;

@@ -2,22 +2,25 @@ package org.selectiverenderer.radiosity.texel;
 
 import java.util.concurrent.atomic.AtomicIntegerArray;
 
-/** Counts texels by their noise, from several threads: the same sums in any order. */
+/**
+ * A histogram of the texels' noise, filled by several threads; integer counts give the same sums in
+ * any order.
+ */
 final class NoiseCount {
-  /** Width of a step, as a share of the light, and their number: all above is in the last. */
+  /** Width of a bin, as a share of the light. The last of the bins takes all larger values. */
   private static final double STEP = 1e-4;
 
   private final AtomicIntegerArray texels = new AtomicIntegerArray(2_000);
 
   /**
-   * @param share standard error of a texel, as a share of its light
+   * @param share the standard error of a texel, as a share of its light
    */
   void add(double share) {
     texels.incrementAndGet((int) Math.max(0, Math.min(texels.length() - 1, share / STEP)));
   }
 
   /**
-   * @param places at which light was gathered
+   * @param places number of irradiance records
    */
   TexelNoise of(int places) {
     long all = 0;

@@ -3,28 +3,32 @@ package org.selectiverenderer.radiosity.texel;
 import java.util.Arrays;
 
 /**
- * Takes the noise out of records: each becomes the plane through the records around it, as far
- * around as what they say differs by no more than their noise explains (Lepski's rule: Lepski 1990;
- * Goldenshluger and Nemirovski 1997; for pictures Katkovnik, Foi et al. 2004). Where light changes,
- * the places that count lie along the lines of equal light. Weights do not depend on the values, so
- * nothing grows brighter or darker on the mean. One per thread.
+ * Denoises irradiance records by local polynomial regression: each record is replaced by the value
+ * of a plane or paraboloid fitted to the records around it, in the widest window whose fit agrees
+ * with all narrower ones within their noise (Lepski's rule: Lepski 1990; Goldenshluger and
+ * Nemirovski 1997; for images Katkovnik, Foi et al. 2004). Where light changes, the window extends
+ * along the lines of equal light only. Weights do not depend on the values, so the filter has no
+ * bias on the mean. One per thread.
  */
 final class NoiseFilter {
-  /** How much wider each try is than the one before, and how many there are after the first. */
+  /** Factor from one window width to the next, and number of widths after the first. */
   private static final double WIDER = 1.5;
 
   private static final int TRIES = 4;
 
-  /** Standard errors by which a wider plane may differ from each narrower one. */
+  /** Number of standard errors by which a wider fit may differ from each narrower one. */
   private static final double AGREES = 1;
 
-  /** So many records even out what is worth it; more of them would cost time. */
+  /**
+   * Number of records in a window beyond which no wider one is tried, since it would only cost
+   * time.
+   */
   private static final int PLENTY = 128;
 
-  /** With fewer records a paraboloid is not worth it. */
+  /** Least number of records for a paraboloid. */
   private static final int FEW = 12;
 
-  /** Keeps surfaces through few records flat. */
+  /** Ridge of the regression, which keeps fits to few records flat. */
   private static final double RIDGE = 0.001;
 
   private final LightRecords records;
@@ -34,7 +38,7 @@ final class NoiseFilter {
   private final double[] widths = new double[TRIES + 1];
   private final int[] ends = new int[TRIES + 1];
 
-  // Of the records around, in the order of the first try that each is in.
+  // The records around, in the order of the narrowest window that contains each.
   private int[] around = new int[64];
   private double[] x = new double[64];
   private double[] y = new double[64];
@@ -45,24 +49,27 @@ final class NoiseFilter {
   private double[] share = new double[64];
 
   /**
-   * Of one ray, as all of the records around tell it together: what a single one finds too bright
-   * by chance also looks noisier to itself, and would be smoothed more than what is too dark.
+   * Variance of one ray, pooled over the records around: a single record that is too bright by
+   * chance also has a larger estimate of its own variance, and would be smoothed more than one that
+   * is too dark.
    */
   private double variance;
 
-  // The normal equations, of which the lower half counts, and their solution.
+  // The normal equations, of which the lower triangle is used, and their solution.
   private final double[][] matrix = new double[6][6];
   private final double[] solved = new double[6];
   private final double[] term = new double[6];
   private final double[] matrixSums = new double[2];
 
-  // Of the surface fitted last.
+  // Value, standard error and slope of the last fit.
   private double there;
   private double error;
   private double slopeX;
   private double slopeY;
 
-  /** What has become of the last record; its error is one that its neighbours have as well. */
+  /**
+   * The denoised values of the last record; its error is correlated with those of its neighbours.
+   */
   final LightRecord out = new LightRecord();
 
   NoiseFilter(LightRecords records, NearRecords.Places places) {
@@ -71,11 +78,12 @@ final class NoiseFilter {
   }
 
   /**
-   * Looks at a record and those around it.
+   * Denoises a record.
    *
-   * @param reach the first try looks no farther, metres
-   * @param most no other try looks farther, metres: what is far away knows little of this place
-   * @param enough the error below which it is not made smaller
+   * @param reach upper limit of the first window's radius, metres
+   * @param most upper limit of the radius of all windows, metres: records far away say little about
+   *     this point
+   * @param enough standard error below which no wider window is tried
    */
   void filter(int record, double reach, double most, double enough) {
     float[] all = records.numbers();
@@ -106,7 +114,8 @@ final class NoiseFilter {
         if (straight) {
           break;
         }
-        // Back to the last one, and from there on along lines of equal light only.
+        // Back to the last accepted window, and from there on wider along the lines of equal light
+        // only.
         fit(ends[kept], kept == 0 ? 3 : 6, 1, 0, best, best);
         double slope = Math.sqrt(slopeX * slopeX + slopeY * slopeY);
         if (!(slope > 0)) {
@@ -130,7 +139,7 @@ final class NoiseFilter {
     write(at, ends[kept]);
   }
 
-  /** Finds the records around, those of the narrowest try first. */
+  /** Collects the records around, those of the narrowest window first. */
   private void collect(int record, int at, double radius) {
     near.find(record, widths);
     makeRoom(near.end(TRIES));
@@ -172,7 +181,10 @@ final class NoiseFilter {
     share = new double[more];
   }
 
-  /** Notes where another record lies and what it says of this place; false if it says nothing. */
+  /**
+   * Stores the position of another record and its value extrapolated to this normal; returns false
+   * if it is not valid here.
+   */
   private boolean note(int at, int other, double radius, int to) {
     float[] all = records.numbers();
     double dx = (double) all[other] - all[at];
@@ -211,13 +223,14 @@ final class NoiseFilter {
   }
 
   /**
-   * Fits a surface: its value at this place, its error, its slope, and what share each record has.
-   * Light that bulges would be taken for darker by a wide plane, so wider tries fit a paraboloid.
+   * Fits a polynomial: computes its value at this point, its standard error, its slope and the
+   * weight of each record in the value. A wide plane would underestimate a local maximum of the
+   * light, so wider windows fit a paraboloid.
    *
-   * @param end of the records that count
-   * @param terms of the surface: 3 for a plane, 6 for a paraboloid
-   * @param ux with {@code uy} the direction in which they lie within {@code thin}
-   * @param wide within which they lie in the other direction
+   * @param end number of the records used
+   * @param terms number of terms of the polynomial: 3 for a plane, 6 for a paraboloid
+   * @param ux with {@code uy} the direction in which the window has the radius {@code thin}
+   * @param wide radius of the window in the other direction, metres
    */
   private void fit(int end, int terms, double ux, double uy, double thin, double wide) {
     for (double[] row : matrix) {
@@ -268,7 +281,7 @@ final class NoiseFilter {
     term[5] = py * py;
   }
 
-  /** Solves the normal equations for the value in the middle, by Cholesky's method. */
+  /** Solves the normal equations for the value at the centre, by Cholesky decomposition. */
   private void solve(int terms) {
     double whole = matrix[0][0];
     matrixSums[0] = matrix[1][0];
@@ -302,7 +315,8 @@ final class NoiseFilter {
   }
 
   /**
-   * Of a triangle without an area, whose normal or reach is 0, not even the record itself counts.
+   * Copies the record unchanged: on a degenerate triangle, whose normal or radius is 0, not even
+   * the record itself is in the window.
    */
   private void keepAsItIs(int at) {
     float[] all = records.numbers();

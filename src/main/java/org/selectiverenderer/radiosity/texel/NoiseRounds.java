@@ -10,25 +10,25 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Takes the noise out of all records, and gives those that keep more of it than wished more rays,
- * in rounds, until they are as good or the rays are used up, the noisiest first. Which get more is
- * decided by what is left of their noise after their neighbours were heard, not by what their own
- * rays have found: that would make the light darker, as what is found too bright by chance also
- * looks noisier (Kirk and Arvo 1991).
+ * Adaptive sampling in rounds: denoises all records and casts more rays for those that keep more
+ * noise than requested, the noisiest first, until all are good enough or the rays are used up. The
+ * decision uses the error after denoising with the neighbours, not the variance of the record's own
+ * rays: that would darken the light, since a record that is too bright by chance also looks noisier
+ * (Kirk and Arvo 1991).
  */
 final class NoiseRounds {
   private static final int ROUNDS = 3;
 
-  /** Rays of all rounds, as a share of those before. */
+  /** Number of rays of all rounds, as a share of the first rays. */
   private static final double MORE = 0.5;
 
-  /** Texels from a record within which others say something of its noise. */
+  /** Largest distance of records used in denoising, texels. */
   private static final double FARTHEST = 8;
 
-  /** What the filter need not go below, as a share of the noise that is wished. */
+  /** Noise below which the filter need not go, as a share of the requested noise. */
   private static final double ENOUGH = 0.5;
 
-  /** Numbers kept of each record: from its error to its turn. */
+  /** Numbers stored for each record: from its error to its rotational gradient. */
   private static final int KEPT = LightRecords.RAYS - LightRecords.ERROR;
 
   private static final int CHUNK = 256;
@@ -46,8 +46,8 @@ final class NoiseRounds {
   private final LongAdder rays = new LongAdder();
 
   /**
-   * @param noise the standard error wished for, as a share of the light
-   * @param dark where there is less light, the share is one of this; red, green and blue together
+   * @param noise the requested standard error, as a share of the light
+   * @param dark least light that relative errors refer to; red, green and blue together, lx
    */
   NoiseRounds(
       LightScene scene,
@@ -75,7 +75,10 @@ final class NoiseRounds {
     return rays.sum();
   }
 
-  /** Does it; false if it was cancelled, and then the records are as they were. */
+  /**
+   * Runs all rounds; returns false if the work was cancelled, and then the records are unchanged
+   * except for further rays.
+   */
   boolean run(WorkProgress progress, DoubleConsumer done) {
     NearRecords.Places places = new NearRecords.Places(records);
     int[] which = IntStream.range(0, records.size()).toArray();
@@ -134,7 +137,7 @@ final class NoiseRounds {
     }
   }
 
-  /** What there is at a record's place as it was found, red, green and blue together. */
+  /** Returns the irradiance at a record before denoising, red, green and blue together. */
   private double light(int record) {
     float[] all = records.numbers();
     int at = LightRecords.NUMBERS * record + LightRecords.LIGHT;
@@ -152,15 +155,19 @@ final class NoiseRounds {
     return evened[at] / light(record, evened, at + LightRecords.LIGHT - LightRecords.ERROR);
   }
 
-  /** Rays that a record gets in a round: as many as it has, up to all of a set. */
+  /**
+   * Returns the number of rays that a record gets in a round: as many as it has, up to all of a
+   * set.
+   */
   private int batch(int record) {
     double has = records.numbers()[LightRecords.NUMBERS * record + LightRecords.RAYS];
     return (int) Math.min(sets.rays(), has);
   }
 
-  /** The records that get more rays, as many as are left, the noisiest first. */
+  /** Returns the records that get more rays within the number left, chosen noisiest first. */
   private int[] noisy(double left) {
-    // The share, which is above 0, so that larger ones come first, and the number.
+    // Sort key: the inverted bits of the share, which is above 0, so that larger shares come first,
+    // then the record's number.
     long[] all =
         IntStream.range(0, records.size())
             .filter(i -> share(i) > noise)

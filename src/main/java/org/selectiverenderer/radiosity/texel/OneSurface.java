@@ -1,29 +1,36 @@
 package org.selectiverenderer.radiosity.texel;
 
-/** Whether what is known at one place says anything of another: they may lie on one surface. */
+/**
+ * Criterion whether a record at one point is valid at another: both may lie on the same surface.
+ */
 final class OneSurface {
-  /** Cosine of the angle between normals from which on a record says nothing. */
+  /** Cosine of the angle between normals up to which a record is not valid. */
   static final double TURNED = 0.85;
 
-  /** How far before or behind of a record's plane, in its radius, a place may lie. */
+  /**
+   * Largest distance of a point from a record's tangent plane, as a share of the record's radius.
+   */
   private static final double ABOVE = 0.15;
 
-  /** Of places on flat triangles: by how much more than normals turn they may rise, as a slope. */
+  /**
+   * For points on flat-shaded triangles: tolerance of the slope between them beyond that given by
+   * their normals.
+   */
   private static final double STEP = 0.01;
 
   private OneSurface() {}
 
   /**
-   * Whether a surface with these normals may pass through both places. On triangles that are shaded
-   * flat normals say how the surface goes: it rises by no more than they turn on the way, else
-   * there is a step in between, as from a wall to a sheet behind its skirting board. Interpolated
-   * normals leave their triangles, so there more is allowed.
+   * Returns whether one surface with these normals may pass through both points. On flat-shaded
+   * triangles the normals determine the slope of the surface: it rises by no more than they turn on
+   * the way; otherwise there is a step in between, as from a wall to a sheet behind its skirting
+   * board. Interpolated normals deviate from their triangles, so more is allowed for them.
    *
-   * @param dx with {@code dy} and {@code dz} from one place to the other
-   * @param nx with {@code ny} and {@code nz} unit normal
-   * @param ox with {@code oy} and {@code oz} unit normal of the other
-   * @param flat whether both are shaded flat
-   * @param radius within which one of them counts
+   * @param dx with {@code dy} and {@code dz} the vector from one point to the other
+   * @param nx with {@code ny} and {@code nz} the unit normal at one point
+   * @param ox with {@code oy} and {@code oz} the unit normal at the other
+   * @param flat whether both points are shaded flat
+   * @param radius radius of validity of the record
    */
   static boolean may(
       double dx,

@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
 
-/** The light of the patches at texels, without any ray. */
+/** Looks up the light of the patches at texels, without casting rays. */
 final class PatchLight {
   private static final int CHUNK = 64;
 
@@ -18,7 +18,7 @@ final class PatchLight {
     this.texels = texels;
   }
 
-  /** From lamps and surfaces, at all texels. */
+  /** Returns the direct and indirect irradiance of the patches at all texels. */
   float[] all() {
     float[] light = new float[3 * texels.count()];
     add(light, solution.direct());
@@ -26,7 +26,7 @@ final class PatchLight {
     return light;
   }
 
-  /** Adds what comes from surfaces. */
+  /** Adds the indirect irradiance of the patches. */
   void addIndirect(float[] light) {
     add(light, solution.indirect());
   }

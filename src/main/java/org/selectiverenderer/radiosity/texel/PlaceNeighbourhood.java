@@ -5,19 +5,28 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.DirectLight;
 import org.selectiverenderer.radiosity.trace.Ray;
 
-/** What is around a place: how near it is, and whether anybody sees the place. One per thread. */
+/**
+ * Probes the surroundings of a surface point with rays: the distance to other surfaces, and whether
+ * the point can be visible at all. One per thread.
+ */
 final class PlaceNeighbourhood {
-  /** Of the offset of starts: the rest is the place itself. */
+  /**
+   * Share of the ray offset within which a hit counts as a covering sheet; beyond it lies the
+   * point's own surface.
+   */
   private static final double OVERLAID = 0.9;
 
-  /** Rays that say whether a place lies in a hollow, and how wide hollows are, texels. */
+  /**
+   * Number of rays that test whether a point lies in a closed cavity, and the largest width of a
+   * cavity, texels.
+   */
   private static final int HOLLOW_RAYS = 32;
 
   private static final double HOLLOW = 12;
 
   private static final int FEW = 4;
 
-  /** Places on each lamp to know whether it shines into a hollow. */
+  /** Number of sample points on each lamp that test whether it shines into a cavity. */
   private static final int LAMP_TRIES = 4;
 
   private final LightScene scene;
@@ -35,20 +44,21 @@ final class PlaceNeighbourhood {
     lamps = new DirectLight(scene, ray);
   }
 
-  /** Rays of one set. */
+  /** Returns the number of rays of one set. */
   int most() {
     return rays.most();
   }
 
-  /** Rays cast so far. */
+  /** Returns the number of rays cast so far. */
   long rays() {
     return ray.cast();
   }
 
   /**
-   * How many texels away one ray ends, if that is within some texels; else infinite.
+   * Casts one ray; returns the distance of its hit in texels, or infinity if it hits nothing within
+   * {@code most} texels.
    *
-   * @param turn which set of directions
+   * @param turn chooses the set of directions
    */
   double near(TexelPlace place, int i, int turn, double most) {
     rays.begin(place, turn);
@@ -56,7 +66,7 @@ final class PlaceNeighbourhood {
     return met ? ray.length / place.size() : Double.POSITIVE_INFINITY;
   }
 
-  /** Whether a place lies inside of something or is covered closely, as few rays tell. */
+  /** Returns whether a point lies inside of a solid or is covered closely, as few rays tell. */
   boolean unseen(TexelPlace place, int count, int turn) {
     rays.begin(place, turn);
     int backs = 0;
@@ -74,17 +84,17 @@ final class PlaceNeighbourhood {
   }
 
   /**
-   * Whether a place lies in a closed hollow without a lamp. Nobody sees it, as light would come in
-   * where eyes look in; and none does if nothing that is sent out from there gets far, however
-   * often it is thrown back. Light that was found before is not asked: beside the hollow's edge it
-   * is interpolated, and may be that of the other side.
+   * Returns whether a point lies in a closed cavity without a lamp. Such a point is invisible,
+   * since light would enter where eyes look in, and none does if no path that starts there gets
+   * far, however often it is reflected. Light computed before is not used: beside the cavity's edge
+   * it is interpolated, and may be that of the other side.
    */
   boolean hollow(TexelPlace place, int turn) {
     double wide = HOLLOW * place.size();
     rays.begin(place, turn);
     int most = Math.min(HOLLOW_RAYS, rays.most());
     int sent = 0;
-    // Most places are told by a few rays that are not followed.
+    // For most points a few rays without reflections are enough.
     for (int follow = 0; follow <= Hemisphere.MOST_BOUNCES; follow += Hemisphere.MOST_BOUNCES) {
       for (int i = 0; i < (follow == 0 ? FEW : most); i++) {
         if (rays.cast(i)) {
@@ -98,14 +108,16 @@ final class PlaceNeighbourhood {
     return sent > 0 && !lit(place);
   }
 
-  /** Whether a sheet lies on the place, so near that rays start beyond it: nobody sees it. */
+  /**
+   * Returns whether a sheet lies on the point, so near that rays start beyond it and would miss it.
+   */
   boolean overlaid(TexelPlace place) {
     rays.begin(place, 0);
     rays.castBack(OVERLAID * scene.offset());
     return ray.triangle != Ray.NOTHING;
   }
 
-  /** Whether the ray, or what is thrown back where it ends, comes to a lamp or goes far. */
+  /** Returns whether the path that begins with the ray reaches an emissive surface or gets far. */
   private boolean getsOut(int i, int follow, double most) {
     for (int bounce = 0; ; bounce++) {
       if (far(most) || glows(hits.patch(ray))) {
@@ -125,7 +137,7 @@ final class PlaceNeighbourhood {
     return ray.triangle == Ray.NOTHING || ray.length > most;
   }
 
-  /** Whether some place of a lamp is seen from the middle of a texel. */
+  /** Returns whether some sample point of a lamp is visible from the middle of a texel. */
   private boolean lit(TexelPlace place) {
     Arrays.fill(light, 0);
     for (int i = 0; i < LAMP_TRIES; i++) {

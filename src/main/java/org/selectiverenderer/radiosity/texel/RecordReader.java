@@ -3,15 +3,19 @@ package org.selectiverenderer.radiosity.texel;
 import java.util.Arrays;
 
 /**
- * What lies between records: the plane that fits those nearby best, weighted by distance, after
- * each was turned to the normal asked for (Ward and Heckbert 1992). Two surfaces that pass through
- * one place with one normal have the same light there. One per thread.
+ * Interpolates the irradiance between records: fits a plane to the valid records nearby, weighted
+ * by distance, after each was extrapolated to the normal asked for by its rotational gradient (Ward
+ * and Heckbert 1992). Two surfaces through one point with one normal have the same irradiance
+ * there. One per thread.
  */
 final class RecordReader {
-  /** Keeps planes through few records flat. */
+  /** Ridge of the regression, which keeps planes through few records flat. */
   private static final double RIDGE = 0.003;
 
-  /** Light is not taken to be more than this above all records around, or below. */
+  /**
+   * Share by which the interpolated light may exceed the brightest record around, or fall below the
+   * darkest.
+   */
   private static final double BEYOND = 0.15;
 
   private final LightRecords records;
@@ -24,29 +28,29 @@ final class RecordReader {
   private double[] values = new double[5 * 64];
   private int used;
 
-  /** Irradiance r, g, b at the last place. */
+  /** Irradiance r, g, b at the last point, lx. */
   final double[] light = new double[3];
 
-  /** How well the last place is known: 1 is a record right there. */
+  /** Sum of the records' weights at the last point; a record right there has the weight 1. */
   double weight;
 
-  /** How far the records around are off the plane, red, green and blue together. */
+  /** Root mean square deviation of the records from the plane, red, green and blue together. */
   double misfit;
 
-  /** The standard error of the records around. */
+  /** Standard error of the interpolated light. */
   double error;
 
   RecordReader(LightRecords records) {
     this.records = records;
   }
 
-  /** Begins with no places to look at. */
+  /** Begins without points to look up. */
   void begin() {
     Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
     Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
   }
 
-  /** A place that will be looked at. */
+  /** Includes a point that will be looked up. */
   void include(double[] point) {
     for (int axis = 0; axis < 3; axis++) {
       box[axis] = Math.min(box[axis], point[axis]);
@@ -54,7 +58,7 @@ final class RecordReader {
     }
   }
 
-  /** Finds the records for all places included. */
+  /** Finds the records for all points included. */
   void find() {
     count = 0;
     records.tree().overlap(box, this::keep);
@@ -70,10 +74,10 @@ final class RecordReader {
   }
 
   /**
-   * Whether anything is known at a place that was included.
+   * Interpolates at a point that was included; returns whether some record is valid there.
    *
-   * @param flat whether it is shaded flat
-   * @param most records farther away than this do not count, metres
+   * @param flat whether the point is shaded flat
+   * @param most largest distance of records, metres
    */
   boolean at(double[] point, double[] normal, boolean flat, int group, double most) {
     Tangents.of(normal, across, along);
@@ -94,7 +98,7 @@ final class RecordReader {
     return true;
   }
 
-  /** Notes a record's weight, place and light, if it counts; returns weight times radius. */
+  /** Stores a record's weight, position and light, if it is valid; returns weight times radius. */
   private double weigh(int record, double[] point, double[] normal, boolean flat, double most) {
     float[] r = records.numbers();
     int at = LightRecords.NUMBERS * record;
@@ -136,7 +140,7 @@ final class RecordReader {
   }
 
   /**
-   * @param scale one over a length that distances are measured in
+   * @param scale inverse of the length that distances are measured in, 1/m
    */
   private void fit(double scale) {
     double a = 0;

@@ -4,18 +4,21 @@ import org.selectiverenderer.geometry.tree.BoxTree;
 import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
-/** The surface of the version that stands for an object. Immutable; for several threads. */
+/**
+ * The surface of an object's reference version, with a search for the closest point. Immutable; for
+ * several threads.
+ */
 final class ReferenceSurface {
-  /** Cosine of the angle between normals that are alike. */
+  /** Cosine of the largest angle between normals that are alike. */
   private static final double ALIKE = 0.5;
 
-  /** How far places may be apart, as a share of the object's extent. */
+  /** Largest distance of the closest point, as a share of the object's extent. */
   private static final double NEAR = 0.05;
 
   /**
-   * What a turned normal counts as distance, as a share of the object's extent: light changes with
-   * the normal as it does from place to place, and of two sheets it is that of the one that faces
-   * the same side.
+   * Distance that a turned normal counts as, as a share of the object's extent: light changes with
+   * the normal as it does with the position, and of two sheets the one that faces the same side is
+   * to be found.
    */
   private static final double TURNED = 0.015;
 
@@ -29,7 +32,7 @@ final class ReferenceSurface {
   private final double turned;
 
   /**
-   * @param members triangles of the reference version, ascending
+   * @param members the triangles of the reference version, ascending
    */
   ReferenceSurface(SceneTriangles triangles, int[] members) {
     this.triangles = triangles;
@@ -68,7 +71,7 @@ final class ReferenceSurface {
     turned = 2 * TURNED * TURNED * extent * extent;
   }
 
-  /** A search; one per thread. */
+  /** A closest-point search; one per thread. */
   final class Search {
     private final int[] stack = new int[BoxTree.MAX_DEPTH];
     private final TrianglePlace place = new TrianglePlace(triangles.corners());
@@ -78,27 +81,27 @@ final class ReferenceSurface {
     private double v;
     private double best;
 
-    /** The triangle found last. */
+    /** Returns the triangle found last. */
     int triangle() {
       return triangle;
     }
 
-    /** Weight of its second corner. */
+    /** Returns the barycentric weight of its second corner. */
     double u() {
       return u;
     }
 
-    /** Weight of its third corner. */
+    /** Returns the barycentric weight of its third corner. */
     double v() {
       return v;
     }
 
     /**
-     * Looks for the place nearest to a point where the normal is alike, and the nearer the more it
-     * is; of several equally near ones that of the first triangle.
+     * Finds the closest point on the surface with a like normal; deviation of the normal counts as
+     * distance. Of equally close points that of the first triangle is found.
      *
-     * @param normal of length 1, or 0 where every normal is alike
-     * @return false if there is none near
+     * @param normal a unit normal, or the zero vector to accept every normal
+     * @return false if no point is near enough
      */
     boolean find(double[] point, double[] normal) {
       best = limit * limit;
@@ -106,7 +109,8 @@ final class ReferenceSurface {
       if (ids.length == 0) {
         return false;
       }
-      // What was nearest to one point is near to the next: most of the tree need not be entered.
+      // The triangle closest to the last point is near the next one, too, so that most of the tree
+      // is culled.
       if (item >= 0) {
         test(item, point, normal);
       }
@@ -150,7 +154,7 @@ final class ReferenceSurface {
       }
     }
 
-    /** The square of a point's distance to a node's box. */
+    /** Returns the squared distance from a point to a node's box. */
     private double away(int node, double[] point) {
       double sum = 0;
       for (int axis = 0; axis < 3; axis++) {

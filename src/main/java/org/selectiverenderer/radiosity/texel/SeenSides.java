@@ -11,14 +11,17 @@ import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.trace.Ray;
 
 /**
- * Which side of what is seen from both sides is lit: a picture has one light for both, and so has a
- * vertex. It is one side for all of a sheet, as else the inside of a bin would show in spots on its
- * outside. That side counts which has more light and more free space before it, one times the
- * other: from far more places people see the outside of a bin than its inside, and nobody sees what
- * is dark or lies against a wall. Immutable.
+ * Selects the lit side of each two-sided surface: a lightmap and a vertex store one light for both
+ * sides. The choice is made once for a whole sheet, since otherwise the inside of a bin would show
+ * in spots on its outside. The side with the larger product of light and free space in front of it
+ * is chosen: the outside of a bin is visible from far more places than its inside, and a side that
+ * is dark or lies against a wall is not seen. Immutable.
  */
 public final class SeenSides {
-  /** Places on a sheet, and rays from each to either side, by which its free space is told. */
+  /**
+   * Number of sample points on a sheet, and of rays from each to either side, that measure its free
+   * space.
+   */
   private static final int PLACES = 64;
 
   private static final int RAYS = 4;
@@ -30,9 +33,9 @@ public final class SeenSides {
   }
 
   /**
-   * Decides for all bodies of a scene.
+   * Selects the lit sides of all bodies of a scene.
    *
-   * @param solution its light, on patches
+   * @param solution the radiosity solution of the scene
    */
   public static SeenSides of(LightScene scene, Solution solution, int seed) {
     boolean[] behind = new boolean[scene.triangles().count()];
@@ -47,15 +50,15 @@ public final class SeenSides {
   }
 
   /**
-   * Whether the side behind counts; never of what has one side.
+   * Returns whether the back of a triangle is its lit side; false for one-sided triangles.
    *
-   * @param triangle of the scene
+   * @param triangle number of the triangle in the scene
    */
   public boolean behind(int triangle) {
     return behind[triangle];
   }
 
-  /** At the sheets of one body; for one thread. */
+  /** Measures light and free space on both sides of one body's sheets; for one thread. */
   private static final class Look {
     private final LightScene scene;
     private final Solution solution;
@@ -65,7 +68,8 @@ public final class SeenSides {
     private final int count;
     private final double[] areas;
 
-    // By sheet, in front and behind: sums over its places of light and of lengths of rays.
+    // Per sheet, front and back: sums of the light and of the lengths of rays over its sample
+    // points.
     private final double[] light;
     private final double[] space;
 
@@ -98,7 +102,7 @@ public final class SeenSides {
       }
     }
 
-    /** Looks from places that lie evenly on each sheet. */
+    /** Samples points that are distributed evenly over each sheet. */
     private void look() {
       double[] passed = new double[count];
       int[] places = new int[count];
@@ -117,7 +121,7 @@ public final class SeenSides {
     }
 
     private void look(int triangle, int sheet, int place, double extent) {
-      // Points spread over the triangle by multiples of irrational numbers (Roberts 2018).
+      // A low-discrepancy sequence over the triangle (Roberts 2018, "R2").
       double u = place * 0.7548776662466927 % 1;
       double v = place * 0.5698402909980532 % 1;
       if (u + v > 1) {
@@ -146,7 +150,10 @@ public final class SeenSides {
       return sum;
     }
 
-    /** How far one ray goes; what meets nothing leads where nobody is. */
+    /**
+     * Casts one ray and returns its length; a ray that hits nothing counts as long as the body,
+     * since no viewer is out there.
+     */
     private double free(int turn, double extent) {
       directions.about(normal, turn, direction);
       ray.from(start, direction);

@@ -3,33 +3,40 @@ package org.selectiverenderer.radiosity.texel;
 import org.selectiverenderer.radiosity.atlas.TexelMap;
 
 /**
- * What the first rays to a lamp say: shares of its light that reach texels of a grid, every fourth
- * of every fourth row, and single rays on those in between. Tells where they say the share of a
- * texel too. One per thread, over shares that all have in common; looks at one texel at a time.
+ * The results of the first shadow rays to a lamp: its visible share at the texels of a grid, every
+ * fourth texel of every fourth row, and single rays at texels in between. Decides at which other
+ * texels the share can be interpolated from them. One per thread, over an array of shares common to
+ * all threads; works on one texel at a time.
  */
 final class ShareGrid {
-  /** Texels from one of the grid to the next. */
+  /** Distance of grid texels. */
   static final int STEP = 4;
 
-  /** Units of a share, and marks for none. */
+  /** The stored value of the share 1; larger values mark texels without a share. */
   static final int WHOLE = 60_000;
 
   static final char UNKNOWN = 65_535;
   static final char DARK = 65_534;
 
-  /** Single rays that together are as good as those of a texel of the grid. */
+  /** Least number of single rays that together are as reliable as a grid texel. */
   private static final int ENOUGH = 6;
 
-  /** Shares that differ by less count as one. */
+  /** Shares that differ by less count as equal. */
   private static final double SAME = 0.02;
 
-  /** A share that changes by more over a cell is not interpolated. */
+  /** Change of the share over a cell above which it is not interpolated. */
   private static final double STEEP = 0.12;
 
-  /** Shares of texels side by side that differ by less do so by their noise, not by an edge. */
+  /**
+   * Difference of the shares of adjacent texels up to which it counts as noise and not as a shadow
+   * edge.
+   */
   private static final double ALIKE = 0.2;
 
-  /** How far the mean of single rays may be from what is interpolated, in standard errors. */
+  /**
+   * Largest difference between the mean of single rays and the interpolated share, in standard
+   * errors.
+   */
   private static final double AGREES = 2.5;
 
   private final Texels texels;
@@ -41,29 +48,29 @@ final class ShareGrid {
   private int y;
   private int chart;
 
-  // Of the texel looked at: its share by interpolation, and whether its cell has any of the grid.
+  // The interpolated share of the present texel, and whether its cell has any grid texel.
   private double interpolated;
   private boolean cornered;
 
   /**
-   * @param shares by all texels, as {@link #of} makes them, or one of the marks
+   * @param shares of all texels, as {@link #of} encodes them, or one of the marks
    */
   ShareGrid(Texels texels, char[] shares) {
     this.texels = texels;
     this.shares = shares;
   }
 
-  /** A share from 0 to 1, or {@link LampShadow#NOTHING}, in its units. */
+  /** Encodes a share from 0 to 1, or {@link LampShadow#NOTHING}. */
   static char of(double share) {
     return share == LampShadow.NOTHING ? DARK : (char) Math.round(WHOLE * Math.min(1, share));
   }
 
-  /** Whether a share is one of a half-shadow. */
+  /** Returns whether an encoded share is that of a penumbra. */
   static boolean mixed(char share) {
     return share >= SAME * WHOLE && share <= (1 - SAME) * WHOLE;
   }
 
-  /** Looks at a texel. */
+  /** Moves to a texel. */
   void go(int texel) {
     if (page < 0 || texel < first || texel >= first + map.texels()) {
       page = texels.pageOf(texel);
@@ -75,44 +82,50 @@ final class ShareGrid {
     chart = map.chart()[texel - first];
   }
 
-  /** The first texel of the cell of the texel looked at. */
+  /** Returns the first texel of the present texel's cell. */
   int cell() {
     return first + y / STEP * STEP * map.width() + x / STEP * STEP;
   }
 
-  /** The number of the texel looked at in its cell. */
+  /** Returns the number of the present texel in its cell. */
   int inCell() {
     return y % STEP * STEP + x % STEP;
   }
 
-  /** The share by interpolation, after {@link #interpolate} said that there is one. */
+  /** Returns the interpolated share, after {@link #interpolate} returned true. */
   double interpolated() {
     return interpolated;
   }
 
-  /** Whether {@link #interpolate} met any texel of the grid. */
+  /** Returns whether {@link #interpolate} found any grid texel. */
   boolean cornered() {
     return cornered;
   }
 
-  /** Whether the texel is one of the grid, with others of it in its chart. */
+  /** Returns whether the texel is a grid texel with adjacent grid texels in its chart. */
   boolean onGrid() {
     return x % STEP == 0 && y % STEP == 0 && neighbours(x, y);
   }
 
-  /** Whether there is another texel of the grid beside one, in the chart looked at. */
+  /** Returns whether a grid texel has an adjacent grid texel in the chart of the present texel. */
   private boolean neighbours(int atX, int atY) {
     return in(atX - STEP, atY) || in(atX + STEP, atY) || in(atX, atY - STEP) || in(atX, atY + STEP);
   }
 
-  /** Whether the texel may go without a single ray: its cell has one of the grid, and others do. */
+  /**
+   * Returns whether the texel needs no single ray, since its cell has a grid texel and every other
+   * texel of the cell casts a ray.
+   */
   boolean spared() {
     int x0 = x / STEP * STEP;
     int y0 = y / STEP * STEP;
     return (x + y) % 2 != 0 && in(x0, y0) && neighbours(x0, y0);
   }
 
-  /** Whether the rays of a texel of the grid are enough: no edge is near, or it had them all. */
+  /**
+   * Returns whether the rays of a grid texel are enough: no shadow edge is near, or all rays were
+   * cast already.
+   */
   boolean settled() {
     char share = at(x, y);
     boolean hidden = share < SAME * WHOLE;
@@ -120,12 +133,12 @@ final class ShareGrid {
     return share < DARK && (mixed || allSay(hidden));
   }
 
-  /** The share that is known of the texel, from 0 to 1. */
+  /** Returns the known share of the texel, from 0 to 1. */
   double known() {
     return (double) at(x, y) / WHOLE;
   }
 
-  /** Whether the texels around say what reaches this one. */
+  /** Interpolates the share from the texels around; returns whether they determine it. */
   boolean interpolate() {
     int x0 = x / STEP * STEP;
     int y0 = y / STEP * STEP;
@@ -161,7 +174,10 @@ final class ShareGrid {
     return even ? allSay(high < SAME) : whole && agree(x0, y0);
   }
 
-  /** Whether single rays around the texel all find the lamp hidden, or all see it. */
+  /**
+   * Returns whether the rays of all texels around agree that the lamp is hidden, or that it is
+   * visible.
+   */
   private boolean allSay(boolean hidden) {
     for (int ny = y - 2; ny <= y + 2; ny++) {
       for (int nx = x - 2; nx <= x + 2; nx++) {
@@ -174,7 +190,7 @@ final class ShareGrid {
     return true;
   }
 
-  /** Whether single rays of a cell are what a share in a half-shadow gives. */
+  /** Returns whether the single rays of a cell agree with the interpolated share of a penumbra. */
   private boolean agree(int x0, int y0) {
     double sum = 0;
     int count = 0;
@@ -191,7 +207,7 @@ final class ShareGrid {
     return count >= ENOUGH && Math.abs(sum / count - interpolated) < AGREES * error + SAME;
   }
 
-  /** Likewise without any texel of the grid: the single rays must be all that is needed. */
+  /** Derives the share from single rays only, where the cell has no grid texel. */
   private boolean say() {
     int count = 0;
     int seen = 0;
@@ -206,7 +222,10 @@ final class ShareGrid {
     return count >= ENOUGH && (seen == count || seen == 0 && allSay(true));
   }
 
-  /** The mean share of the texel, which is known, and those around that have about the same. */
+  /**
+   * Returns the mean share of the texel, which is known, and of the adjacent texels with about the
+   * same share.
+   */
   double meanOfAlike() {
     char own = at(x, y);
     double sum = 0;
@@ -227,7 +246,7 @@ final class ShareGrid {
     return in(atX, atY) ? shares[first + atY * map.width() + atX] : UNKNOWN;
   }
 
-  /** Whether a place is a texel of the chart of the texel looked at. */
+  /** Returns whether a position is a texel of the present texel's chart. */
   private boolean in(int atX, int atY) {
     return atX >= 0
         && atY >= 0

@@ -16,20 +16,23 @@ import org.selectiverenderer.radiosity.work.ParallelWork;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Lets all versions of an object have one light. A texel of a version that does not stand for its
- * object takes the light of the nearest place with a like normal on the version that does, so that
- * switching changes the outline and not the light. Where there is no such place near, it is
- * gathered by itself.
+ * Transfers the light of an object's reference version to its other versions. A texel of another
+ * version takes the light of the closest point with a like normal on the reference version, so that
+ * switching versions changes the outline and not the light. Where there is no such point near, the
+ * texel is gathered itself.
  */
 public final class SharedTexels implements TexelChoice {
   private static final int CHUNK = 4096;
 
-  /** Cosine of the angle by which a surface is shaded as if it were bent. */
+  /**
+   * Least cosine of the angle between the interpolated normal and the triangle's own for which the
+   * interpolated one is used.
+   */
   private static final double LEAST_BENT = 0.3;
 
   private final PageLookup lookup;
 
-  /** By page: the triangle and the weights of the place to take light from; null for none. */
+  /** Per page: the surface points to take light from; null for a page without any. */
   private final @Nullable Places[] pages;
 
   private final long count;
@@ -42,7 +45,7 @@ public final class SharedTexels implements TexelChoice {
     this.count = count;
   }
 
-  /** Finds them; if it is cancelled, only some. */
+  /** Finds the points to take light from; only some of them if the work is cancelled. */
   public static SharedTexels find(LightScene scene, Atlas atlas, WorkProgress progress) {
     PageLookup lookup = new PageLookup(scene, atlas);
     @Nullable ReferenceSurface[] surfaces = surfaces(scene, lookup);
@@ -82,7 +85,7 @@ public final class SharedTexels implements TexelChoice {
     return new SharedTexels(lookup, pages, found.get());
   }
 
-  /** How many texels take their light from elsewhere. */
+  /** Returns the number of texels that take their light from the reference version. */
   public long count() {
     return count;
   }
@@ -126,7 +129,7 @@ public final class SharedTexels implements TexelChoice {
         && !scene.versions().isReference(scene.triangles().version()[triangle]);
   }
 
-  /** By version: the surface of its object's reference, where that has pages. */
+  /** Returns for each version the surface of its object's reference version, if that has texels. */
   private static @Nullable ReferenceSurface[] surfaces(LightScene scene, PageLookup lookup) {
     Versions versions = scene.versions();
     int[] version = scene.triangles().version();
@@ -216,9 +219,9 @@ public final class SharedTexels implements TexelChoice {
   }
 
   /**
-   * Turns a triangle's normal into that of the surface that it is shaded as: on a version of few
-   * triangles that is nearer to what the other's are. Where it is far from the triangle's it says
-   * nothing.
+   * Replaces a triangle's normal by the interpolated vertex normal, which on a version of few
+   * triangles is closer to the normals of the reference version. An interpolated normal far from
+   * the triangle's own is ignored.
    */
   private static void bend(Body body, int triangle, float u, float v, double[] normal) {
     float[] all = body.normals();

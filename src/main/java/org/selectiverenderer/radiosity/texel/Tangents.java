@@ -1,12 +1,12 @@
 package org.selectiverenderer.radiosity.texel;
 
-/** Two directions at right angles to a normal and to each other. */
+/** Computes a tangent frame: two unit vectors at right angles to a normal and to each other. */
 final class Tangents {
   private Tangents() {}
 
   /**
-   * @param normals x, y, z of a unit vector
-   * @param at where it begins
+   * @param normals array with x, y, z of a unit normal
+   * @param at index at which the normal begins
    */
   static void of(float[] normals, int at, double[] across, double[] along) {
     of(normals[at], normals[at + 1], normals[at + 2], across, along);

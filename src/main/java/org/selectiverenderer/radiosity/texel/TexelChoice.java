@@ -2,15 +2,15 @@ package org.selectiverenderer.radiosity.texel;
 
 import java.util.List;
 
-/** Which texels are gathered; the others have their light from elsewhere. */
+/** Selects the texels that are gathered, and gives light to the others. */
 public interface TexelChoice {
-  /** All of them. */
+  /** Selects all texels. */
   TexelChoice ALL = (page, texel) -> true;
 
   boolean wanted(int page, int texel);
 
   /**
-   * Gives light to the texels that are not wanted, once all others have theirs.
+   * Gives light to the texels that are not selected, once all others have theirs.
    *
    * @param irradiance by page: r, g, b per texel; gutters are not filled yet
    */

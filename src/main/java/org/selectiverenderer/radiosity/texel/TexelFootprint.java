@@ -5,7 +5,7 @@ import org.selectiverenderer.radiosity.atlas.TexelMap;
 import org.selectiverenderer.radiosity.scene.Body;
 import org.selectiverenderer.radiosity.scene.LightScene;
 
-/** How a page's texels lie on one triangle: from texels to weights of its corners. */
+/** The affine map from texel coordinates of a page to barycentric weights of one triangle. */
 final class TexelFootprint {
   private final LightScene scene;
   private final Atlas atlas;
@@ -20,7 +20,7 @@ final class TexelFootprint {
   private double size;
   private double side;
 
-  /** Weights of the second and third corner at the last place asked for. */
+  /** Barycentric weights of the second and third corner at the last point. */
   double u;
 
   double v;
@@ -34,12 +34,12 @@ final class TexelFootprint {
     return triangle;
   }
 
-  /** The side of a texel's square on the triangle, metres. */
+  /** Returns the side of a texel's square on the triangle, metres. */
   double size() {
     return size;
   }
 
-  /** The side of a square as large as the triangle, metres; above 0. */
+  /** Returns the side of a square with the triangle's area, metres; above 0. */
   double side() {
     return side;
   }
@@ -64,7 +64,7 @@ final class TexelFootprint {
     double area = scene.triangles().normal(wanted, normal);
     side = Math.max(1e-9, Math.sqrt(area));
     if (Math.abs(twice) < 1e-9) {
-      // A line or a point: every place of it is the triangle's middle.
+      // A degenerate triangle on the page: every point maps to the triangle's centroid.
       u0 = 1 / 3.0;
       v0 = 1 / 3.0;
       ux = 0;
@@ -83,14 +83,17 @@ final class TexelFootprint {
     size = Math.sqrt(area / (Math.abs(twice) / 2));
   }
 
-  /** Goes to a place of the page, in texels, whole numbers at centres; whether it lies inside. */
+  /**
+   * Maps a point of the page, in texels with whole numbers at centres; returns whether it lies
+   * inside of the triangle.
+   */
   boolean to(double x, double y) {
     u = u0 + ux * x + uy * y;
     v = v0 + vx * x + vy * y;
     return u >= 0 && v >= 0 && u + v <= 1;
   }
 
-  /** Moves the last place onto the triangle, if it lies outside. */
+  /** Moves the last point onto the triangle if it lies outside. */
   void inside() {
     u = Math.max(0, u);
     v = Math.max(0, v);

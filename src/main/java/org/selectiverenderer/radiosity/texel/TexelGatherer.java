@@ -8,11 +8,11 @@ import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.work.WorkProgress;
 
 /**
- * Gathers light at texels: from the lamps at every texel, from surfaces by records in between which
- * it is interpolated.
+ * Gathers irradiance at texels: direct light at every texel, indirect light at irradiance records
+ * between which it is interpolated.
  */
 public final class TexelGatherer {
-  /** The part of the work after which light from the lamps is known, and that from surfaces. */
+  /** Shares of the progress after which direct light and then indirect light are known. */
   private static final double LAMPS = 0.4;
 
   private static final double SURFACES = 0.95;
@@ -23,13 +23,13 @@ public final class TexelGatherer {
   private final Effort effort;
 
   /**
-   * How much is done.
+   * The sampling effort.
    *
-   * @param rays from a place where light from surfaces is gathered, at least 8
-   * @param lampRays to each lamp from a texel in a half-shadow
-   * @param noise the standard error of a place, as a share of its light, above which it gets more
-   *     rays, as far as they go
-   * @param regather whether light from surfaces comes by rays, or from the patches
+   * @param rays number of rays of an irradiance record, at least 8
+   * @param lampRays largest number of shadow rays to each lamp from a texel in a penumbra
+   * @param noise standard error of a record, as a share of its light, above which it gets more rays
+   *     while the budget of rays lasts
+   * @param regather whether indirect light is gathered by rays, or taken from the patches
    */
   public record Effort(int rays, int lampRays, double noise, boolean regather, int seed) {
     public static Effort of(int rays, double noise, boolean regather, int seed) {
@@ -44,15 +44,18 @@ public final class TexelGatherer {
     this.effort = effort;
   }
 
-  /** Gathers; if cancelled meanwhile, takes the solution's patches for the rest. */
+  /**
+   * Gathers the irradiance at all texels. If the work is cancelled, the rest is taken from the
+   * solution's patches.
+   */
   public LightPages gather(TexelChoice choice, WorkProgress progress) {
     return gather(choice, progress, null);
   }
 
   /**
-   * Likewise.
+   * Gathers the irradiance at all texels and reports an intermediate result.
    *
-   * @param each hears what there is on the way, for pictures; it must not keep it
+   * @param each receives the intermediate light, for previews; it must not keep it
    */
   public LightPages gather(
       TexelChoice choice,

@@ -1,15 +1,15 @@
 package org.selectiverenderer.radiosity.texel;
 
 /**
- * What noise the rays left in the light, as standard errors in shares of a texel's light: those
- * that are left when the noise of places around it was evened out. Where there is less than a
- * hundredth of the scene's mean light, they are shares of that hundredth.
+ * Statistics of the Monte Carlo noise left in the light after denoising: standard errors as shares
+ * of a texel's light. Where there is less than a hundredth of the scene's mean light, they are
+ * shares of that hundredth.
  *
- * @param mean over all texels
- * @param most what 95 percent of them do not exceed
- * @param places at which light from surfaces was gathered
+ * @param mean mean over all texels
+ * @param most 95th percentile
+ * @param places number of irradiance records
  */
 public record TexelNoise(double mean, double most, int places) {
-  /** Nothing was gathered by rays. */
+  /** The statistics if nothing was gathered by rays. */
   public static final TexelNoise NONE = new TexelNoise(0, 0, 0);
 }

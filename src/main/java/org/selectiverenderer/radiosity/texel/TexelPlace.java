@@ -7,15 +7,24 @@ import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
 import org.selectiverenderer.radiosity.trace.SceneTriangles;
 
-/** The place of one texel after the other; one per thread. World coordinates, metres. */
+/**
+ * The surface point that a texel shows: position, normal, triangle and patch in world coordinates,
+ * metres. Moves from texel to texel; one per thread.
+ */
 final class TexelPlace {
-  /** Starts stay off a triangle's edges by this share, so that none lies in a wall's plane. */
+  /**
+   * Share by which ray starts are moved from a triangle's edges towards its centroid, so that none
+   * lies in a wall's plane.
+   */
   private static final double EDGE = 1e-3;
 
-  /** On triangles of many texels by no more than this share of a texel. */
+  /** Upper limit of that move on triangles of many texels, as a share of a texel. */
   private static final double EDGE_TEXELS = 0.02;
 
-  /** Normals farther than this from the triangle's own do not say how it is curved. */
+  /**
+   * Least cosine between the vertex normals and the triangle's own normal for which the surface is
+   * shaded smooth.
+   */
   private static final double ALIKE = 0.3;
 
   private final LightScene scene;
@@ -30,13 +39,13 @@ final class TexelPlace {
   private int local;
   private boolean flat;
 
-  /** On the surface. */
+  /** Position on the surface. */
   final double[] point = new double[3];
 
-  /** Unit normal as the surface is shaded, to the side that counts. */
+  /** Unit shading normal on the lit side. */
   final double[] normal = new double[3];
 
-  /** Unit normal of the triangle, to the side that counts. */
+  /** Unit geometric normal of the triangle on the lit side. */
   final double[] facing = new double[3];
 
   int triangle;
@@ -53,7 +62,7 @@ final class TexelPlace {
     map = new TexelMap(0, 0, new int[0], new float[0], new float[0], new int[0]);
   }
 
-  /** The side of the texel's square, metres. */
+  /** Returns the side of the texel's square, metres. */
   double size() {
     return own.size();
   }
@@ -62,12 +71,12 @@ final class TexelPlace {
     return map.chart()[local];
   }
 
-  /** Whether it is shaded as flat as its triangle is. */
+  /** Returns whether the surface is shaded flat here: the shading normal is the triangle's. */
   boolean flat() {
     return flat;
   }
 
-  /** Goes to a texel that belongs to a chart. */
+  /** Moves to a texel that belongs to a chart. */
   void at(int texel) {
     if (page < 0 || texel < texels.first(page) || texel >= texels.first(page) + map.texels()) {
       page = texels.pageOf(texel);
@@ -117,16 +126,16 @@ final class TexelPlace {
     }
   }
 
-  /** The start of a ray in the middle of the texel, off the surface. */
+  /** Computes the start of a ray in the middle of the texel, off the surface. */
   void start(double[] out) {
     start(triangle, map.u()[local], map.v()[local], out);
   }
 
   /**
-   * A start somewhere in the texel's square, on the surface there.
+   * Computes the start of a ray at a point of the texel's square, off the surface.
    *
-   * @param s from 0 to 1, with {@code t} where in the square
-   * @return false where the surface ends before; then it is at its edge
+   * @param s from 0 to 1; with {@code t} the point in the square
+   * @return false if the surface ends before the point; then the start lies at its edge
    */
   boolean start(double s, double t, double[] out) {
     int x = local % map.width();
@@ -149,7 +158,7 @@ final class TexelPlace {
     return false;
   }
 
-  /** Takes the triangle of a neighbouring texel, if the place lies on it. */
+  /** Uses the triangle of an adjacent texel if the point lies on it; returns whether it does. */
   private boolean next(int toX, int toY, double x, double y, double[] out) {
     if (toX < 0 || toY < 0 || toX >= map.width() || toY >= map.height()) {
       return false;
@@ -180,8 +189,8 @@ final class TexelPlace {
   }
 
   /**
-   * Where a surface bulges over its triangle, starts lie on the bulge: the triangle must not shadow
-   * itself in facets (Hanika 2021, "Hacking the Shadow Terminator").
+   * Lifts a ray start to the curved surface that the vertex normals imply, so that the triangle
+   * does not shadow itself in facets (Hanika 2021, "Hacking the Shadow Terminator").
    */
   private void bulge(double u, double v, double[] out) {
     double x = 0;

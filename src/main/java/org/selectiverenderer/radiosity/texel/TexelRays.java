@@ -5,12 +5,20 @@ import org.selectiverenderer.radiosity.sampling.PointSet;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.trace.Ray;
 
-/** Rays from the middle of a texel, and on from where they end. One per thread. */
+/**
+ * Casts rays from the middle of a texel over its hemisphere, and follows reflections from their
+ * hits. One per thread.
+ */
 final class TexelRays {
-  /** Different sets of directions: neighbours' errors must not agree. */
+  /**
+   * Number of different sets of directions, so that the errors of neighbours are not correlated.
+   */
   private static final int SETS = 64;
 
-  /** Directions flatter than this leave the triangle to its back. */
+  /**
+   * Least cosine between a direction and the geometric normal; flatter directions may leave to the
+   * back of the triangle.
+   */
   private static final double FLAT = 0.005;
 
   private final LightScene scene;
@@ -20,16 +28,16 @@ final class TexelRays {
   private TexelPlace place;
   private int first;
 
-  /** The last one that was cast. */
+  /** The ray that was cast last. */
   final Ray ray = new Ray();
 
-  /** Where rays start, off the surface. */
+  /** Start of the rays, off the surface. */
   final double[] start = new double[3];
 
-  /** The direction of the last one. */
+  /** Direction of the last ray. */
   final double[] direction = new double[3];
 
-  /** Directions that all share. */
+  /** The sets of directions, shared by all threads. */
   record Sets(Directions directions, PointSet passes, int rays) {
     static Sets of(int rays, int seed) {
       return new Sets(
@@ -44,15 +52,15 @@ final class TexelRays {
     this.sets = sets;
   }
 
-  /** Rays of one set. */
+  /** Returns the number of rays of one set. */
   int most() {
     return sets.rays();
   }
 
   /**
-   * Begins at a place, which must stay where it is.
+   * Begins at a surface point, which must not be moved meanwhile.
    *
-   * @param turn which set of directions
+   * @param turn chooses the set of directions
    */
   void begin(TexelPlace from, int turn) {
     place = from;
@@ -60,12 +68,15 @@ final class TexelRays {
     place.start(start);
   }
 
-  /** Casts one of the set; false if it would leave behind the triangle. */
+  /** Casts a ray of the set; returns false if it would leave to the back of the triangle. */
   boolean cast(int i) {
     return cast(i, Double.POSITIVE_INFINITY, sets.passes().x(first + i));
   }
 
-  /** Likewise, up to a length; what lets through more than {@code pass} is passed. */
+  /**
+   * Casts a ray of the set up to a length; it passes triangles that transmit more than {@code
+   * pass}. Returns false if it would leave to the back of the triangle.
+   */
   boolean cast(int i, double length, double pass) {
     sets.directions().about(place.normal, first + i, direction);
     if (dot(direction, place.facing) < FLAT) {
@@ -75,7 +86,7 @@ final class TexelRays {
     return true;
   }
 
-  /** Casts one back to the surface. */
+  /** Casts a ray back to the surface. */
   void castBack(double length) {
     for (int axis = 0; axis < 3; axis++) {
       direction[axis] = -place.facing[axis];
@@ -83,15 +94,16 @@ final class TexelRays {
     send(start, place.version, length, 0.5);
   }
 
-  /** Whether what the ray has met is seen from both sides. */
+  /** Returns whether the triangle that the ray hit is two-sided. */
   boolean twoSided() {
     return scene.triangles().twoSided()[ray.triangle];
   }
 
   /**
-   * Sends a ray of the set on from where it has ended; false if it meets nothing that has light.
+   * Continues the ray in a random direction from its hit; returns false if it hits nothing or the
+   * back of a one-sided triangle.
    *
-   * @param bounce how often it has been sent on
+   * @param bounce number of reflections before this one
    */
   boolean bounce(int i, int bounce) {
     faceHit();
@@ -102,8 +114,8 @@ final class TexelRays {
   }
 
   /**
-   * Likewise from before where it has ended: off the surface there may be another one, in a gap
-   * that is less than an offset wide.
+   * Continues the ray as {@link #bounce} does, but from a start just before its hit: in a gap less
+   * than an offset wide, an offset start could lie beyond another surface.
    */
   boolean turnBack(int i, int bounce) {
     double length = ray.length - Math.min(scene.offset(), ray.length) / 2;

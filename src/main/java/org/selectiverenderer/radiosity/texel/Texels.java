@@ -7,11 +7,11 @@ import org.selectiverenderer.radiosity.atlas.Atlas;
 import org.selectiverenderer.radiosity.atlas.TexelMap;
 
 /**
- * The texels of all pages in one row, page after page, and which of them are to be gathered; tiles
- * are squares of texels in which lamps are looked for together. Only {@link #leave} changes it.
+ * A numbering of the texels of all pages, page after page, with the texels that are to be gathered.
+ * Tiles are squares of texels for which lamps are culled together. Only {@link #leave} changes it.
  */
 final class Texels {
-  /** Sides of a tile, texels. */
+  /** Side of a tile, texels. */
   static final int TILE = 8;
 
   private final Atlas atlas;
@@ -44,7 +44,7 @@ final class Texels {
     return atlas;
   }
 
-  /** Of what has two, whose light they hold. */
+  /** Returns the lit sides of two-sided surfaces. */
   SeenSides sides() {
     return sides;
   }
@@ -84,12 +84,12 @@ final class Texels {
     return wanted[texel];
   }
 
-  /** A texel that nobody sees: it is not gathered. */
+  /** Excludes a texel that is not visible from gathering. */
   void leave(int texel) {
     wanted[texel] = false;
   }
 
-  /** Tiles of a page side by side. */
+  /** Returns the number of tiles in a row of a page. */
   static int across(TexelMap map) {
     return (map.width() + TILE - 1) / TILE;
   }
@@ -102,7 +102,7 @@ final class Texels {
     return firstTile[page];
   }
 
-  /** Names the wanted texels of a tile, in rows. */
+  /** Calls a consumer for each texel of a tile that is to be gathered, row by row. */
   void each(int tile, IntConsumer texel) {
     int page = pageOfTile(tile);
     TexelMap map = map(page);
@@ -118,7 +118,7 @@ final class Texels {
     }
   }
 
-  /** New pages of r, g, b per texel out of one row of all. */
+  /** Splits r, g, b of all texels into one array per page. */
   List<float[]> pages(float[] all) {
     return java.util.stream.IntStream.range(0, atlas.pages().size())
         .mapToObj(page -> Arrays.copyOfRange(all, 3 * first[page], 3 * first[page + 1]))

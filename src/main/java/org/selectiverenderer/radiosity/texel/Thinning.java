@@ -7,7 +7,10 @@ import org.selectiverenderer.radiosity.sampling.PointSet;
 import org.selectiverenderer.radiosity.scene.LightScene;
 import org.selectiverenderer.radiosity.solve.Solution;
 
-/** Of places of one grid that lie close together, as those of many small charts, only one stays. */
+/**
+ * Thins out candidate texels for irradiance records: of texels that lie close together in space, as
+ * those of many small charts do, only the first stays.
+ */
 final class Thinning {
   private final TexelPlace place;
 
@@ -28,7 +31,10 @@ final class Thinning {
     return Arrays.copyOf(kept, count);
   }
 
-  /** A cube of about so many texels, with what faces about one side. */
+  /**
+   * Returns a hash key of a grid cube of about this many texels, of the version and of the rounded
+   * normal.
+   */
   private long cell(int side) {
     double size = Math.scalb(1.0, Math.getExponent(Math.max(1e-6, place.size() * side)));
     long key = place.version;

@@ -1,8 +1,8 @@
 package org.selectiverenderer.radiosity.texel;
 
 /**
- * The place of a triangle that is nearest to a point, by the regions around its corners and edges
- * (Ericson 2005, 5.1.5). Nothing is allocated; one per thread.
+ * Finds the closest point on a triangle to a point (Ericson 2005, 5.1.5). Allocates nothing; one
+ * per thread.
  */
 final class TrianglePlace {
   private final float[] corners;
@@ -10,23 +10,23 @@ final class TrianglePlace {
   private double v;
 
   /**
-   * @param corners nine numbers per triangle
+   * @param corners x, y, z of the corners, nine numbers per triangle
    */
   TrianglePlace(float[] corners) {
     this.corners = corners;
   }
 
-  /** Weight of the second corner at the place found last. */
+  /** Returns the barycentric weight of the second corner at the point found last. */
   double u() {
     return u;
   }
 
-  /** Weight of the third corner at the place found last. */
+  /** Returns the barycentric weight of the third corner at the point found last. */
   double v() {
     return v;
   }
 
-  /** Finds the place; returns the square of its distance. */
+  /** Finds the closest point; returns the squared distance. */
   double nearest(int triangle, double[] p) {
     int at = 9 * triangle;
     double bb = 0;
@@ -64,7 +64,8 @@ final class TrianglePlace {
         return;
       }
     }
-    // Beside the triangle, or it is a mere line: the nearest place on its three edges.
+    // The projection lies outside of the triangle, or the triangle is degenerate: take the closest
+    // point on its three edges.
     double best = Double.POSITIVE_INFINITY;
     double bestU = 0;
     double bestV = 0;
@@ -81,7 +82,7 @@ final class TrianglePlace {
         ev = share(pc - pb + bb - bc, bb - 2 * bc + cc);
         eu = 1 - ev;
       }
-      // The square of the distance, without what is the same everywhere.
+      // The squared distance without its constant term.
       double away = eu * (eu * bb - 2 * pb) + ev * (ev * cc - 2 * pc) + 2 * eu * ev * bc;
       if (away < best) {
         best = away;

@@ -4,13 +4,14 @@ import org.selectiverenderer.radiosity.light.Lamp;
 import org.selectiverenderer.radiosity.sampling.PointSet;
 
 /**
- * What falls on a texel from a lamp if nothing is in the way: in closed form, in the texel's middle
- * where that is as good as all of it. Beside a lamp it is not: on a window's reveal light begins
- * with a step in the lamp's plane and falls to a half within centimetres, and what is around it has
- * most of its light from that strip. There it is the mean over the texel's square. One per thread.
+ * Computes the unshadowed irradiance of a lamp on a texel in closed form, at the texel's middle
+ * where that represents the whole texel. Close to a lamp it does not: on a window's reveal the
+ * light begins with a step in the lamp's plane and falls to a half within centimetres, and the
+ * surroundings receive most of their light from that strip. There the mean over the texel's square
+ * is taken. One per thread.
  */
 final class UnhiddenLight {
-  /** Lamps nearer than so many texels. */
+  /** Distance, in texels, below which a lamp is close. */
   private static final double BESIDE = 4;
 
   private final PointSet places;
@@ -18,7 +19,7 @@ final class UnhiddenLight {
   private final double[] one = new double[3];
 
   /**
-   * @param places on a texel, of which the mean is taken
+   * @param places sample points on a texel, over which the mean is taken
    */
   UnhiddenLight(PointSet places) {
     this.places = places;

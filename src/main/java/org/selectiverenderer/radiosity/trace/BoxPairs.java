@@ -3,24 +3,24 @@ package org.selectiverenderer.radiosity.trace;
 import org.selectiverenderer.geometry.tree.BoxTree;
 
 /**
- * A tree of boxes as rays walk it: the boxes of two siblings and where each leads to lie side by
- * side, so that a step meets one or two lines of the processor's cache instead of four.
+ * A bounding volume hierarchy in a compact layout for traversal: the boxes of two siblings and
+ * their links lie side by side, so that a step touches one or two cache lines instead of four.
  *
  * @param nodes {@link #STRIDE} numbers per pair: min x, y, z, max x, y, z of the left box, those of
  *     the right one, then, as the bits of an int, the links of the left and the right one
- * @param root the first link. A link is the place of a pair's first number, or a {@link #LEAF}
+ * @param root the first link. A link is the index of a pair's first number, or a {@link #LEAF}
  */
 record BoxPairs(float[] nodes, int root) {
-  /** Numbers of a pair; a line of a processor's cache has room for as many. */
+  /** Numbers of a pair; a cache line has room for as many floats. */
   static final int STRIDE = 16;
 
-  /** Where the numbers of the right box begin. */
+  /** Offset of the numbers of the right box. */
   static final int RIGHT = 6;
 
-  /** Where the left link is; the right one follows. */
+  /** Offset of the left link; the right link follows. */
   static final int LINK = 12;
 
-  /** Set in links to leaves, which are below 0. So no link has the bits of a NaN. */
+  /** The bit set in links to leaves, which are negative. No link has the bits of a NaN. */
   static final int LEAF = 1 << 31;
 
   private static final int COUNT_BITS = 3;
@@ -54,12 +54,12 @@ record BoxPairs(float[] nodes, int root) {
     return count[node] > 0 ? LEAF | first[node] << COUNT_BITS | count[node] : pair(first[node]);
   }
 
-  /** The first item of a leaf. */
+  /** Returns the first item of a leaf. */
   static int first(int leaf) {
     return (leaf & ~LEAF) >> COUNT_BITS;
   }
 
-  /** Where the items of a leaf end. */
+  /** Returns the index at which the items of a leaf end. */
   static int end(int leaf) {
     return first(leaf) + (leaf & (1 << COUNT_BITS) - 1);
   }

@@ -4,9 +4,9 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.tree.BoxTree;
 
-/** A ray on its way, used again and again by one thread: nothing is allocated per ray. */
+/** A ray with its hit. Reused by one thread, so that nothing is allocated per ray. */
 public final class Ray {
-  /** Nothing was met. */
+  /** The triangle of a ray that hit nothing. */
   public static final int NOTHING = -1;
 
   public double ox;
@@ -16,40 +16,40 @@ public final class Ray {
   public double dy;
   public double dz;
 
-  /**
-   * How far it reaches, in lengths of its direction; where it has met something, how far that is.
-   */
+  /** Length of the ray, in lengths of its direction; after a hit, the distance of the hit. */
   public double length;
 
   /**
-   * From 0 to 1: triangles that let through more light than this are passed, so that rays with
-   * evenly spread values together see a pane as transparent as it is.
+   * From 0 to 1: the ray passes triangles with a larger transmittance, so that rays with evenly
+   * distributed values together see a pane with its transmittance.
    */
   public double pass;
 
-  /** The triangle met first, or {@link #NOTHING}. */
+  /** The triangle hit first, or {@link #NOTHING}. */
   public int triangle;
 
-  /** Weights of the triangle's second and third corner. */
+  /** Barycentric weights of the triangle's second and third corner at the hit. */
   public double u;
 
   public double v;
 
-  /** Whether the triangle was met from behind. */
+  /** Whether the triangle was hit from behind. */
   public boolean behind;
 
-  /** Boxes that wait for the ray: links of a tree. */
+  /** Traversal stack: links of a tree. */
   final int[] stack = new int[BoxTree.MAX_DEPTH];
 
-  /** Per entry of the stack: where the ray enters its box, as the bits of a float. */
+  /**
+   * Per entry of the stack: the distance at which the ray enters the box, as the bits of a float.
+   */
   final int[] entered = new int[BoxTree.MAX_DEPTH];
 
-  /** What last stopped a shadow ray: the next one often meets it, too. An item of a tree. */
+  /** The item of a tree that stopped the last shadow ray, which often stops the next one, too. */
   int blocker;
 
   @Nullable TriangleTree blockerTree;
 
-  /** Rays cast since it was made, for figures. */
+  /** Number of rays cast with this object, for statistics. */
   long cast;
 
   public void from(double[] point, double[] direction) {

@@ -3,12 +3,12 @@ package org.selectiverenderer.radiosity.trace;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
- * Triangles in world coordinates.
+ * All triangles of a scene in world coordinates.
  *
- * @param corners nine numbers per triangle: x, y, z of its three corners, counter-clockwise seen
- *     from its front; all finite
- * @param twoSided per triangle: whether it is seen from behind, too
- * @param transmittance per triangle: the share of light that goes straight through
+ * @param corners nine numbers per triangle: x, y, z of its three corners, metres, counter-clockwise
+ *     seen from its front; all finite
+ * @param twoSided per triangle: whether it is visible from behind, too
+ * @param transmittance per triangle: the share of light that passes straight through
  * @param version per triangle: the version of an object that it belongs to, {@link Versions#FIXED}
  *     for none
  */
@@ -19,14 +19,17 @@ public record SceneTriangles(
     return twoSided.length;
   }
 
-  /** Unit normal of a triangle into {@code out}; returns its area. */
+  /** Writes the unit normal of a triangle to {@code out}; returns its area. */
   public double normal(int triangle, double[] out) {
     int at = 9 * triangle;
     TriangleMath.normal(corners, at, at + 3, at + 6, out);
     return TriangleMath.normalize(out) / 2;
   }
 
-  /** A point of a triangle by the weights of its second and third corner. */
+  /**
+   * Writes the point of a triangle with the given barycentric weights of its second and third
+   * corner to {@code out}.
+   */
   public void point(int triangle, double u, double v, double[] out) {
     int at = 9 * triangle;
     double w = 1 - u - v;
@@ -36,11 +39,12 @@ public record SceneTriangles(
   }
 
   /**
-   * The weights of a triangle's second and third corner at a point in its plane, inside of it.
+   * Computes the barycentric weights of a triangle's second and third corner at a point in its
+   * plane, clamped to the triangle.
    *
    * @param corners nine numbers per triangle
-   * @param out gets two numbers
-   * @return how far outside the point lies, in weights; 0 for inside
+   * @param out receives the two weights
+   * @return by how much the weights were clamped; 0 for a point inside
    */
   public static double weights(float[] corners, int triangle, double[] point, double[] out) {
     double bb = 0;

@@ -4,28 +4,32 @@ import org.selectiverenderer.geometry.tree.BoxTree;
 import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
 
 /**
- * A bounding-volume hierarchy over some triangles of a scene, laid out for many rays: corner and
- * edges of the triangles lie in the order of the leaves. Immutable; for several threads.
+ * A bounding volume hierarchy over some triangles of a scene for many rays: the corners of the
+ * triangles are copied in the order of the leaves. Immutable; for several threads.
  */
 final class TriangleTree {
-  /** How far beyond an edge a ray still hits, so that none slips between two triangles. */
+  /**
+   * Tolerance beyond an edge within which a ray still hits, so that none slips between two
+   * triangles; in barycentric weights.
+   */
   private static final double EDGE = 1e-7;
 
   /**
-   * Surfaces this share of the tree's extent apart touch: of a solid that a ray leaves and one that
-   * it enters there, it meets the first, so that what starts inside of something is known to.
+   * Distance, as a share of the tree's extent, within which two surfaces touch: where a ray leaves
+   * a solid and enters another, it hits the back of the first, so that rays which start inside of a
+   * solid are recognized.
    */
   private static final double TOUCH = 1e-6;
 
-  /** Light below this share counts as none. */
+  /** Transmitted share of light below which it counts as none. */
   private static final double DARK = 0.01;
 
-  /** Components of directions nearer to 0 count as this. */
+  /** Least absolute component of a direction. */
   private static final double FLAT = 1e-30;
 
   /**
-   * Floats between two distances that may be one: each comes of three operations and so is within
-   * three of what it should be.
+   * Number of floats by which two equal distances may differ: each is the result of three
+   * operations and so within three of the exact value.
    */
   private static final int SLACK = 8;
 
@@ -77,15 +81,18 @@ final class TriangleTree {
   }
 
   /**
-   * Finds what a ray meets first, if that is nearer than {@code ray.length}.
+   * Finds the first hit of a ray, if it is nearer than {@code ray.length}.
    *
-   * @param without an object whose triangles are passed; 0 for none
+   * @param without an object whose triangles are ignored; 0 for none
    */
   void nearest(Ray ray, int without) {
     walk(ray, without, false);
   }
 
-  /** How much light passes along a ray up to its length; objects as in {@link #nearest}. */
+  /**
+   * Returns the share of light that passes along a ray up to its length; {@code without} as in
+   * {@link #nearest}.
+   */
   double transmittance(Ray ray, int without) {
     return walk(ray, without, true);
   }
@@ -103,7 +110,7 @@ final class TriangleTree {
     float ix = inverse(ray.dx);
     float iy = inverse(ray.dy);
     float iz = inverse(ray.dz);
-    // Which numbers of a box are those of the planes that the ray meets first, and last.
+    // Offsets of the box planes that the ray meets first, and last.
     int nearX = ix < 0 ? 3 : 0;
     int nearY = iy < 0 ? 4 : 1;
     int nearZ = iz < 0 ? 5 : 2;
@@ -122,7 +129,7 @@ final class TriangleTree {
     int size = 0;
     int link = pairs.root();
     while (true) {
-      // Down to the nearest leaf; what is farther waits (Kay and Kajiya 1986).
+      // Descends to the nearest leaf; the farther child is pushed (Kay and Kajiya 1986).
       while (link >= 0) {
         int right = link + BoxPairs.RIGHT;
         int toLeft =
@@ -188,26 +195,29 @@ final class TriangleTree {
     }
   }
 
-  /** One over a component of a direction; never infinite, so that no product is not a number. */
+  /**
+   * Returns the inverse of a component of a direction; never infinite, so that no product is NaN.
+   */
   private static float inverse(double component) {
     return Math.abs(component) < FLAT
         ? (float) Math.copySign(1 / FLAT, component)
         : (float) (1 / component);
   }
 
-  /** A coordinate as a float: a larger one for an axis that is followed upwards, else a smaller. */
+  /** Rounds a coordinate to a float: up if the ray ascends along the axis, else down. */
   private static float above(double coordinate, float up) {
     return up < 0 ? Math.nextDown((float) coordinate) : Math.nextUp((float) coordinate);
   }
 
-  /** How far boxes may be, as the bits of a float. */
+  /** Returns the largest distance of boxes, as the bits of a float. */
   private int reach(Ray ray) {
     return Float.floatToRawIntBits((float) (ray.length + touch));
   }
 
   /**
-   * The largest of three distances and 0, as the bits of a float. Bits are in the order of the
-   * floats above 0 and those of others are below theirs; they are compared without a branch.
+   * Returns the largest of three distances and 0, as the bits of a float. As integers, the bits of
+   * positive floats are in the floats' order and those of negative floats are below them, so that
+   * they are compared without a branch.
    */
   private static int latest(float x, float y, float z) {
     return Math.max(
@@ -215,7 +225,10 @@ final class TriangleTree {
         Math.max(Float.floatToRawIntBits(z), 0));
   }
 
-  /** Likewise the least of three distances and the bits of a fourth; below 0 if one is. */
+  /**
+   * Returns the least of three distances and a fourth given as bits, as the bits of a float; below
+   * 0 if one of them is.
+   */
   private static int soonest(float x, float y, float z, int most) {
     return Math.min(
         Math.min(Float.floatToRawIntBits(x), Float.floatToRawIntBits(y)),
@@ -234,7 +247,10 @@ final class TriangleTree {
     return passed;
   }
 
-  /** Whether a ray meets a triangle first (Möller and Trumbore 1997, in double precision). */
+  /**
+   * Tests whether a triangle is the first hit of a ray so far (Möller and Trumbore 1997, in double
+   * precision).
+   */
   private boolean test(int item, Ray ray, int without) {
     int at = 9 * item;
     double ax = data[at];

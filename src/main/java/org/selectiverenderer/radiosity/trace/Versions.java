@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The versions of objects: of each object one is there for all others, the reference; every other
- * one is lit as if it stood in the reference's place.
+ * The versions of all objects. One version of each object, the reference, stands for the object in
+ * the light of other bodies; every other version is lit as if it replaced the reference.
  */
 public final class Versions {
-  /** What has no versions. */
+  /** The version number of bodies without versions. */
   public static final int FIXED = 0;
 
   private final List<Integer> objects = new ArrayList<>(List.of(0));
@@ -17,8 +17,8 @@ public final class Versions {
   /**
    * Adds a version.
    *
-   * @param object a number above 0 that its versions share
-   * @return its number
+   * @param object the object's number, above 0, which its versions share
+   * @return the number of the version
    */
   public int add(int object, boolean reference) {
     objects.add(object);
@@ -30,7 +30,7 @@ public final class Versions {
     return objects.size();
   }
 
-  /** The object of a version; 0 for what has none. */
+  /** Returns the object of a version; 0 for {@link #FIXED}. */
   public int object(int version) {
     return objects.get(version);
   }

@@ -4,17 +4,20 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * What rays meet in a scene. For what has no versions and for the reference version of each object
- * it is the scene with all references; for any other version that object's reference is replaced by
- * the version itself. So every version is lit in its own place and none shadows another of the same
- * object. Immutable; for several threads.
+ * Intersects rays with a scene that has versions of objects. Rays from bodies without versions and
+ * from reference versions see the scene with all reference versions; for rays from any other
+ * version its object's reference version is replaced by that version. So every version is lit in
+ * place and none shadows another of the same object. Immutable; for several threads.
  */
 public final class Visibility {
   private final TriangleTree all;
   private final TriangleTree[] own;
   private final int[] objectOf;
 
-  /** By version: the tree that its triangles are in; 0 is the one that all rays meet. */
+  /**
+   * Per version: the tree that its triangles are in; 0 is the tree that all rays are tested
+   * against.
+   */
   private final int[] treeOf;
 
   public Visibility(SceneTriangles triangles, Versions versions) {
@@ -48,9 +51,9 @@ public final class Visibility {
   }
 
   /**
-   * Finds what a ray meets first; {@code ray.triangle} is {@link Ray#NOTHING} if that is nothing.
+   * Finds the first hit of a ray; {@code ray.triangle} is {@link Ray#NOTHING} if there is none.
    *
-   * @param version the version of an object that the ray leaves from
+   * @param version the version of an object that the ray starts from
    */
   public void nearest(Ray ray, int version) {
     ray.cast++;
@@ -63,7 +66,7 @@ public final class Visibility {
     }
   }
 
-  /** The share of light that passes along a ray up to its length. */
+  /** Returns the share of light that passes along a ray up to its length. */
   public double transmittance(Ray ray, int version) {
     ray.cast++;
     ray.triangle = Ray.NOTHING;

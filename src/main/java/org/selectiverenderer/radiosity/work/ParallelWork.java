@@ -5,13 +5,13 @@ import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 
 /**
- * Runs numbered tasks on all processors. Tasks write to places of their own, so the result does not
- * depend on the number of threads.
+ * A parallel loop over numbered tasks on all processors. Tasks write to their own array elements,
+ * so the result does not depend on the number of threads.
  */
 public final class ParallelWork {
   private ParallelWork() {}
 
-  /** Does the tasks {@code from} to {@code to}, without that. */
+  /** Runs the tasks {@code from} to {@code to}, exclusive. */
   @FunctionalInterface
   public interface Tasks {
     void run(int from, int to);
@@ -20,7 +20,7 @@ public final class ParallelWork {
   /**
    * Runs tasks 0 .. count - 1 in chunks.
    *
-   * @return false if it was cancelled before all were done
+   * @return false if the work was cancelled before all tasks were done
    */
   public static boolean run(
       int count, int chunk, WorkProgress progress, WorkProgress.Stage stage, Tasks tasks) {
@@ -28,9 +28,9 @@ public final class ParallelWork {
   }
 
   /**
-   * Likewise, where the tasks are a part of a stage.
+   * Runs tasks 0 .. count - 1 in chunks, as a part of a stage.
    *
-   * @param done hears the share of the tasks that is done
+   * @param done receives the share of the tasks that is done
    */
   public static boolean run(
       int count, int chunk, WorkProgress progress, DoubleConsumer done, Tasks tasks) {

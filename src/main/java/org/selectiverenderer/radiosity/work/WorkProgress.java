@@ -1,8 +1,11 @@
 package org.selectiverenderer.radiosity.work;
 
-/** Hears how far the work is and says whether it is still wanted; called from several threads. */
+/**
+ * Listens to the progress of a radiosity computation and can cancel it. Called from several
+ * threads.
+ */
 public interface WorkProgress {
-  /** Nobody listens, nobody cancels. */
+  /** Ignores progress and never cancels. */
   WorkProgress NONE =
       new WorkProgress() {
         @Override
@@ -17,8 +20,8 @@ public interface WorkProgress {
       };
 
   /**
-   * The parts of the work, each with its share of the time in a scene of many polygons. Light goes
-   * either to vertices, after subdivision, or to texels.
+   * The stages of the computation, each with its share of the time in a scene of many polygons.
+   * Light is gathered either at vertices, after subdivision, or at texels.
    */
   enum Stage {
     READING("reading", 0, 0.05),
@@ -43,14 +46,16 @@ public interface WorkProgress {
       return label;
     }
 
-    /** The share of all work that is done when this stage is done so far. */
+    /**
+     * Returns the share of the whole computation that is done when a share of this stage is done.
+     */
     public double overall(double share) {
       return before + weight * share;
     }
   }
 
   /**
-   * @param share of the stage that is done, 0 .. 1
+   * @param share share of the stage that is done, 0 .. 1
    */
   void at(Stage stage, double share);
 

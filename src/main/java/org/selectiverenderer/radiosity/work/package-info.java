@@ -1,7 +1,4 @@
-/**
- * Long work in parts: on all processors, with progress, until it is cancelled. Uses nothing else of
- * ours.
- */
+/** Parallel computation with progress and cancellation. Uses nothing else of ours. */
 @NullMarked
 package org.selectiverenderer.radiosity.work;
 

@@ -9,26 +9,30 @@ import org.selectiverenderer.runtime.viewer.Extent;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * One eye's view and where it is drawn. Matrices are not written to after they are given.
+ * A camera with its viewport. The matrices must not be changed after construction.
  *
- * @param view from the world to the eye, which looks along -Z
- * @param projection from the eye to clip coordinates, depth -1..1
- * @param x left of the viewport in pixels
- * @param y bottom of the viewport in pixels
- * @param width of the viewport in pixels
- * @param height of the viewport in pixels
+ * @param view the view matrix: from world to eye coordinates; the eye looks along -Z
+ * @param projection the projection matrix: from eye to clip coordinates, depth -1..1
+ * @param x the viewport's left edge in pixels
+ * @param y the viewport's bottom edge in pixels
+ * @param width the viewport's width in pixels
+ * @param height the viewport's height in pixels
  */
 public record Camera(Matrix4dc view, Matrix4dc projection, int x, int y, int width, int height) {
 
-  /** Depths of a parallel view: sizes of floats hide the angle that is left. */
+  /**
+   * Distance of the substitute eye of an orthographic view, in units of its depth: so far back that
+   * the remaining perspective is below float precision.
+   */
   private static final double FAR_BACK = 1e7;
 
   /**
-   * The viewer's view over a whole target of that size. Its field of view is the smaller of the two
-   * viewing angles (X3D 4.0, 23.3.5); in a parallel view both grow that it fills the target.
+   * Makes the viewer's camera for a render target of the given size. The viewer's field of view is
+   * the smaller of the two viewing angles (X3D 4.0, 23.3.5); the extent of an orthographic view
+   * grows until it fills the target.
    *
-   * @param near distance of the near plane, above 0
-   * @param far distance of the far plane, above {@code near}
+   * @param near the distance of the near plane, above 0
+   * @param far the distance of the far plane, above {@code near}
    */
   public static Camera of(Viewer viewer, int width, int height, double near, double far) {
     double aspect = width / (double) height;
@@ -54,19 +58,25 @@ public record Camera(Matrix4dc view, Matrix4dc projection, int x, int y, int wid
     return new Camera(viewer.view(), projection, 0, 0, width, height);
   }
 
-  /** What is seen at a distance of 1, as if the eye looked at its middle; empty if parallel. */
+  /**
+   * Returns the cross-section of the view frustum at distance 1, centred on the view axis; empty
+   * for an orthographic view.
+   */
   public Optional<Extent> angle() {
     double x = 1 / projection.m00();
     double y = 1 / projection.m11();
     return parallel() ? Optional.empty() : Optional.of(new Extent(-x, -y, x, y));
   }
 
-  /** Whether lines of sight are parallel. */
+  /** Returns whether the projection is orthographic. */
   public boolean parallel() {
     return projection.m33() != 0;
   }
 
-  /** The eye in world coordinates; that of a parallel view is so far back that it sees likewise. */
+  /**
+   * Returns the eye in world coordinates; for an orthographic view, a point so far back that its
+   * view is practically the same.
+   */
   public Vector3dc eye() {
     return parallel()
         ? view.invertAffine(new Matrix4d())
@@ -74,7 +84,7 @@ public record Camera(Matrix4dc view, Matrix4dc projection, int x, int y, int wid
         : view.originAffine(new Vector3d());
   }
 
-  /** How deep a parallel view reaches. */
+  /** Returns the distance between the near and far plane of an orthographic view. */
   private double depth() {
     return Math.abs(2 / projection.m22());
   }

@@ -5,25 +5,25 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 
 /**
- * Distances of the near and far plane.
+ * The distances of the near and far clipping planes.
  *
- * @param near above 0
- * @param far above {@code near}
+ * @param near the near plane's distance, above 0
+ * @param far the far plane's distance, above {@code near}
  */
 public record DepthRange(double near, double far) {
-  /** Beyond this ratio a depth buffer of 24 bits has too few steps far away. */
+  /** Largest ratio of far to near; beyond it a 24-bit depth buffer is too coarse at a distance. */
   private static final double MOST = 1e5;
 
-  /** Depth of what stands at the edge of a view of 120 degrees, per distance. */
+  /** Depth along the view axis per distance from the eye, at the edge of a view of 120 degrees. */
   private static final double ALONG_AXIS = 0.5;
 
   /**
-   * From half the avatar's collision distance to the visibility limit, or as far as anything shown
-   * (X3D 4.0, 23.4.4: NavigationInfo). Where that is very far, the near plane is farther from the
-   * eye, but not beyond the nearest thing shown.
+   * Returns the range from half the avatar's collision distance to the visibility limit, or to the
+   * farthest shape if there is no limit (X3D 4.0, 23.4.4: NavigationInfo). If that is very far, the
+   * near plane moves away from the eye too, but not beyond the nearest shape.
    *
    * @param avatarRadius the first element of avatarSize
-   * @param visibilityLimit 0 for none
+   * @param visibilityLimit the visibility limit; 0 for none
    */
   public static DepthRange of(
       InstanceTree tree, Vector3dc eye, double avatarRadius, double visibilityLimit) {
@@ -44,7 +44,9 @@ public record DepthRange(double near, double far) {
     return new DepthRange(near, far);
   }
 
-  /** The distance of the nearest box, whose walls count where the eye is in it. */
+  /**
+   * Returns the distance to the nearest bounding box; from inside a box, the distance to its faces.
+   */
   private static double nearest(InstanceTree tree, Vector3dc eye) {
     double nearest = Double.POSITIVE_INFINITY;
     for (ShapeInstance shape : tree.shapes()) {

@@ -1,29 +1,29 @@
 package org.selectiverenderer.runtime.camera;
 
 /**
- * One eye's part of a frame.
+ * One eye's view of a frame.
  *
- * @param camera what is seen, and where in the target it is drawn
- * @param channel which buffers and colours it is drawn into
- * @param hidden what nobody sees of it
+ * @param camera the camera and its viewport in the render target
+ * @param channel the buffer and colour channels that the view is drawn into
+ * @param hidden the area of the view that the display hides
  */
 public record EyeView(Camera camera, Channel channel, HiddenPart hidden) {
-  /** One of which all is seen. */
+  /** Makes a view without a hidden area. */
   public EyeView(Camera camera, Channel channel) {
     this(camera, channel, HiddenPart.NONE);
   }
 
-  /** Where a view's colours go. */
+  /** The buffer and colour channels that a view is drawn into. */
   public enum Channel {
-    /** Into the target's usual buffer. */
+    /** All colours of the default buffer. */
     ALL,
-    /** Its red only: the left eye of an anaglyph. */
+    /** The red channel only: the left eye of an anaglyph. */
     RED,
-    /** Its green and blue only: the right eye of an anaglyph. */
+    /** The green and blue channels only: the right eye of an anaglyph. */
     CYAN,
-    /** Into the left buffer of a quad-buffered window. */
+    /** The left buffer of a quad-buffered window. */
     LEFT_BUFFER,
-    /** Into the right buffer of a quad-buffered window. */
+    /** The right buffer of a quad-buffered window. */
     RIGHT_BUFFER
   }
 }

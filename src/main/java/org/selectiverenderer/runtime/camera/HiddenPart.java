@@ -1,13 +1,14 @@
 package org.selectiverenderer.runtime.camera;
 
 /**
- * The part of a view that nobody sees, as behind the edge of a lens: black, and not worth drawing.
+ * The hidden area mesh of a view: triangles over pixels that a headset's lens does not show. They
+ * stay black and are not shaded.
  *
- * @param corners x and y of each corner of triangles, six numbers each, from -1 (left, bottom) to 1
- *     (right, top) of the view; not written to
+ * @param corners x and y of the triangles' corners, six numbers per triangle, from -1 (left,
+ *     bottom) to 1 (right, top) of the view; not to be changed
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record HiddenPart(float[] corners) {
-  /** All is seen. */
+  /** No hidden area. */
   public static final HiddenPart NONE = new HiddenPart(new float[0]);
 }

@@ -6,21 +6,21 @@ import org.selectiverenderer.runtime.LayerView;
 import org.selectiverenderer.runtime.viewer.Viewer;
 
 /**
- * The camera of a layer that is not the one the user walks in, or is drawn into a part of the
+ * Makes the camera of a layer that is not the active one, or that is drawn into a part of the
  * picture (X3D 4.0, 35.2.2).
  */
 public final class LayerCamera {
   private LayerCamera() {}
 
   /**
-   * A layer's camera for one of the views of a frame. Eyes are beside the layer's viewer as they
-   * are beside the user; a display has its own frustum, whatever the layer's viewpoint says, unless
-   * that is a parallel one.
+   * Makes a layer's camera for one of the views of a frame. The eyes have the same offset from the
+   * layer's viewer as from the user. A display's own frustum takes precedence over the layer's
+   * viewpoint, unless that is orthographic.
    *
-   * @param of the view of the active layer over the whole picture
+   * @param of the camera of the active layer for the whole picture
    * @param user the viewer of the active layer
-   * @param mono whether the view is the viewer's own, else one that a display wants
-   * @param range of depths in the layer
+   * @param mono whether the view is the viewer's own; otherwise a display dictates it
+   * @param range the near and far plane for the layer
    */
   public static Camera of(Camera of, Viewer user, LayerView layer, boolean mono, DepthRange range) {
     LayerView.Part part = layer.part();
@@ -40,7 +40,7 @@ public final class LayerCamera {
         height);
   }
 
-  /** The same frustum with other depths. */
+  /** Returns the same frustum with another near and far plane. */
   private static Matrix4d frustum(Matrix4dc projection, DepthRange range) {
     double depth = range.far() - range.near();
     return new Matrix4d(projection)

@@ -2,13 +2,16 @@ package org.selectiverenderer.runtime.camera;
 
 import java.util.Arrays;
 
-/** Something drawn on a page. Colours are 0xAARRGGBB. */
+/**
+ * A two-dimensional drawing primitive of an overlay or panel. Colours are 0xAARRGGBB; coordinates
+ * are pixels from the upper left corner, +Y down.
+ */
 public sealed interface Mark {
 
   /**
    * A straight line.
    *
-   * @param width in pixels
+   * @param width the line's width in pixels
    */
   record Line(double x0, double y0, double x1, double y1, double width, int color)
       implements Mark {}
@@ -16,7 +19,7 @@ public sealed interface Mark {
   /**
    * A filled convex polygon.
    *
-   * @param corners x, y of each in turn; not written to
+   * @param corners x and y of each corner in turn; not to be changed
    */
   record Area(double[] corners, int color) implements Mark {
     @Override
@@ -35,21 +38,21 @@ public sealed interface Mark {
   /**
    * A line of text.
    *
-   * @param x of its left end
-   * @param y of its base line
-   * @param size of the letters in pixels
+   * @param x the left end of the text
+   * @param y the base line of the text
+   * @param size the font size in pixels
    */
   record Text(String text, double x, double y, double size, int color) implements Mark {}
 
   /**
-   * A picture, stretched to fill an upright rectangle.
+   * An image, stretched to fill an axis-parallel rectangle.
    *
-   * @param x of its left side
-   * @param y of its upper side
+   * @param x the rectangle's left side
+   * @param y the rectangle's upper side
    */
   record Picture(Pixels pixels, double x, double y, double width, double height) implements Mark {}
 
-  /** A filled upright rectangle. */
+  /** Makes a filled axis-parallel rectangle. */
   static Area rectangle(double x, double y, double width, double height, int color) {
     return new Area(new double[] {x, y, x + width, y, x + width, y + height, x, y + height}, color);
   }

@@ -1,11 +1,11 @@
 package org.selectiverenderer.runtime.camera;
 
-/** What of a headset's pictures is shown on the desk. */
+/** The eyes of a headset whose pictures the mirror window on the desktop shows. */
 public enum MirrorSide {
-  /** Both eyes', side by side. */
+  /** Both eyes, side by side. */
   BOTH,
-  /** The left eye's alone. */
+  /** The left eye only. */
   LEFT,
-  /** The right eye's alone. */
+  /** The right eye only. */
   RIGHT
 }

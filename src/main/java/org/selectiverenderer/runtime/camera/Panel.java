@@ -4,10 +4,11 @@ import java.util.List;
 import org.joml.Matrix4dc;
 
 /**
- * A page that stands in the world, seen by both eyes before everything else.
+ * A flat panel placed in the world, for example a questionnaire, which both eyes see in front of
+ * everything else.
  *
- * @param marks on it, measured from its upper left corner, +Y down
- * @param place takes the page's plane to the world
+ * @param marks the primitives on the panel, in coordinates from its upper left corner, +Y down
+ * @param place the matrix from the panel's plane to the world
  */
 public record Panel(List<Mark> marks, Matrix4dc place) {
   public Panel {

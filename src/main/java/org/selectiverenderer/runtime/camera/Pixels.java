@@ -1,13 +1,13 @@
 package org.selectiverenderer.runtime.camera;
 
-/** A picture on a page. The same object is the same picture: what draws it may keep it. */
+/** An image in memory, immutable. A renderer may cache the texture that it makes of the object. */
 public final class Pixels {
   private final int width;
   private final int height;
   private final int[] colors;
 
   /**
-   * @param colors 0xAARRGGBB, row by row from the uppermost; not written to any more
+   * @param colors 0xAARRGGBB, row by row from the top; not to be changed afterwards
    */
   public Pixels(int width, int height, int[] colors) {
     if (width < 1 || height < 1 || colors.length != width * height) {
@@ -19,17 +19,17 @@ public final class Pixels {
     this.colors = colors;
   }
 
-  /** In pixels. */
+  /** Returns the width in pixels. */
   public int width() {
     return width;
   }
 
-  /** In pixels. */
+  /** Returns the height in pixels. */
   public int height() {
     return height;
   }
 
-  /** Four bytes of a pixel, 0xAARRGGBB. */
+  /** Returns a pixel as 0xAARRGGBB. */
   public int color(int x, int y) {
     return colors[y * width + x];
   }

@@ -4,12 +4,12 @@ import java.util.List;
 import org.selectiverenderer.runtime.World;
 
 /**
- * The views of which a frame consists: all of one update of the world and one pose of the viewer,
- * culled once for all of them.
+ * Computes the views of a frame: one for a window, two for stereo. All views show the same state of
+ * the world and the same viewer pose and share one culling pass.
  */
 @FunctionalInterface
 public interface ViewLayout {
-  /** The viewer's own view over the whole target. */
+  /** One view: the viewer's own, over the whole render target. */
   ViewLayout MONO =
       (world, width, height, range) ->
           List.of(
@@ -18,26 +18,28 @@ public interface ViewLayout {
                   EyeView.Channel.ALL));
 
   /**
-   * The views of the present frame. Where they leave parts of the target free, these are black.
+   * Returns the views of the present frame. Parts of the target that no view covers stay black.
    *
-   * @param width of the target in pixels
-   * @param height of the target in pixels
-   * @param range of depth about the viewer
-   * @return at least one
+   * @param width the target's width in pixels
+   * @param height the target's height in pixels
+   * @param range the near and far plane
+   * @return the views, at least one
    */
   List<EyeView> views(World world, int width, int height, DepthRange range);
 
-  /** Whether the world is drawn; else there are only marks on black. */
+  /**
+   * Returns whether the world is drawn; otherwise only the two-dimensional primitives, on black.
+   */
   default boolean showsWorld() {
     return true;
   }
 
   /**
-   * What is drawn over a view.
+   * Returns the primitives drawn over a view.
    *
-   * @param view its number in the list
-   * @param width of the view in pixels
-   * @param height of the view in pixels
+   * @param view the view's index in the list
+   * @param width the view's width in pixels
+   * @param height the view's height in pixels
    */
   default List<Mark> marks(int view, int width, int height) {
     return List.of();

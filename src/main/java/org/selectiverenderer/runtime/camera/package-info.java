@@ -1,8 +1,8 @@
 /**
- * What is to be seen, without GL: the cameras of which a frame consists and flat marks over them.
+ * The cameras and views of a frame, and two-dimensional primitives drawn over them; without GL.
  *
  * <p>In: a world and its viewer. Out: {@link org.selectiverenderer.runtime.camera.ViewLayout}s,
- * plain values that anything may make and a renderer draws. Uses {@code runtime}, {@code
+ * which any display mode may implement and the renderer draws. Uses {@code runtime}, {@code
  * runtime.instance} and {@code runtime.viewer}, but no renderer.
  */
 @NullMarked

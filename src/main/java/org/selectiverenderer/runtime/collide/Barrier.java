@@ -3,16 +3,18 @@ package org.selectiverenderer.runtime.collide;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Numbered pieces of something that a point with a radius cannot pass. */
+/**
+ * A set of obstacles for a moving sphere; each obstacle is a triangle or a segment with an index.
+ */
 interface Barrier {
   int size();
 
-  /** Writes the point of a piece that is nearest to p. */
+  /** Writes the point of an obstacle that is nearest to p. */
   void nearest(int piece, Vector3dc p, Vector3d out);
 
-  /** Whether the way from one point straight to another leads through a piece. */
+  /** Returns whether the straight way from one point to another passes through an obstacle. */
   boolean crossed(int piece, Vector3dc from, Vector3dc to);
 
-  /** Hears that a piece held the point up. */
+  /** Is told that an obstacle stopped the sphere. */
   void touched(int piece);
 }

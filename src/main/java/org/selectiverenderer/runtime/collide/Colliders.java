@@ -24,9 +24,10 @@ import org.selectiverenderer.runtime.nodes.layout.LayoutGroupNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * What the viewer bumps into and stands on (X3D 4.0, 23.2.4 and 23.4.2): every shape shown, from
- * both sides, except lines and points, what is below a Collision node that is not enabled, and what
- * a proxy stands for. Belongs to the thread that steps the world; follows the tree's updates.
+ * The geometry that the viewer collides with and stands on (X3D 4.0, 23.2.4 and 23.4.2): every
+ * visible shape, from both sides, except lines, points, children of disabled Collision nodes and
+ * children that a Collision proxy replaces. It follows the updates of the instance tree. Belongs to
+ * the thread that steps the world.
  */
 public final class Colliders {
   private final InstanceTree tree;
@@ -38,7 +39,7 @@ public final class Colliders {
   private long placement;
 
   /**
-   * @param assets makes the meshes of proxies
+   * @param assets provides the meshes of proxies
    */
   public Colliders(InstanceTree tree, Assets assets, MeshTrees meshes) {
     this.tree = tree;
@@ -47,7 +48,7 @@ public final class Colliders {
     index = new PlacedIndex<>(List.of(), meshes);
   }
 
-  /** Follows what changed in the scene and in proxies. */
+  /** Brings the index up to date with the scene and the proxies. */
   private void refresh() {
     long structureNow = tree.structureVersion();
     long placementNow = tree.placementVersion();
@@ -60,7 +61,7 @@ public final class Colliders {
       List<PlacedMesh> all = new ArrayList<>();
       collect(tree.root(), List.of(), all);
       index = new PlacedIndex<>(all, meshes);
-      // The new proxies' versions are in these sums from the next call on.
+      // The versions of new proxies enter these sums from the next call on.
       structure = versions(InstanceTree::structureVersion);
       placement = versions(InstanceTree::placementVersion);
     } else if (placementNow != placement) {
@@ -106,9 +107,9 @@ public final class Colliders {
   }
 
   /**
-   * How far something is along a ray.
+   * Returns the distance to the first surface along a ray.
    *
-   * @param direction of unit length, in the world
+   * @param direction the unit direction, in world coordinates
    */
   public OptionalDouble distance(Vector3dc origin, Vector3dc direction, double limit) {
     refresh();
@@ -119,10 +120,10 @@ public final class Colliders {
   }
 
   /**
-   * Gathers the triangles that touch a box.
+   * Collects the triangles that touch a box.
    *
-   * @param frame takes the coordinates in which box and triangles are given to the world; the
-   *     origin is the same
+   * @param frame the rotation from the coordinates of box and triangles to the world; both have the
+   *     same origin
    * @param box min x, y, z, max x, y, z
    */
   public void gather(Quaterniondc frame, double[] box, NearTriangles into) {

@@ -4,7 +4,10 @@ import java.util.Arrays;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Triangles gathered around the viewer, and what each is part of; filled anew for every step. */
+/**
+ * The candidate triangles near the viewer, each with the mesh that it belongs to; collected again
+ * for every movement step.
+ */
 public final class NearTriangles {
   private double[] coordinates = new double[9 * 64];
   private PlacedMesh[] owners = new PlacedMesh[64];
@@ -35,7 +38,7 @@ public final class NearTriangles {
     coordinates[at + 2] = p.z();
   }
 
-  /** A corner of a triangle; corner is 0, 1 or 2. Returns {@code out}. */
+  /** Writes a corner (0, 1 or 2) of a triangle to {@code out} and returns it. */
   Vector3d corner(int triangle, int corner, Vector3d out) {
     int at = 9 * triangle + 3 * corner;
     return out.set(coordinates[at], coordinates[at + 1], coordinates[at + 2]);

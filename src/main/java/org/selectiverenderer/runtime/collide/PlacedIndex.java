@@ -13,15 +13,15 @@ import org.selectiverenderer.geometry.tree.BoxTreeBuilder;
 import org.selectiverenderer.geometry.tree.MeshTree;
 
 /**
- * Finds placed meshes along a ray or in a box: first by their boxes in the world, then triangle by
- * triangle in their own coordinates. Whether one is present is asked at every search, so showing
- * and hiding costs nothing here.
+ * Finds placed meshes along a ray or in a box: a BVH over their world-space bounding boxes selects
+ * candidates, whose triangles are then tested in local coordinates. Each search asks whether a mesh
+ * is present, so that showing or hiding one costs nothing here.
  */
 final class PlacedIndex<P extends PlacedMesh> {
-  /** What a ray hits. */
+  /** The hit of a ray. */
   record PlacedHit<P extends PlacedMesh>(P placed, Mesh mesh, MeshTree.MeshHit at) {}
 
-  /** Moves per element after which the tree's shape is worth making anew. */
+  /** Number of moves per element after which the BVH is rebuilt instead of refitted. */
   private static final int WORN = 4;
 
   private final MeshTrees meshes;
@@ -40,7 +40,7 @@ final class PlacedIndex<P extends PlacedMesh> {
     tree = BoxTreeBuilder.build(known.length, this::box);
   }
 
-  /** Rounds outwards, so that no float box is smaller than what it stands for. */
+  /** Rounds outwards to float, so that the float box encloses the double box. */
   private void box(int item, float[] out) {
     double[] box = known[item];
     for (int axis = 0; axis < 3; axis++) {
@@ -49,7 +49,7 @@ final class PlacedIndex<P extends PlacedMesh> {
     }
   }
 
-  /** Follows what moved since the last call. */
+  /** Refits the BVH to the meshes that moved since the last call. */
   void refresh() {
     for (int i = 0; i < known.length; i++) {
       double[] bounds = all.get(i).bounds();
@@ -66,9 +66,9 @@ final class PlacedIndex<P extends PlacedMesh> {
   }
 
   /**
-   * The nearest hit of a ray.
+   * Returns the nearest hit of a ray.
    *
-   * @param passBacks whether the ray passes through the unseen backs of solid geometry
+   * @param passBacks whether the ray ignores back faces of solid geometry, which are not drawn
    */
   Optional<PlacedHit<P>> ray(
       Vector3dc origin, Vector3dc direction, double limit, boolean passBacks) {
@@ -99,7 +99,7 @@ final class PlacedIndex<P extends PlacedMesh> {
       }
       placed.world().invertAffine(toLocal);
       if (!toLocal.isFinite()) {
-        // Scaled to nothing: it has no surface.
+        // A scale of 0 leaves no surface.
         return nearest;
       }
       Optional<MeshTree.MeshHit> hit =
@@ -114,13 +114,16 @@ final class PlacedIndex<P extends PlacedMesh> {
       return hit.map(MeshTree.MeshHit::distance).orElse(nearest);
     }
 
-    /** In local coordinates front is front, even where a transformation mirrors. */
+    /**
+     * Returns the sides to test; in local coordinates the winding is right even under a mirroring
+     * transformation.
+     */
     private MeshTree.Sides sides(Mesh mesh) {
       return passBacks && mesh.solid() ? MeshTree.Sides.FRONT : MeshTree.Sides.BOTH;
     }
   }
 
-  /** Names what is present and whose box touches a box of the world. */
+  /** Passes on every present mesh whose bounding box touches a box in the world. */
   void overlap(double[] box, Consumer<P> found) {
     tree.overlap(
         box,

@@ -11,20 +11,22 @@ import org.selectiverenderer.runtime.instance.GroupInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 import org.selectiverenderer.runtime.nodes.group.CollisionNode;
 
-/** A mesh somewhere in the world, which a ray may hit or the viewer bump into. */
+/** A mesh with a place in the world that a ray may hit or the viewer collide with. */
 public sealed interface PlacedMesh {
   Optional<Mesh> mesh();
 
-  /** From the mesh's local coordinates to the world. */
+  /** Returns the matrix from the mesh's local coordinates to the world. */
   Matrix4dc world();
 
-  /** Its box in the world; the same array until it moves or gets another mesh. */
+  /** Returns the world-space bounding box; the same array until the mesh moves or is replaced. */
   double[] bounds();
 
-  /** Whether it is there now. */
+  /** Returns whether the mesh is present in the scene's current state. */
   boolean present();
 
-  /** The Collision nodes above it, which hear when the viewer bumps into it. */
+  /**
+   * Returns the Collision nodes above the mesh, which are told when the viewer collides with it.
+   */
   List<CollisionNode> collisions();
 
   private static boolean enabled(List<CollisionNode> collisions) {
@@ -36,7 +38,7 @@ public sealed interface PlacedMesh {
     return true;
   }
 
-  /** A shape of the scene, as it is drawn. */
+  /** A drawn shape of the scene. */
   record OfShape(ShapeInstance shape, List<CollisionNode> collisions) implements PlacedMesh {
     @Override
     public Optional<Mesh> mesh() {
@@ -59,7 +61,10 @@ public sealed interface PlacedMesh {
     }
   }
 
-  /** A shape of a Collision node's proxy: in no instance tree of the scene, so never drawn. */
+  /**
+   * A shape of a Collision node's proxy, which is in no instance tree of the scene and thus never
+   * drawn.
+   */
   final class OfProxy implements PlacedMesh {
     private final GroupInstance collision;
     private final ShapeInstance part;
@@ -71,7 +76,7 @@ public sealed interface PlacedMesh {
 
     /**
      * @param collision the instance of the Collision node
-     * @param part a shape in the tree made of its proxy
+     * @param part a shape in the instance tree made of the proxy
      */
     OfProxy(GroupInstance collision, ShapeInstance part, List<CollisionNode> collisions) {
       this.collision = collision;

@@ -10,19 +10,18 @@ import org.selectiverenderer.runtime.instance.InstanceTree;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 
 /**
- * Says what a ray hits first among the shapes shown. Call it after {@link InstanceTree#update()};
- * what moved, was shown, added or removed by then is where it is drawn. Belongs to the thread that
- * steps the world.
+ * Finds the first visible shape that a ray hits. Call it after {@link InstanceTree#update()}, so
+ * that it tests the shapes as they are drawn. Belongs to the thread that steps the world.
  */
 public final class RayCaster {
   /**
-   * What a ray hits.
+   * The hit of a ray.
    *
-   * @param distance along the ray, in the world's unit
-   * @param point in the world
-   * @param normal of the surface there, of unit length, in the world; interpolated where the mesh
-   *     has normals
-   * @param texCoord s, t there, or null when the mesh has none
+   * @param distance the distance along the ray, in world units
+   * @param point the point hit, in world coordinates
+   * @param normal the surface normal there, of unit length, in world coordinates; interpolated if
+   *     the mesh has normals
+   * @param texCoord the texture coordinates s and t there, or null if the mesh has none
    */
   public record Hit(
       ShapeInstance shape,
@@ -31,7 +30,7 @@ public final class RayCaster {
       Vector3dc normal,
       @Nullable Vector2d texCoord) {}
 
-  /** Surfaces cut off that a ray passes through at most. */
+  /** Largest number of surfaces cut off by ClipPlanes that a ray passes through. */
   private static final int MOST_PASSED = 1000;
 
   private final InstanceTree tree;
@@ -64,12 +63,12 @@ public final class RayCaster {
   }
 
   /**
-   * The nearest shape that a ray hits. Backs of solid geometry are not drawn, so it passes through
-   * them; lines and points it never hits.
+   * Returns the nearest shape that a ray hits. The ray passes through back faces of solid geometry,
+   * which are not drawn, and never hits lines or points.
    *
-   * @param origin in the world
-   * @param direction of any length but 0
-   * @param maxDistance in the world's unit; may be infinite
+   * @param origin the origin, in world coordinates
+   * @param direction the direction, of any length but 0
+   * @param maxDistance the largest distance in world units; may be infinite
    */
   public Optional<Hit> cast(Vector3dc origin, Vector3dc direction, double maxDistance) {
     refresh();
@@ -77,7 +76,7 @@ public final class RayCaster {
     return unit.isFinite() ? cast(origin, unit, maxDistance, 0, 0) : Optional.empty();
   }
 
-  /** Passes through what ClipPlanes have cut off. */
+  /** Casts a ray that passes through surfaces cut off by ClipPlanes. */
   private Optional<Hit> cast(
       Vector3dc origin, Vector3dc unit, double maxDistance, double from, int passed) {
     Vector3d start = new Vector3d(origin).fma(from, unit);

@@ -4,14 +4,15 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Moves a ball along a barrier. It keeps its radius away from every piece, pushed out along the
- * shortest way, so that the part of the motion along a wall stays. Where it already is too near (a
- * wall has appeared, a door closes), it may not get nearer and moves away little by little.
+ * Moves a sphere among obstacles by collision and sliding response. The sphere's centre stays at
+ * least the radius away from every obstacle; it is pushed out along the shortest way, so that the
+ * component of the motion along a wall remains. If the sphere already is too near (a wall has
+ * appeared, a door closes), it may not get nearer and moves away gradually.
  *
- * <p>A step must be shorter than the radius. No step ever leads through a piece.
+ * <p>A step must be shorter than the radius. No step ever leads through an obstacle.
  */
 public final class Slide {
-  /** Pushes in one step: corners of several walls need a few. */
+  /** Largest number of pushes in one step; a corner of several walls needs a few. */
   private static final int PUSHES = 24;
 
   private final Barrier barrier;
@@ -33,10 +34,11 @@ public final class Slide {
   }
 
   /**
-   * Where a step ends.
+   * Returns the end point of a step.
    *
-   * @param by the step wanted
-   * @param relax how far it may move away, in this step, from what it is too near to
+   * @param by the desired step
+   * @param relax how far the sphere may move away, in this step, from obstacles that it is too near
+   *     to
    */
   public static Vector3d step(
       Vector3dc from, Vector3dc by, double radius, double relax, Barrier barrier) {
@@ -51,7 +53,7 @@ public final class Slide {
   private boolean tryStep(Vector3dc from, Vector3dc by, double relax, Vector3d to) {
     from.add(by, to);
     for (int push = 0; push < PUSHES && pushOut(from, relax, to); push++) {
-      // Until nothing pushes any more.
+      // Repeat until no obstacle pushes any more.
     }
     double tolerance = 1e-6 * radius;
     for (int i = 0; i < kept.length; i++) {
@@ -64,12 +66,15 @@ public final class Slide {
     return true;
   }
 
-  /** Whether a piece lies between; one that the ball's centre stands on cannot tell. */
+  /**
+   * Returns whether an obstacle lies between two points; false for one on which the sphere's centre
+   * lies.
+   */
   private boolean passes(int piece, Vector3dc from, Vector3dc to) {
     return kept[piece] > 1e-9 * radius && barrier.crossed(piece, from, to);
   }
 
-  /** Moves out of the piece that is deepest in the ball; false when none is. */
+  /** Moves the sphere out of the obstacle that penetrates it most; returns false if none does. */
   private boolean pushOut(Vector3dc from, double relax, Vector3d to) {
     double deepest = 1e-9 * radius;
     int piece = -1;
@@ -92,7 +97,7 @@ public final class Slide {
     barrier.touched(piece);
     double required = Math.min(radius, kept[piece] + relax);
     if (through) {
-      // Back to the side it came from, seen from where it was nearest.
+      // Push back to the side that the sphere came from, seen from its nearest point.
       Vector3d n = away[piece].normalize(new Vector3d());
       Vector3d surface = from.sub(away[piece], new Vector3d());
       to.fma(required - to.sub(surface, surface).dot(n), n);

@@ -9,16 +9,16 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tree.MeshTree;
 
-/** What a mesh is like where a ray hits it. */
+/** Interpolates the attributes of a mesh (normal, texture coordinates) where a ray hits it. */
 public final class SurfaceHit {
   private SurfaceHit() {}
 
   /**
-   * The normal, of unit length; interpolated where the mesh has normals. The back of a surface that
-   * is seen from both sides has the opposite one.
+   * Returns the unit normal, interpolated if the mesh has normals. On the back of a two-sided
+   * surface it is the opposite one.
    *
-   * @param to takes the mesh's coordinates to those of the normal
-   * @param direction of the ray, in those coordinates
+   * @param to the matrix from the mesh's coordinates to those of the normal
+   * @param direction the ray's direction, in the coordinates of the normal
    */
   public static Vector3d normal(
       Mesh mesh, MeshTree tree, MeshTree.MeshHit at, Matrix4dc to, Vector3dc direction) {
@@ -41,7 +41,7 @@ public final class SurfaceHit {
     return !mesh.solid() && normal.dot(direction) > 0 ? normal.negate() : normal;
   }
 
-  /** The texture coordinates s, t; null when the mesh has none. */
+  /** Returns the texture coordinates s and t; null if the mesh has none. */
   public static @Nullable Vector2d texCoord(Mesh mesh, MeshTree.MeshHit at) {
     float[] texCoords = mesh.texCoords();
     if (texCoords == null) {

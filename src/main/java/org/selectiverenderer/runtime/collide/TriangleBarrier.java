@@ -5,7 +5,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.selectiverenderer.geometry.tree.ClosestPoint;
 
-/** Triangles in space, for a viewer who flies. */
+/** The triangles near the viewer as obstacles in space, for a viewer who flies. */
 public final class TriangleBarrier implements Barrier {
   private final NearTriangles triangles;
   private final Set<PlacedMesh> bumped;
@@ -14,7 +14,7 @@ public final class TriangleBarrier implements Barrier {
   private final Vector3d c = new Vector3d();
 
   /**
-   * @param bumped is told what was touched
+   * @param bumped receives the meshes that stopped the viewer
    */
   public TriangleBarrier(NearTriangles triangles, Set<PlacedMesh> bumped) {
     this.triangles = triangles;

@@ -7,10 +7,10 @@ import org.joml.Vector3dc;
 import org.selectiverenderer.geometry.tree.ClosestPoint;
 
 /**
- * What stands in the way of a walking body, as segments in the horizontal plane: each triangle is
- * cut to the heights between which the body collides and projected onto y = 0. So a step below
- * those heights, the floor and the ceiling are not in the way, and a wall holds the body up exactly
- * at the collision distance whatever its height.
+ * The obstacles of a walking body as segments in the horizontal plane: each triangle is clipped to
+ * the heights between which the body collides and projected onto y = 0. So steps below those
+ * heights, the floor and the ceiling are no obstacles, and a wall stops the body exactly at the
+ * collision distance whatever its height.
  */
 public final class WallBarrier implements Barrier {
   /**
@@ -31,10 +31,11 @@ public final class WallBarrier implements Barrier {
   private final double[] cut = new double[3 * 5];
 
   /**
-   * @param at where the body is; only x and z count
-   * @param low the height up to which it steps over things, also up a slope that it stands on
-   * @param high its top
-   * @param bumped is told what was touched
+   * @param at the body's position; only x and z count
+   * @param low the height up to which the body steps over obstacles, or up a slope that it stands
+   *     on
+   * @param high the height of the body's top
+   * @param bumped receives the meshes that stopped the body
    */
   public WallBarrier(
       NearTriangles triangles, Vector3dc at, double low, double high, Set<PlacedMesh> bumped) {
@@ -55,7 +56,7 @@ public final class WallBarrier implements Barrier {
     }
   }
 
-  /** Whether it is a slope that goes on from under the body: steep by distance, not by a step. */
+  /** Returns whether a triangle is a walkable slope that starts under the body. */
   private static boolean ground(Vector3dc a, Vector3dc b, Vector3dc c, Vector3dc at, double low) {
     Vector3d normal = b.sub(a, new Vector3d()).cross(c.sub(a, new Vector3d())).normalize();
     if (!(Math.abs(normal.y) >= WALKABLE)) {
@@ -83,7 +84,7 @@ public final class WallBarrier implements Barrier {
     target[3 * corner + 2] = p.z();
   }
 
-  /** Keeps the part of a polygon on one side of a height (Sutherland and Hodgman 1974). */
+  /** Clips a polygon to one side of a height (Sutherland and Hodgman 1974). */
   private static int cut(double[] in, int corners, double[] out, double height, int side) {
     int kept = 0;
     for (int i = 0; i < corners; i++) {
@@ -144,7 +145,7 @@ public final class WallBarrier implements Barrier {
     return near * far <= 0;
   }
 
-  /** Twice the area of the triangle of the three points; its sign tells the side. */
+  /** Returns twice the signed area of the triangle of the three points; its sign tells the side. */
   private static double side(double x0, double z0, double x1, double z1, double x, double z) {
     return (x1 - x0) * (z - z0) - (z1 - z0) * (x - x0);
   }

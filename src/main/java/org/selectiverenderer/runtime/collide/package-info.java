@@ -1,11 +1,12 @@
 /**
- * What a ray hits and what the viewer bumps into.
+ * Ray casting, and collisions of the viewer.
  *
- * <p>In: the instance tree. Out: {@link org.selectiverenderer.runtime.collide.RayCaster} for what
- * is drawn, {@link org.selectiverenderer.runtime.collide.Colliders} for what is solid, both over
- * one {@link org.selectiverenderer.geometry.tree.MeshTree} per mesh; and the barriers that
- * triangles near the viewer are to it. Uses {@code runtime.instance}, {@code runtime.nodes.group},
- * {@code runtime.scene}, {@code geometry.mesh}, {@code geometry.tree} and {@code x3d.catalogue}.
+ * <p>In: the instance tree. Out: {@link org.selectiverenderer.runtime.collide.RayCaster} for the
+ * drawn surfaces, {@link org.selectiverenderer.runtime.collide.Colliders} for the surfaces that
+ * stop the viewer, both over one {@link org.selectiverenderer.geometry.tree.MeshTree} per mesh; and
+ * the {@link org.selectiverenderer.runtime.collide.Slide} of a sphere among the obstacles near the
+ * viewer. Uses {@code runtime.instance}, {@code runtime.nodes.group}, {@code runtime.scene}, {@code
+ * geometry.mesh}, {@code geometry.tree} and {@code x3d.catalogue}.
  */
 @NullMarked
 package org.selectiverenderer.runtime.collide;

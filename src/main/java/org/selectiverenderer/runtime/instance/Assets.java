@@ -6,22 +6,31 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
-/** Gives geometry nodes their meshes and texture nodes their images; made while loading, kept. */
+/**
+ * Provides the meshes of geometry nodes, the images of texture nodes and the sources of shader
+ * parts. They are made while the scene loads and are kept.
+ */
 public interface Assets {
-  /** The mesh of a geometry node as its fields are; empty for what cannot be drawn. */
+  /**
+   * Returns the mesh of a geometry node for its present field values; empty if the node cannot be
+   * drawn.
+   */
   Optional<Mesh> mesh(Node geometry);
 
-  /** The image of a texture node; empty when it has none or it could not be read. */
+  /** Returns the image of a texture node; empty if it has none or it could not be read. */
   Optional<Texture.Image> image(Node texture);
 
-  /** The text of a ShaderPart or ShaderProgram; empty when it has none or it could not be read. */
+  /**
+   * Returns the source of a ShaderPart or ShaderProgram; empty if it has none or it could not be
+   * read.
+   */
   Optional<ShaderText> shader(Node part);
 
-  /** Tells what is wrong with a shader's program, which is known when it is drawn. */
+  /** Reports a problem of a shader program, which is found only when it is first drawn. */
   void told(Problem problem);
 
   /**
-   * The texture that stands for a picture which a Background names; empty when it names none.
+   * Returns the texture node made for one side of a Background; empty if that side has no url.
    *
    * @param background a Background node
    */
@@ -30,22 +39,23 @@ public interface Assets {
   }
 
   /**
-   * Whether the colours of an Appearance's texture multiply the material's, as they do since X3D
-   * 4.0 (17.2.2); those of three or four components replaced it before (3.3, 17.2.2.4).
+   * Returns whether the colours of an Appearance's texture multiply the material's, as they do
+   * since X3D 4.0 (17.2.2). In earlier versions a texture of three or four components replaced the
+   * material's colour (X3D 3.3, 17.2.2.4).
    */
   boolean multiplies(Node texture);
 
   /**
-   * A geometry or texture node is about to be shown, and has changed before, perhaps while nobody
-   * observed it: an asset that was made earlier is forgotten.
+   * Announces that a geometry or texture node is about to be shown. If it has changed since its
+   * asset was made, perhaps while nobody observed it, the asset is dropped.
    *
-   * @param changes how often it has changed, with all nodes in it
+   * @param changes how often the node and all nodes in it have changed
    */
   void asOf(Node node, int changes);
 
   /**
-   * A geometry node (or a node in it), a texture node or a part of a shader has other values:
-   * forget its asset.
+   * Drops the asset of a node whose fields have changed: a geometry node or a node in it, a texture
+   * node or a shader part.
    */
   void changed(Node node);
 }

@@ -7,16 +7,17 @@ import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 
 /**
- * What is seen behind everything: sky and ground gradients of the bound background (X3D 4.0,
- * 24.4.1), and before them the pictures of a cube around the viewer (24.2.1).
+ * The bound background, drawn behind everything else: sky and ground gradients (X3D 4.0, 24.4.1),
+ * and in front of them the images of a cube around the viewer (24.2.1).
  *
- * @param skyColor r, g, b triples, the first at the zenith
- * @param skyAngle radians from the zenith of the second and later sky colours
- * @param groundColor r, g, b triples, the first at the nadir; empty when there is no ground
- * @param groundAngle radians from the nadir of the second and later ground colours
- * @param transparency 0..1
- * @param pictures of the sides that have one
- * @param turn takes the background's directions to the world's
+ * @param skyColor the sky colours as r, g, b triples, the first at the zenith
+ * @param skyAngle the angles of the second and later sky colours from the zenith, in radians
+ * @param groundColor the ground colours as r, g, b triples, the first at the nadir; empty if there
+ *     is no ground
+ * @param groundAngle the angles of the second and later ground colours from the nadir, in radians
+ * @param transparency the transparency, 0..1
+ * @param pictures the images of the cube's sides that have one
+ * @param turn the rotation from the background's coordinates to the world
  */
 public record Backdrop(
     float[] skyColor,
@@ -36,12 +37,12 @@ public record Backdrop(
     TOP,
     BOTTOM;
 
-    /** The field of a Background that names its picture. */
+    /** Returns the field of a Background that holds the url of this side's image. */
     public String urlField() {
       return name().toLowerCase(Locale.ROOT) + "Url";
     }
 
-    /** The field of a TextureBackground that holds its texture. */
+    /** Returns the field of a TextureBackground that holds this side's texture. */
     public String textureField() {
       return name().toLowerCase(Locale.ROOT) + "Texture";
     }
@@ -51,7 +52,7 @@ public record Backdrop(
   public static final Backdrop BLACK =
       new Backdrop(new float[3], new float[0], new float[0], new float[0], 0);
 
-  /** Without pictures, and upright in the world. */
+  /** Makes a background without images, upright in the world. */
   public Backdrop(
       float[] skyColor,
       float[] skyAngle,
@@ -68,7 +69,7 @@ public record Backdrop(
         new Quaterniond());
   }
 
-  /** Whether one colour fills it, but for the pictures. */
+  /** Returns whether the gradients are a single colour. */
   public boolean plain() {
     return skyColor.length == 3 && groundColor.length == 0;
   }

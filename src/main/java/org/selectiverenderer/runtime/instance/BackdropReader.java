@@ -11,13 +11,16 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
 /**
- * Reads Background and TextureBackground nodes (X3D 4.0, 24.4.1, 24.4.5), and follows the urls and
- * pixels of their textures. Belongs to the thread that steps the world.
+ * Reads Background and TextureBackground nodes (X3D 4.0, 24.4.1, 24.4.5) and notices changes of
+ * their textures' urls and pixels. Belongs to the thread that steps the world.
  */
 public final class BackdropReader {
   private final Assets assets;
 
-  /** What a texture had when it was last looked at: a background is no observer of its textures. */
+  /**
+   * The url or pixels that each texture had when it was last read, since a background does not
+   * observe its textures.
+   */
   private final Map<Node, Object> seen = new WeakHashMap<>();
 
   public BackdropReader(Assets assets) {
@@ -25,10 +28,11 @@ public final class BackdropReader {
   }
 
   /**
-   * A background as it is seen. Angles without a colour and colours without an angle are left out;
-   * a picture that has not arrived is not there yet.
+   * Reads a background. Angles without a colour and colours without an angle are left out; images
+   * that are not loaded yet are missing.
    *
-   * @param place from the background's coordinates to the world; only its rotation matters
+   * @param place the matrix from the background's coordinates to the world; only its rotation
+   *     matters
    */
   public Backdrop read(Node background, Matrix4dc place) {
     float[] sky = background.floats("skyColor");

@@ -4,19 +4,19 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Six square images around a place (X3D 4.0, 34).
+ * A cube map: six square images (X3D 4.0, clause 34).
  *
- * @param faces front (-Z), back (+Z), left (-X), right (+X), top (+Y), bottom (-Y), each as seen
- *     from the middle, upright as the pictures of a Background are
+ * @param faces the faces front (-Z), back (+Z), left (-X), right (+X), top (+Y), bottom (-Y), each
+ *     as seen from the centre and upright as the images of a Background
  */
 public record CubeTexture(List<Face> faces, @Nullable Sampling sampling) implements TextureSource {
-  /** How many faces there are. */
+  /** The number of faces. */
   public static final int FACES = 6;
 
   /**
-   * One of them.
+   * A face of the cube.
    *
-   * @param layer of the image
+   * @param layer the layer of the image that holds the face
    */
   public record Face(Texture.Image image, int layer) {}
 

@@ -5,11 +5,11 @@ import org.selectiverenderer.runtime.instance.SurfaceDetail.AlphaMode;
 import org.selectiverenderer.runtime.instance.SurfaceReader.MaterialFields;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** Reads what most surfaces have not. */
+/** Reads the properties of an Appearance that go beyond one material and one image. */
 final class DetailReader {
   private DetailReader() {}
 
-  /** Null for a surface of one material and at most one image. */
+  /** Reads the detail of a surface; null for a surface of one material and at most one image. */
   static @Nullable SurfaceDetail read(
       Node appearance, @Nullable Node material, TextureUnits units) {
     boolean physical = material != null && material.type().name().equals("PhysicalMaterial");
@@ -48,7 +48,10 @@ final class DetailReader {
     }
   }
 
-  /** The back of a TwoSidedMaterial, or Appearance's {@code backMaterial} (12.4.2, 12.4.11). */
+  /**
+   * Reads the back of a TwoSidedMaterial, or the Appearance's {@code backMaterial} (X3D 4.0,
+   * 12.4.2, 12.4.11).
+   */
   private static @Nullable Surface back(
       Node appearance, @Nullable Node material, TextureUnits units) {
     if (material == null) {

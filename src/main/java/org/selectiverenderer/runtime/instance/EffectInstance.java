@@ -7,9 +7,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * A LocalFog, ClipPlane or EnvironmentLight in one place: what the other children of its group, and
- * all below them, are seen with (X3D 4.0, 24.4.4 and 11.4.1). {@link #world()} takes its fields to
- * the world.
+ * An instance of a LocalFog, ClipPlane or EnvironmentLight, which affects the other children of its
+ * group and all nodes below them (X3D 4.0, 24.4.4 and 11.4.1). {@link #world()} is the matrix from
+ * the coordinates of its fields to the world.
  */
 public final class EffectInstance extends Instance {
   private final @Nullable EnvironmentReader environment;
@@ -39,7 +39,9 @@ public final class EffectInstance extends Instance {
     return environment != null;
   }
 
-  /** Whether it lights all of the scene, not only its group. */
+  /**
+   * Returns whether this is an EnvironmentLight that lights the whole scene, not only its group.
+   */
   boolean everywhere() {
     return environment() && node().bool("global");
   }
@@ -48,19 +50,19 @@ public final class EffectInstance extends Instance {
     return shown && node().bool(environment() ? "on" : "enabled");
   }
 
-  /** The fog in force here, else empty. */
+  /** Returns the fog if this is an enabled LocalFog, else empty. */
   Optional<Fog> fogNow() {
     return fog() && on() ? Optional.of(Fog.read(node(), world())) : Optional.empty();
   }
 
-  /** The light from all around that it gives now; empty when it gives none. */
+  /** Returns the environment lighting that this node gives now; empty if it gives none. */
   Optional<Environment> environmentNow() {
     return environment != null && on() ? environment.read(world()) : Optional.empty();
   }
 
   /**
-   * The plane in the world, a, b, c, d: what has {@code a * x + b * y + c * z + d} below 0 is cut
-   * off. Empty when it cuts nothing now.
+   * Returns the clip plane in the world as a, b, c, d: points with {@code a * x + b * y + c * z +
+   * d} below 0 are cut off. Empty if this node clips nothing now.
    */
   public Optional<Vector4d> planeNow() {
     if (fog() || environment() || !on()) {
@@ -68,7 +70,7 @@ public final class EffectInstance extends Instance {
     }
     float[] plane = node().floats("plane");
     Vector4d local = new Vector4d(plane[0], plane[1], plane[2], plane[3]);
-    // A plane moves with the transposed inverse of what moves points.
+    // Planes transform by the inverse transpose of the matrix that transforms points.
     Vector4d placed = world().invert(new Matrix4d()).transpose().transform(local, new Vector4d());
     return placed.isFinite() ? Optional.of(placed) : Optional.empty();
   }
@@ -80,6 +82,6 @@ public final class EffectInstance extends Instance {
 
   @Override
   void moved(InstanceTree tree) {
-    // Its world() is its parent's: nothing is kept here.
+    // Nothing to update: world() is the parent's matrix.
   }
 }

@@ -7,8 +7,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * Reads an EnvironmentLight (draft of X3D 4.1, 17.4). Its {@code diffuseCoefficients} go before its
- * {@code diffuseTexture}, and what it has neither of comes from its {@code specularTexture}.
+ * Reads an EnvironmentLight (draft of X3D 4.1, 17.4). Its {@code diffuseCoefficients} take
+ * precedence over its {@code diffuseTexture}; without both, the diffuse light is computed from its
+ * {@code specularTexture}.
  */
 final class EnvironmentReader {
   private final Node node;
@@ -16,7 +17,7 @@ final class EnvironmentReader {
   private Known known = new Known(Optional.empty(), Optional.empty(), new float[0]);
   private double[] harmonics = {};
 
-  /** What the harmonics were made of. */
+  /** The field values from which the harmonics were computed. */
   private record Known(
       Optional<TextureSource> diffuse, Optional<TextureSource> specular, float[] coefficients) {
     boolean same(Known other) {
@@ -32,9 +33,10 @@ final class EnvironmentReader {
   }
 
   /**
-   * The light as it is now; empty where it gives none. Costs little while its images stay.
+   * Reads the light for the present field values; empty if it gives none. The harmonics are
+   * computed again only if the images have changed.
    *
-   * @param world where the node stands
+   * @param world the matrix from the node's coordinates to the world
    */
   Optional<Environment> read(Matrix4dc world) {
     Known now =

@@ -4,19 +4,19 @@ import org.joml.Matrix4dc;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * Fog as it is seen: a Fog or LocalFog node (X3D 4.0, 24.3.2).
+ * The fog of a Fog or LocalFog node (X3D 4.0, 24.3.2).
  *
- * @param exponential whether it thickens exponentially, else linearly
- * @param range where nothing but fog is seen, in the world's unit; 0 for no fog
+ * @param exponential whether the fog grows exponentially with distance, else linearly
+ * @param range the visibility range, beyond which only fog is visible, in world units; 0 for no fog
  */
 public record Fog(boolean exponential, float red, float green, float blue, double range) {
-  /** No fog at all. */
+  /** No fog. */
   public static final Fog NONE = new Fog(false, 0, 0, 0, 0);
 
   /**
-   * Reads a node.
+   * Reads a Fog or LocalFog node.
    *
-   * @param place from the node's coordinates, in which its range is given, to the world
+   * @param place the matrix from the node's coordinates, in which its range is given, to the world
    */
   public static Fog read(Node node, Matrix4dc place) {
     float[] color = node.floats("color");

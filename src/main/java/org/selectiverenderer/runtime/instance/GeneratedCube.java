@@ -6,14 +6,14 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeNode;
 
 /**
- * What is seen from the middle of a shape, drawn into a cube by whoever draws the scene (X3D 4.0,
- * 34.4.2). The cube stands along the axes of the world.
+ * A cube map that the renderer draws from the centre of a shape (X3D 4.0, 34.4.2). The cube is
+ * aligned with the axes of the world.
  *
- * @param size of a side in pixels, 1 to {@link #LARGEST}
+ * @param size the width of a face in pixels, 1 to {@link #LARGEST}
  */
 public record GeneratedCube(GeneratedCubeNode node, int size, @Nullable Sampling sampling)
     implements TextureSource {
-  /** Pixels of a side: six of these take 25 MB. */
+  /** Largest width of a face in pixels; six such faces take 25 MB. */
   public static final int LARGEST = 1024;
 
   static GeneratedCube of(GeneratedCubeNode node) {
@@ -31,7 +31,10 @@ public record GeneratedCube(GeneratedCubeNode node, int size, @Nullable Sampling
     return true;
   }
 
-  /** Those on a surface and in the fields of its programs; mostly none. */
+  /**
+   * Returns the generated cube maps on a surface and in the fields of its shader programs; mostly
+   * none.
+   */
   static List<GeneratedCubeNode> in(Surface surface, List<SurfaceProgram> programs) {
     List<TextureSource> all = new ArrayList<>(0);
     if (surface.detail() != null) {

@@ -14,7 +14,7 @@ import org.selectiverenderer.runtime.nodes.layout.Seen;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 
-/** A group in one place. Its children stand in the order of the node's own children. */
+/** An instance of a grouping node. Its children are in the order of the node's children. */
 public final class GroupInstance extends Instance implements NodeObserver {
   private static final GroupingNode.Effect[] NOTHING = {};
 
@@ -24,7 +24,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
   List<Instance> children = List.of();
   boolean disposed;
 
-  /** The rectangle of a layout that groups below lie in; null where it is the one above. */
+  /** The layout rectangle for the groups below; null if it is the one of the group above. */
   private @Nullable Region region;
 
   private GroupingNode.Effect[] pending = NOTHING;
@@ -45,7 +45,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
     return children;
   }
 
-  /** Whether the same group stands above it: a scene that contains itself. */
+  /** Returns whether the same group node is an ancestor, as in a scene that contains itself. */
   boolean insideItself() {
     for (GroupInstance above = parent(); above != null; above = above.parent()) {
       if (above.group == group) {
@@ -55,14 +55,15 @@ public final class GroupInstance extends Instance implements NodeObserver {
     return false;
   }
 
-  /** From the children's local coordinates to the world. */
+  /** Returns the matrix from the children's local coordinates to the world. */
   public Matrix4dc content() {
     return content;
   }
 
   /**
-   * The lights that reach what is in the group (X3D 4.0, 17.2.1.1): those from above, the same list
-   * where there are no more, and those of the group whose scope it is.
+   * Returns the lights that reach the group's children (X3D 4.0, 17.2.1.1): those of the groups
+   * above and those whose scope is this group. Without lights of its own it returns the same list
+   * object.
    */
   List<LightInstance> lit(List<LightInstance> above, Comparator<LightInstance> order) {
     List<LightInstance> all = null;
@@ -89,7 +90,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
     }
   }
 
-  /** Follows the picture; says whether its content is elsewhere by it. */
+  /** Adapts the group to the size of the picture; returns whether that moved its content. */
   boolean see() {
     Seen.Spot spot = spot((Seen) group);
     region = spot.region().orElse(null);
@@ -111,7 +112,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
     return group.placement().map(local -> (Matrix4dc) world().mul(local, local)).orElse(world());
   }
 
-  /** Whether the children's coordinates lie elsewhere than when they were last placed. */
+  /** Returns whether the children's coordinate system has moved since they were last placed. */
   boolean elsewhere() {
     return !content.equals(placed());
   }
@@ -124,7 +125,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
     }
   }
 
-  /** Remembers an effect until the tree is updated. */
+  /** Stores an effect until the next update of the tree. */
   void affected(GroupingNode.Effect effect) {
     for (GroupingNode.Effect known : pending) {
       if (known == effect) {
@@ -138,12 +139,12 @@ public final class GroupInstance extends Instance implements NodeObserver {
     pending[pending.length - 1] = effect;
   }
 
-  /** Applies the effects remembered. */
+  /** Applies the stored effects. */
   void update() {
     GroupingNode.Effect[] effects = pending;
     pending = NOTHING;
     if (disposed) {
-      return; // It left the scene between the change and this update.
+      return; // The group left the scene between the change and this update.
     }
     for (GroupingNode.Effect effect : effects) {
       switch (effect) {
@@ -162,7 +163,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
     }
   }
 
-  /** Shows and hides the children as the node now says. */
+  /** Shows and hides the children by the node's present state. */
   void choose() {
     for (int i = 0; i < children.size(); i++) {
       children.get(i).show(shown && group.shows(i), tree);

@@ -5,20 +5,24 @@ import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
 /**
- * Light from all around as nine coefficients of spherical harmonics (R. Ramamoorthi, P. Hanrahan,
- * An Efficient Representation for Irradiance Environment Maps, SIGGRAPH 2001).
+ * Environment lighting as nine coefficients of spherical harmonics (R. Ramamoorthi, P. Hanrahan, An
+ * Efficient Representation for Irradiance Environment Maps, SIGGRAPH 2001).
  */
 final class Harmonics {
-  /** How many coefficients there are; each is red, green and blue. */
+  /** The number of coefficients; each has red, green and blue. */
   static final int COUNT = 9;
 
-  /** Parts of a face's side that are looked at; light up to the second degree is smooth. */
+  /**
+   * Number of samples along a face's side; few suffice, since harmonics up to degree 2 are smooth.
+   */
   private static final int PARTS = 32;
 
-  /** What a matt surface throws back of light of each degree: a third less, three quarters less. */
+  /**
+   * Factor of each coefficient for diffuse reflection: 1, 2/3 and 1/4 for the degrees 0, 1 and 2.
+   */
   private static final double[] MATT = {1, 2 / 3.0, 2 / 3.0, 2 / 3.0, 0.25, 0.25, 0.25, 0.25, 0.25};
 
-  /** Of each face: its middle, and what leads to the right and upper edge of its picture. */
+  /** For each face: its centre, and the vectors to the right and upper edge of its image. */
   private static final double[][] FACES = {
     {0, 0, -1, 1, 0, 0, 0, 1, 0},
     {0, 0, 1, -1, 0, 0, 0, 1, 0},
@@ -31,10 +35,10 @@ final class Harmonics {
   private Harmonics() {}
 
   /**
-   * The coefficients of six images.
+   * Computes the coefficients of a cube map.
    *
-   * @param matt whether they show what is around, to be counted as what a matt surface throws back;
-   *     else they show that already
+   * @param matt whether the images show the incident light, which is to be convolved with the
+   *     diffuse reflection; otherwise they show the reflected light already
    */
   static double[] of(CubeTexture cube, boolean matt) {
     double[] sums = new double[3 * COUNT];
@@ -62,7 +66,10 @@ final class Harmonics {
     return sums;
   }
 
-  /** Coefficients of light that falls, as those of what a matt surface throws back of it. */
+  /**
+   * Converts coefficients of irradiance to those of the light that a white diffuse surface
+   * reflects, which is the irradiance divided by pi.
+   */
   static double[] ofFalling(float[] given) {
     double[] coefficients = new double[3 * COUNT];
     for (int i = 0; i < Math.min(given.length, coefficients.length); i++) {
@@ -91,14 +98,14 @@ final class Harmonics {
     out[8] = 0.546274 * (n.x * n.x - n.y * n.y);
   }
 
-  /** The mean of a part of a face, as an amount of light: images hold it as sRGB does. */
+  /** Computes the mean of a part of a face as linear light; images are sRGB-encoded. */
   private static void mean(CubeTexture.Face face, int column, int row, double[] out) {
     Texture.Image image = face.image();
     int left = column * image.width() / PARTS;
     int right = Math.max(left + 1, (column + 1) * image.width() / PARTS);
     int low = row * image.height() / PARTS;
     int high = Math.max(low + 1, (row + 1) * image.height() / PARTS);
-    // A large image is looked at here and there: every part costs the same.
+    // A large image is subsampled, so that every part costs the same.
     int across = Math.max(1, (right - left) / 4);
     int up = Math.max(1, (high - low) / 4);
     double[] sum = new double[3];
@@ -118,7 +125,7 @@ final class Harmonics {
     }
   }
 
-  /** As {@code material.glsl} has it. */
+  /** The sRGB decoding of {@code material.glsl}, tabulated for bytes. */
   private static final List<Double> LINEAR =
       IntStream.range(0, 256).mapToObj(value -> Math.pow(value / 255.0, 2.2)).toList();
 }

@@ -5,7 +5,7 @@ import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** A node in one place of the scene: a node that is USEd twice has two instances. */
+/** One occurrence of a node in the scene: a node that is USEd twice has two instances. */
 public abstract sealed class Instance
     permits GroupInstance, ShapeInstance, LightInstance, EffectInstance, PlainInstance {
   static final Matrix4dc IDENTITY = new Matrix4d();
@@ -23,24 +23,27 @@ public abstract sealed class Instance
     return node;
   }
 
-  /** The group it stands in, or null for the root. */
+  /** Returns the parent group, or null for the root. */
   public @Nullable GroupInstance parent() {
     return parent;
   }
 
-  /** Whether every Switch, LOD and {@code visible} field above it lets it be seen. */
+  /** Returns whether every Switch, LOD and {@code visible} field above the instance shows it. */
   public boolean shown() {
     return shown;
   }
 
-  /** From its parent's local coordinates, in which the node's fields are given, to the world. */
+  /**
+   * Returns the matrix from the parent's local coordinates, in which the node's fields are given,
+   * to the world.
+   */
   public Matrix4dc world() {
     return parent == null ? IDENTITY : parent.content();
   }
 
-  /** Marks it and what is below as shown or not. */
+  /** Marks this instance and all below it as shown or hidden. */
   abstract void show(boolean show, InstanceTree tree);
 
-  /** Follows a change of a transformation above. */
+  /** Updates the instance after a change of a transformation above it. */
   abstract void moved(InstanceTree tree);
 }

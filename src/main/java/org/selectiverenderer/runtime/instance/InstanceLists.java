@@ -10,33 +10,33 @@ import org.selectiverenderer.runtime.nodes.layout.Seen;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * What an {@link InstanceTree} has of each kind, in document order. Made anew, in one pass over the
- * tree, when its structure changes.
+ * Lists of the instances of an {@link InstanceTree} by kind, in document order. They are rebuilt in
+ * one pass over the tree when its structure changes.
  */
 final class InstanceLists {
   private final Map<Node, NodeInstances> places = new IdentityHashMap<>();
 
-  /** Nodes that are neither group, shape nor light, each once. */
+  /** The nodes that are neither group, shape nor light, each once. */
   final List<Node> otherNodes = new ArrayList<>();
 
-  /** Groups that adapt to the viewer: the first instance of each. */
+  /** The groups that depend on the viewer's position; the first instance of each. */
   final List<GroupInstance> viewerDependent = new ArrayList<>();
 
-  /** Groups that lie where the picture says. */
+  /** The groups whose layout depends on the size of the picture. */
   final List<GroupInstance> seenGroups = new ArrayList<>();
 
-  /** Shapes that are measured in pixels. */
+  /** The shapes that are measured in pixels. */
   final List<ShapeInstance> screenShapes = new ArrayList<>();
 
   final List<LightInstance> lights = new ArrayList<>();
 
-  /** Light from all around. */
+  /** The EnvironmentLights. */
   final List<EffectInstance> environments = new ArrayList<>();
 
-  /** Another list whenever it is made anew; nobody changes it. */
+  /** All shapes; an immutable list, replaced when it is rebuilt. */
   List<ShapeInstance> shapes = List.of();
 
-  /** Makes all lists anew. */
+  /** Rebuilds all lists. */
   void collect(GroupInstance root) {
     places.clear();
     otherNodes.clear();
@@ -76,13 +76,13 @@ final class InstanceLists {
     }
   }
 
-  /** The instances of a node; empty when it is in no part of the scene. */
+  /** Returns the instances of a node; empty if it is in no part of the scene. */
   List<Instance> instances(Node node) {
     NodeInstances known = places.get(node);
     return known == null ? List.of() : known.instances();
   }
 
-  /** {@link Instance#world()} of each instance of a node: a view. */
+  /** Returns a view of the matrices {@link Instance#world()} of a node's instances. */
   List<Matrix4dc> places(Node node) {
     NodeInstances known = places.get(node);
     return known == null ? List.of() : known;

@@ -24,24 +24,27 @@ import org.selectiverenderer.runtime.scene.Formed;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * Every path from the root of a scene to its nodes, Inlines included. Changes of nodes are
- * collected and applied by {@link #update()}: a Switch costs its old and new child, a Transform
- * what is below it, other children what is new or gone (and one pass over the tree that makes the
- * lists anew).
+ * The tree of all instances of a scene: one instance for every path from the root to a node,
+ * Inlines included. Changes of nodes are collected and applied by {@link #update()}. The cost of a
+ * changed Switch is its old and new child, that of a Transform the instances below it, that of
+ * added or removed children these children and one pass over the tree, which rebuilds the lists.
  *
- * <p>All versions of an object are in the tree, shown or not, so that switching makes nothing new.
+ * <p>All versions of an object are in the tree, shown or hidden, so that switching creates no
+ * instances.
  */
 public final class InstanceTree {
   /**
-   * Nesting beyond which a scene is cut off: what loading lets through, 1000 nodes, and the groups
-   * that hold the scenes of Inlines.
+   * Nesting depth beyond which the scene is cut off: the 1000 nodes that loading allows, plus the
+   * groups that hold the scenes of Inlines.
    */
   static final int MAX_DEPTH = 1300;
 
-  /** Instances above which groups stay empty: nested USEs multiply without bound. */
+  /**
+   * Number of instances beyond which groups stay empty, since nested USEs multiply without bound.
+   */
   private static final long MAX_INSTANCES = 8_000_000;
 
-  /** Bytes of memory that there are to be for each instance. */
+  /** Bytes of heap required per instance. */
   private static final long BYTES_PER_INSTANCE = 512;
 
   private final long maxInstances =
@@ -80,22 +83,25 @@ public final class InstanceTree {
     return root;
   }
 
-  /** All shapes, shown or not, in document order; the same list until the structure changes. */
+  /**
+   * Returns all shapes, shown or hidden, in document order; the same list object until the
+   * structure changes.
+   */
   public List<ShapeInstance> shapes() {
     return lists.shapes;
   }
 
-  /** Changes when {@link #shapes()} or the lights gain or lose an element. */
+  /** Returns a number that changes when a shape or a light is added or removed. */
   public long structureVersion() {
     return structureVersion;
   }
 
-  /** Changes when a shape may have moved or may have got another mesh. */
+  /** Returns a number that changes when a shape may have moved or got another mesh. */
   public long placementVersion() {
     return placementVersion;
   }
 
-  /** Changes when a group may let other children be seen or picked. */
+  /** Returns a number that changes when a group may show other children or let others be picked. */
   public long choiceVersion() {
     return choiceVersion;
   }
@@ -104,50 +110,53 @@ public final class InstanceTree {
     choiceVersion++;
   }
 
-  /** All lights, on or off, in document order. */
+  /** Returns all lights, on or off, in document order. */
   public List<LightInstance> lights() {
     return List.copyOf(lists.lights);
   }
 
-  /** The instances of any node in document order; empty when it is in no part of the scene. */
+  /** Returns the instances of a node in document order; empty if it is in no part of the scene. */
   public List<Instance> instances(Node node) {
     return lists.instances(node);
   }
 
   /**
-   * {@link Instance#world()} of each instance of a node, in document order: a view that follows the
-   * tree and costs nothing to ask for.
+   * Returns the matrices {@link Instance#world()} of a node's instances, in document order; a live
+   * view that costs nothing to get.
    */
   public List<Matrix4dc> places(Node node) {
     return lists.places(node);
   }
 
-  /** All nodes that are neither group, shape nor light, each once, in document order. */
+  /** Returns all nodes that are neither group, shape nor light, each once, in document order. */
   public List<Node> otherNodes() {
     return List.copyOf(lists.otherNodes);
   }
 
-  /** Triangles of all shapes shown: the polygon count of the scene in its present state. */
+  /**
+   * Returns the number of triangles of all shapes shown: the polygon count of the scene in its
+   * present state.
+   */
   public long shownPolygons() {
     return shownPolygons;
   }
 
   /**
-   * Whether a part of the scene is left out: it contains itself, or is nested or multiplied beyond
-   * measure.
+   * Returns whether a part of the scene is left out, because the scene contains itself, is nested
+   * too deeply or has too many instances.
    */
   public boolean cutOff() {
     return cutOff;
   }
 
-  /** How many instances there may be; it depends on the memory that there is. */
+  /** Returns the largest number of instances; it depends on the available heap. */
   public long maxInstances() {
     return maxInstances;
   }
 
   /**
-   * @param listener hears in {@link #update()} of each of the {@link #otherNodes()} whose places
-   *     may be others now; the one and only listener
+   * @param listener called in {@link #update()} for each of the {@link #otherNodes()} that may have
+   *     moved; there is only one listener
    */
   public void onMoved(Consumer<? super Node> listener) {
     onMoved = listener;
@@ -177,12 +186,12 @@ public final class InstanceTree {
     pendingLooks.add(look);
   }
 
-  /** The lists of shapes and lights are to be made anew at the end of the update. */
+  /** Requests that the lists of shapes and lights be rebuilt at the end of the update. */
   void structureChanged() {
     structureChanged = true;
   }
 
-  /** Applies what changed since the last call. */
+  /** Applies the changes since the last call. */
   public void update() {
     for (int i = 0; i < pendingGroups.size(); i++) {
       pendingGroups.get(i).update();
@@ -199,9 +208,8 @@ public final class InstanceTree {
   }
 
   /**
-   * Adapts LOD and Billboard nodes to the viewer; what the last picture found out of shaders is
-   * told them. A node in two places follows the first. One in a place without extent (a scale of 0)
-   * stays as it is.
+   * Adapts LOD and Billboard nodes to the viewer, and tells shader nodes the results of the last
+   * picture. A node with two instances follows the first. A node under a scale of 0 stays as it is.
    *
    * @param eye the viewer in world coordinates
    * @param up the viewer's up in world coordinates
@@ -227,14 +235,17 @@ public final class InstanceTree {
     }
   }
 
-  /** Whether anything in it depends on the picture: {@link #see} does something. */
+  /**
+   * Returns whether the layout of any node depends on the picture, so that {@link #see} has an
+   * effect.
+   */
   public boolean dependsOnPicture() {
     return !lists.seenGroups.isEmpty() || !lists.screenShapes.isEmpty();
   }
 
   /**
-   * Places what depends on the picture, each place by itself (X3D 4.0, clause 36). To be called
-   * after the viewer has moved, and again where a picture of another size is drawn.
+   * Places the nodes whose layout depends on the picture, each instance separately (X3D 4.0, clause
+   * 36). To be called after the viewer has moved, and again for a picture of another size.
    */
   public void see(Sight now) {
     sight = now;
@@ -251,7 +262,7 @@ public final class InstanceTree {
     }
   }
 
-  /** As of the last {@link #see}. */
+  /** Returns the view parameters of the last {@link #see}. */
   Sight sight() {
     return sight;
   }
@@ -282,11 +293,14 @@ public final class InstanceTree {
     if (EffectInstance.isEffect(node)) {
       return new EffectInstance(node, parent, assets);
     }
-    plainMoved(node); // It may have been in other places before.
+    plainMoved(node); // The node may have been elsewhere before.
     return new PlainInstance(node, parent);
   }
 
-  /** Instances of a group's present children: those at hand for the node, and new ones. */
+  /**
+   * Returns the instances of a group's present children: existing ones where there are some, else
+   * new ones.
+   */
   private List<Instance> children(
       GroupInstance group, int depth, Map<Node, Deque<Instance>> atHand) {
     List<Node> nodes = group.node().children();
@@ -306,7 +320,7 @@ public final class InstanceTree {
     return children;
   }
 
-  /** Gives a group the instances of its present children; those that stay keep theirs. */
+  /** Rebuilds the instances of a group's children; children that stay keep their instances. */
   void rebuild(GroupInstance group) {
     Map<Node, Deque<Instance>> before = new IdentityHashMap<>();
     for (Instance child : group.children) {
@@ -318,14 +332,14 @@ public final class InstanceTree {
     }
     group.children = children(group, depth, before);
     before.values().forEach(gone -> gone.forEach(this::dispose));
-    if (group.elsewhere()) { // An Inline whose new content has another unit of length.
+    if (group.elsewhere()) { // The new content of an Inline may have another unit of length.
       group.moved(this);
     }
     group.choose();
     structureChanged = true;
   }
 
-  /** Nothing is shown any more, and no node has it as an observer. */
+  /** Hides everything and stops observing all nodes. */
   public void close() {
     dispose(root);
   }

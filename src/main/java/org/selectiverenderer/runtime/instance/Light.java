@@ -1,16 +1,16 @@
 package org.selectiverenderer.runtime.instance;
 
 /**
- * The fields of a light node, in its local coordinates (X3D 4.0, 17.4).
+ * The field values of a light node, in its local coordinates (X3D 4.0, 17.4).
  *
- * @param intensity 0..1 and above
- * @param location of point and spot lights
- * @param direction of directional and spot lights
- * @param attenuation constant, linear, quadratic
- * @param radius beyond which a point or spot light does not reach
- * @param beamWidth radians, full intensity within
- * @param cutOffAngle radians, dark outside
- * @param global whether it lights the whole scene, or only its parent group
+ * @param intensity the intensity, 0..1 and above
+ * @param location the position of a point or spot light
+ * @param direction the direction of a directional or spot light
+ * @param attenuation the attenuation coefficients: constant, linear, quadratic
+ * @param radius the distance beyond which a point or spot light does not reach
+ * @param beamWidth the angle, in radians, within which a spot light has its full intensity
+ * @param cutOffAngle the angle, in radians, outside which a spot light gives no light
+ * @param global whether the light reaches the whole scene, or only its parent group
  */
 public record Light(
     Kind kind,

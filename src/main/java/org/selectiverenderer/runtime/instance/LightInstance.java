@@ -4,7 +4,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 
-/** A light in one place. {@link #world()} takes its local coordinates to the world. */
+/**
+ * An instance of a light. {@link #world()} is the matrix from its local coordinates to the world.
+ */
 public final class LightInstance extends Instance implements NodeObserver {
   private final InstanceTree tree;
   private Light light;
@@ -19,7 +21,7 @@ public final class LightInstance extends Instance implements NodeObserver {
     return light;
   }
 
-  /** Whether it lights anything now. */
+  /** Returns whether the light is on and shown. */
   public boolean on() {
     return shown && light.on();
   }
@@ -40,6 +42,6 @@ public final class LightInstance extends Instance implements NodeObserver {
 
   @Override
   void moved(InstanceTree tree) {
-    // Its world() is its parent's: nothing is kept here.
+    // Nothing to update: world() is the parent's matrix.
   }
 }

@@ -2,7 +2,7 @@ package org.selectiverenderer.runtime.instance;
 
 import org.selectiverenderer.runtime.scene.Node;
 
-/** Reads the fields of a light node. */
+/** Reads the field values of a light node. */
 final class LightReader {
   private static final float[] NONE = {0, 0, 0};
   private static final float[] CONSTANT = {1, 0, 0};

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Tells every shape which lights reach it, in document order, and what it is seen with; siblings
- * share both.
+ * Assigns to every shape the lights that reach it, in document order, and the effects (fog, clip
+ * planes, environment lights) whose scope it is in; siblings share both.
  */
 final class LightScopes {
   private final Comparator<LightInstance> order;
@@ -19,9 +19,9 @@ final class LightScopes {
   }
 
   /**
-   * Tells all shapes of a tree.
+   * Assigns lights and effects to all shapes of a tree.
    *
-   * @param lists what is in it
+   * @param lists the instances of the tree by kind
    */
   static void tell(GroupInstance root, InstanceLists lists) {
     List<LightInstance> global =

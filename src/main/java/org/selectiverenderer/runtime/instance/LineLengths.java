@@ -6,23 +6,28 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * Measures lines, so that the pattern of a dashed line goes on around its corners, or marks their
- * ends, where arrows are.
+ * Adds texture coordinates to line meshes: the distance along the line, so that a dash pattern
+ * continues around corners, or a mark of the line's ends, where arrows are drawn.
  */
 final class LineLengths {
   private LineLengths() {}
 
   /**
-   * The same lines; of each vertex the first texture coordinate says how far it is from the
-   * beginning of its line. Lines take no textures (X3D 4.0, 11.2.3), so that these are free.
+   * Returns the lines with the distance from the beginning of the line as the first texture
+   * coordinate of each vertex. Lines have no textures (X3D 4.0, 11.2.3), so that texture
+   * coordinates are free for this use.
    *
-   * @param lines whose indices are the ends of stretches, those of one line in turn
+   * @param lines a line mesh whose indices are the end points of segments, those of one line in
+   *     sequence
    */
   static Mesh measure(Mesh lines) {
     return marked(lines, false);
   }
 
-  /** Likewise, but it says -1 of the first vertex of a line, 1 of the last, 0 of those between. */
+  /**
+   * Returns the lines with a first texture coordinate of -1 at the first vertex of a line, 1 at the
+   * last and 0 in between.
+   */
   static Mesh ends(Mesh lines) {
     return marked(lines, true);
   }
@@ -59,7 +64,7 @@ final class LineLengths {
         lines.bounds());
   }
 
-  /** What is not measured: the depths of fog, attributes for programs. */
+  /** Copies the other attributes: fog depths and vertex attributes for shader programs. */
   private static List<Mesh.TexCoords> attributes(Mesh lines, int[] source, int count) {
     return lines.moreTexCoords().stream()
         .map(
@@ -88,7 +93,10 @@ final class LineLengths {
     return picked;
   }
 
-  /** The mesh of a shape, measured if its lines have a pattern, marked if they have arrows. */
+  /**
+   * Returns the mesh of a shape, with distances if its lines are dashed and with marked ends if
+   * they have arrows.
+   */
   static @Nullable Mesh of(@Nullable Mesh mesh, Stroke stroke) {
     Stroke.Line line = stroke.line();
     if (mesh == null

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.RandomAccess;
 import org.joml.Matrix4dc;
 
-/** The instances of a node, as such and as the list of their matrices to the world. */
+/** The instances of a node, which is also a list of their world matrices. */
 final class NodeInstances extends AbstractList<Matrix4dc> implements RandomAccess {
   private final List<Instance> instances = new ArrayList<>(1);
   private final List<Instance> view = Collections.unmodifiableList(instances);

@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.instance;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** A node that is not drawn, in one place: a sensor, a viewpoint, an interpolator. */
+/** An instance of a node that is not drawn: a sensor, a viewpoint, an interpolator. */
 final class PlainInstance extends Instance {
   PlainInstance(Node node, @Nullable GroupInstance parent) {
     super(node, parent);
@@ -16,6 +16,6 @@ final class PlainInstance extends Instance {
 
   @Override
   void moved(InstanceTree tree) {
-    tree.plainMoved(node()); // Its world() is its parent's: nothing is kept here.
+    tree.plainMoved(node()); // No matrix to update: world() is the parent's.
   }
 }

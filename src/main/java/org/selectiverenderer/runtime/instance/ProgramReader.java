@@ -18,7 +18,10 @@ import org.selectiverenderer.x3d.shader.ShaderText;
 final class ProgramReader {
   private ProgramReader() {}
 
-  /** Those that may be used, the first before the others: in GLSL, with a text for every part. */
+  /**
+   * Returns the usable shader programs in order of preference: those in GLSL with a source for
+   * every part.
+   */
   static List<SurfaceProgram> read(
       @Nullable Node appearance, @Nullable Node geometry, Assets assets) {
     if (appearance == null

@@ -1,11 +1,11 @@
 package org.selectiverenderer.runtime.instance;
 
 /**
- * How a texture is sampled: TextureProperties (X3D 4.0, 18.4.9).
+ * The sampler settings of a texture: a TextureProperties node (X3D 4.0, 18.4.9).
  *
- * @param s what lies beyond the edge in the direction of s; {@code t} and {@code r} likewise
- * @param border r, g, b, a that lies there where a boundary mode says so
- * @param anisotropy samples per pixel of a slanted face, from 1
+ * @param s the boundary mode in the direction of s; {@code t} and {@code r} likewise
+ * @param border the border colour for the boundary mode {@code BORDER}
+ * @param anisotropy the degree of anisotropic filtering, at least 1
  */
 public record Sampling(
     Boundary s,
@@ -19,7 +19,7 @@ public record Sampling(
   /** A colour with its opacity, each 0..1. */
   public record Color(float r, float g, float b, float a) {}
 
-  /** What lies beyond the edge of an image. */
+  /** The boundary mode: how texture coordinates beyond the edge of an image are treated. */
   public enum Boundary {
     REPEAT,
     MIRROR,
@@ -27,7 +27,7 @@ public record Sampling(
     BORDER
   }
 
-  /** How pixels that cover much of an image are made; the second part of a name is of mipmaps. */
+  /** The minification filter; the second part of a name is the filter between mipmap levels. */
   public enum Minify {
     NEAREST,
     LINEAR,
@@ -36,7 +36,7 @@ public record Sampling(
     LINEAR_NEAREST,
     LINEAR_LINEAR;
 
-    /** Whether there are smaller versions to choose from. */
+    /** Returns whether the filter uses mipmaps. */
     public boolean mipmaps() {
       return ordinal() > LINEAR.ordinal();
     }

@@ -10,7 +10,7 @@ import org.selectiverenderer.runtime.scene.Node;
 final class SamplingReader {
   private SamplingReader() {}
 
-  /** What a texture's {@code textureProperties} say; null when it has none. */
+  /** Reads a texture's {@code textureProperties}; null if it has none. */
   static @Nullable Sampling of(Node texture) {
     if (texture.type().field("textureProperties").isEmpty()) {
       return null;
@@ -19,7 +19,8 @@ final class SamplingReader {
     if (node == null || !node.type().name().equals("TextureProperties")) {
       return null;
     }
-    // Five numbers came from some authors of the days when borderColor was an SFColor.
+    // Some scenes have fewer or more than four numbers, from the days when borderColor was an
+    // SFColor.
     float[] c = Arrays.copyOf(node.floats("borderColor"), 4);
     return new Sampling(
         boundary(node.string("boundaryModeS")),
@@ -41,8 +42,9 @@ final class SamplingReader {
   }
 
   /**
-   * FASTEST, which is every filter's default, leaves the choice to the program, as DEFAULT and
-   * NICEST do (18.4.9): whoever only gives boundary modes wants no coarse pixels.
+   * Returns the minification filter. FASTEST, which is every filter's default, leaves the choice to
+   * the program, as DEFAULT and NICEST do (X3D 4.0, 18.4.9). They get mipmaps: an author who only
+   * sets boundary modes does not want aliasing.
    */
   private static Minify minify(String filter) {
     return switch (filter) {

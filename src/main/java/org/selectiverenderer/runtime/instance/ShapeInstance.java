@@ -16,7 +16,7 @@ import org.selectiverenderer.runtime.nodes.shape.GeneratedCubeNode;
 import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** A Shape in one place: what a renderer draws and a ray hits. */
+/** An instance of a Shape, which a renderer draws and a ray may hit. */
 public final class ShapeInstance extends Instance {
   private final ShapeLook look;
   private double @Nullable [] bounds;
@@ -24,7 +24,7 @@ public final class ShapeInstance extends Instance {
   private List<LightInstance> lights = List.of();
   private Surroundings surroundings = Surroundings.NONE;
 
-  /** What it is seen in, where its text is measured in pixels. */
+  /** The view parameters, for a shape whose text is measured in pixels. */
   private @Nullable Sight sight;
 
   ShapeInstance(Node node, @Nullable GroupInstance parent, ShapeLook look) {
@@ -32,17 +32,20 @@ public final class ShapeInstance extends Instance {
     this.look = look;
   }
 
-  /** Its geometry in local coordinates; the same object until the geometry changes. */
+  /** Returns the mesh in local coordinates; the same object until the geometry changes. */
   public Optional<Mesh> mesh() {
     return look.mesh();
   }
 
-  /** Its look; the same object until it changes. */
+  /** Returns the surface's material; the same object until it changes. */
   public Surface surface() {
     return look.surface();
   }
 
-  /** From the mesh's coordinates, which may begin at a place far away, to the world. */
+  /**
+   * Returns the matrix from the mesh's coordinates, whose origin may be offset from the Shape's, to
+   * the world.
+   */
   @Override
   public Matrix4dc world() {
     Vector3dc anchor = look.anchor();
@@ -60,32 +63,35 @@ public final class ShapeInstance extends Instance {
     return known;
   }
 
-  /** The films that lie on it. */
+  /** Returns the movie textures on the shape. */
   public List<PlayedNode> films() {
     return look.films();
   }
 
-  /** The cubes on it that are drawn while the scene runs. */
+  /** Returns the generated cube maps on the shape. */
   public List<GeneratedCubeNode> cubes() {
     return look.cubes();
   }
 
-  /** How its lines, points and areas are drawn; the same object until that changes. */
+  /** Returns how lines, points and areas are drawn; the same object until that changes. */
   public Stroke stroke() {
     return look.stroke();
   }
 
-  /** The programs of its shaders, of which the first that compiles draws it; mostly none. */
+  /**
+   * Returns the shader programs that the author wrote, of which the first that compiles draws the
+   * shape; mostly none.
+   */
   public List<SurfaceProgram> programs() {
     return look.programs();
   }
 
   /**
-   * Tells a shader what has come of its program.
+   * Tells a shader node whether its program compiled and is used.
    *
-   * @param valid whether the graphics card takes it
-   * @param selected whether it draws
-   * @param problems what is wrong and has not been told
+   * @param valid whether the program compiled and linked
+   * @param selected whether shapes are drawn with it
+   * @param problems the program's problems that have not been reported yet
    */
   public void judged(ShaderNode shader, boolean valid, boolean selected, List<Problem> problems) {
     look.judged(shader, valid, selected, problems);
@@ -95,12 +101,12 @@ public final class ShapeInstance extends Instance {
     return look;
   }
 
-  /** The lights whose scope it lies in, on or off. */
+  /** Returns the lights whose scope contains the shape, on or off. */
   public List<LightInstance> lights() {
     return lights;
   }
 
-  /** The fog and planes whose scope it lies in. */
+  /** Returns the fog, clip planes and environment lights whose scope contains the shape. */
   public Surroundings surroundings() {
     return surroundings;
   }
@@ -114,7 +120,8 @@ public final class ShapeInstance extends Instance {
   }
 
   /**
-   * Its axis-aligned box in the world: min x, y, z, max x, y, z. Empty geometry has min above max.
+   * Returns the axis-aligned bounding box in the world: min x, y, z, max x, y, z. Empty geometry
+   * has min above max.
    */
   public double[] bounds() {
     if (bounds == null) {
@@ -124,7 +131,10 @@ public final class ShapeInstance extends Instance {
     return bounds;
   }
 
-  /** Follows the picture where its text is measured in pixels; says whether it moved by it. */
+  /**
+   * Adapts text that is measured in pixels to the size of the picture; returns whether that changed
+   * the shape's place.
+   */
   boolean see(Sight now) {
     Sight wanted = look.onScreen() ? now : null;
     if (Objects.equals(wanted, sight)) {
@@ -165,7 +175,7 @@ public final class ShapeInstance extends Instance {
     wanted = show;
   }
 
-  /** What the groups above say, whatever its own {@code visible} says. */
+  /** Whether the groups above show the shape, whatever its own {@code visible} says. */
   boolean wanted;
 
   @Override

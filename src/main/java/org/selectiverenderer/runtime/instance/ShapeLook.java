@@ -20,8 +20,8 @@ import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.runtime.scene.NodesBelow;
 
 /**
- * The mesh and surface of one Shape node, shared by its instances. It observes the Shape and every
- * node in it, and makes anew what a change touched, at the next update.
+ * The mesh, material and drawing properties of one Shape node, shared by its instances. It observes
+ * the Shape and every node in it, and rebuilds at the next update what a change has affected.
  */
 final class ShapeLook implements NodeObserver {
   private final Node shape;
@@ -57,7 +57,10 @@ final class ShapeLook implements NodeObserver {
     return Optional.ofNullable(mesh);
   }
 
-  /** Where the mesh's coordinates begin in the Shape's own; null where they are the same. */
+  /**
+   * Returns the origin of the mesh's coordinates in the Shape's coordinates; null if they are the
+   * same.
+   */
   @Nullable Vector3dc anchor() {
     return anchor;
   }
@@ -74,7 +77,7 @@ final class ShapeLook implements NodeObserver {
     return programs;
   }
 
-  /** What has come of a program. */
+  /** Tells a shader node whether its program compiled and is used. */
   void judged(ShaderNode shader, boolean valid, boolean selected, List<Problem> problems) {
     shader.judged(valid, selected);
     tree.judged(shader);
@@ -85,7 +88,7 @@ final class ShapeLook implements NodeObserver {
     return mesh == null ? 0 : mesh.polygons();
   }
 
-  /** Whether it is text that is measured in pixels (X3D 4.0, 36.4.4). */
+  /** Returns whether the geometry is text measured in pixels (X3D 4.0, 36.4.4). */
   boolean onScreen() {
     return onScreen;
   }
@@ -118,12 +121,12 @@ final class ShapeLook implements NodeObserver {
     return style != null && style.type().name().equals("ScreenFontStyle");
   }
 
-  /** The films in its appearance. */
+  /** Returns the movie textures in the appearance. */
   List<PlayedNode> films() {
     return films;
   }
 
-  /** The cubes on it that are drawn while the scene runs. */
+  /** Returns the generated cube maps on the shape. */
   List<GeneratedCubeNode> cubes() {
     return cubes;
   }
@@ -163,7 +166,7 @@ final class ShapeLook implements NodeObserver {
     }
   }
 
-  /** Whether a node of an appearance has an asset of its own. */
+  /** Returns whether a node of an appearance has an asset of its own. */
   private static boolean hasAsset(Node node) {
     return node.type().is("X3DTextureNode")
         || node.type().name().equals("ShaderPart")
@@ -173,7 +176,7 @@ final class ShapeLook implements NodeObserver {
   @Override
   public void changed(Node node, int field) {
     if (node instanceof PlayedNode film && field != film.urlField() && field != film.loadField()) {
-      return; // It runs, on the same surface.
+      return; // The movie advanced; the material stays the same.
     }
     if (node instanceof ShaderNode shader && shader.onlyNumbers(field)) {
       return;
@@ -192,11 +195,11 @@ final class ShapeLook implements NodeObserver {
     }
   }
 
-  /** Makes mesh and surface anew after a change. */
+  /** Rebuilds mesh and material after a change. */
   void update() {
     pending = false;
     if (disposed) {
-      return; // Its last instance left the scene between the change and this update.
+      return; // The last instance left the scene between the change and this update.
     }
     List<PlayedNode> filmsBefore = films;
     List<GeneratedCubeNode> cubesBefore = cubes;
@@ -219,7 +222,7 @@ final class ShapeLook implements NodeObserver {
     }
   }
 
-  /** The last instance is gone. */
+  /** Stops observing; called when the last instance is removed. */
   void dispose() {
     disposed = true;
     forget();

@@ -4,11 +4,14 @@ import java.util.Collection;
 import java.util.Optional;
 import org.selectiverenderer.geometry.Bounds;
 
-/** The box around shapes, in the world. */
+/** Computes the world-space bounding box of the visible shapes. */
 public final class ShownBounds {
   private ShownBounds() {}
 
-  /** Around the shapes that are shown; empty when they fill no space. */
+  /**
+   * Returns the bounding box of those of the given shapes that are shown; empty if they have no
+   * extent.
+   */
   public static Optional<Bounds> of(Collection<ShapeInstance> shapes) {
     return shapes.stream()
         .filter(ShapeInstance::shown)

@@ -3,21 +3,21 @@ package org.selectiverenderer.runtime.instance;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a shape's surface looks: Appearance, its material and texture, as one immutable value.
- * Colours are r, g, b in 0..1 as X3D gives them (no transfer function is applied, X3D 4.0, 17.2.2).
+ * The material of a shape's surface: the Appearance with its material and texture as one immutable
+ * value. Colours are r, g, b in 0..1 as X3D gives them (no transfer function is applied, X3D 4.0,
+ * 17.2.2).
  *
- * @param lit false for no material and for UnlitMaterial: the colour is drawn as it is
- * @param diffuse diffuse colour; for an unlit surface the emissive colour stands in {@code
- *     emissive}
- * @param shininess 0..1; the specular exponent is shininess * 128
- * @param transparency 0 opaque .. 1 invisible
+ * @param lit false without a material and for UnlitMaterial: the colour is drawn without lighting
+ * @param diffuse the diffuse colour; the colour of an unlit surface is in {@code emissive}
+ * @param shininess the shininess, 0..1; the specular exponent is shininess * 128
+ * @param transparency the transparency, from 0 (opaque) to 1 (invisible)
  * @param texture the image that modulates the diffuse colour, or null
- * @param tints whether the image's colour multiplies the diffuse colour, else replaces it
- * @param glow the image that multiplies the emissive colour, or null; a surface has one or the
- *     other image, and those with both have them in the detail
+ * @param tints whether the texture's colour multiplies the diffuse colour; otherwise it replaces it
+ * @param glow the image that multiplies the emissive colour, or null; a surface has either {@code
+ *     texture} or {@code glow}, and those with both have them in {@code detail}
  * @param textureTransform the texture coordinates' 3x3 matrix, column by column, or null for none
- * @param detail what goes beyond that, or null; the texture is then one of its units, for those who
- *     look at no other
+ * @param detail the properties beyond these, or null; if present, {@code texture} is also one of
+ *     its units, for users that need only one texture
  */
 public record Surface(
     boolean lit,
@@ -33,7 +33,7 @@ public record Surface(
     float @Nullable [] textureTransform,
     @Nullable SurfaceDetail detail) {
 
-  /** The look of a shape without an Appearance: unlit white (X3D 4.0, 12.4.5). */
+  /** The material of a shape without an Appearance: unlit white (X3D 4.0, 12.4.5). */
   public static final Surface UNLIT_WHITE =
       new Surface(
           false,
@@ -49,7 +49,7 @@ public record Surface(
           null,
           null);
 
-  /** The same with what goes beyond the others. */
+  /** Returns the same material with further properties. */
   Surface with(@Nullable SurfaceDetail more) {
     return new Surface(
         lit,

@@ -4,15 +4,14 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a surface has that most have not: several textures, a back of its own, a physical material.
- * Such surfaces are lit at their pixels.
+ * The properties of a material that most materials lack: several textures, a different back side,
+ * physically based shading. Such surfaces are lit per pixel.
  *
  * @param units the textures
- * @param stages of the units that are stages, in their order
- * @param numbers {@link #NUMBERS} of them: metallic, roughness, scale of the normal texture,
- *     strength of the occlusion; r, g, b, a of a MultiTexture; least opacity that is drawn, 0, 0, 0
- * @param back the surface of the back, or null when it looks like the front; its textures are the
- *     front's
+ * @param stages the blending of the units that are MultiTexture stages, in their order
+ * @param numbers the {@link #NUMBERS} shader parameters: metallic, roughness, normal scale,
+ *     occlusion strength; r, g, b, a of a MultiTexture; alpha cutoff, 0, 0, 0
+ * @param back the material of the back, or null if it is that of the front; both share the textures
  */
 public record SurfaceDetail(
     boolean physical,
@@ -21,13 +20,16 @@ public record SurfaceDetail(
     float[] numbers,
     @Nullable Surface back,
     AlphaMode alphaMode) {
-  /** How many {@code numbers} there are. */
+  /** The length of {@code numbers}. */
   public static final int NUMBERS = 12;
 
-  /** Textures of one surface: what every card has, less one for others. */
+  /**
+   * Largest number of textures of a surface: the 16 units that every GPU has, less one for other
+   * purposes.
+   */
   public static final int MOST_UNITS = 15;
 
-  /** What is done with opacity (X3D 4.0, 12.4.2). */
+  /** The alpha mode of an Appearance (X3D 4.0, 12.4.2). */
   public enum AlphaMode {
     AUTO,
     OPAQUE,

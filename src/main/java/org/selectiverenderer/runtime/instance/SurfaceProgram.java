@@ -9,41 +9,45 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * A program in GLSL that an author wrote for a surface: a shader node of an Appearance's {@code
- * shaders} (X3D 4.0, 12.4.2 and 31).
+ * The source of a GLSL shader program that the scene's author wrote for a surface: a shader node of
+ * an Appearance's {@code shaders} (X3D 4.0, 12.4.2 and clause 31).
  *
- * @param parts its stages
- * @param fields what its author declared, which become numbers and textures of the program
- * @param textures of the Appearance, in their order
+ * @param parts the sources of its shader stages
+ * @param fields the fields that the author declared, which become uniforms and textures of the
+ *     program
+ * @param textures the textures of the Appearance, in their order
  */
 public record SurfaceProgram(
     ShaderNode node, List<Part> parts, List<ProgramField> fields, List<TextureUnit> textures) {
 
-  /** Which vertices, primitives or pixels a text is about. */
+  /** A shader stage: vertex, geometry or fragment. */
   public enum Stage {
     VERTEX,
     GEOMETRY,
     FRAGMENT;
 
-    /** The stage that a part's {@code type} means; X_ITE and Castle also have GEOMETRY. */
+    /**
+     * Returns the stage of a part's {@code type}; GEOMETRY is an extension of X_ITE and Castle Game
+     * Engine.
+     */
     public static Optional<Stage> named(String type) {
       return Arrays.stream(values()).filter(stage -> stage.name().equals(type)).findFirst();
     }
   }
 
-  /** The text of a stage; more than one may be of the same. */
+  /** The source of a stage; a stage may have several. */
   public record Part(Stage stage, ShaderText text) {}
 
   /**
-   * A field that the author declared. Its value is asked for when the shape is drawn.
+   * A field that the author declared. Its value is read whenever the shape is drawn.
    *
-   * @param holder the node that has it
-   * @param textures those in a field of nodes, in their order; of one without an image there is
-   *     none
+   * @param holder the node that has the field
+   * @param textures the textures in a field of nodes, in their order, without those that have no
+   *     image
    */
   public record ProgramField(
       Node holder, int index, String name, FieldType type, List<TextureSource> textures) {
-    /** The value now, as {@link FieldType} represents it. */
+    /** Returns the present value, as {@link FieldType} represents it. */
     public Object value() {
       Object value = holder.value(index);
       return value == null ? List.of() : value;

@@ -10,7 +10,7 @@ final class SurfaceReader {
   private SurfaceReader() {}
 
   /**
-   * @param geometry whose texture coordinates and colours the appearance meets
+   * @param geometry the geometry whose texture coordinates and colours the appearance uses
    */
   static Surface read(@Nullable Node appearance, @Nullable Node geometry, Assets assets) {
     if (appearance == null || !appearance.type().name().equals("Appearance")) {
@@ -59,7 +59,7 @@ final class SurfaceReader {
 
     /**
      * @param side "" for the front, "back" for a TwoSidedMaterial's back
-     * @param opaque whether the material's transparency does not count
+     * @param opaque whether the material's transparency is ignored
      */
     static MaterialFields of(Node node, String side, boolean opaque) {
       float transparency = opaque ? 0 : node.number(field(side, "transparency"));
@@ -69,7 +69,8 @@ final class SurfaceReader {
           yield new MaterialFields(false, colour, BLACK, colour, 0, 0, transparency);
         }
         case "PhysicalMaterial" ->
-            // Its shader takes the colours; roughness and metal are numbers of the detail.
+            // The shader takes the colours from here; roughness and metalness are in the detail's
+            // numbers.
             new MaterialFields(
                 true,
                 node.floats("baseColor"),

@@ -7,13 +7,14 @@ import org.joml.Vector3dc;
 import org.joml.Vector4d;
 
 /**
- * What a shape is seen with because of where it stands: the LocalFog, ClipPlane and
- * EnvironmentLight nodes whose scope it is in, on or off.
+ * The effects that apply to a shape because of its place in the scene graph: the LocalFog,
+ * ClipPlane and EnvironmentLight nodes whose scope contains it, on or off.
  *
- * @param fogs the innermost first, which hides the others
- * @param planes the outermost first
- * @param environments the innermost first, which hides the others
- * @param everywhere all of the scene: those that are global light what no other does
+ * @param fogs the LocalFogs, the innermost first, which overrides the others
+ * @param planes the ClipPlanes, the outermost first
+ * @param environments the EnvironmentLights, the innermost first, which overrides the others
+ * @param everywhere all EnvironmentLights of the scene; global ones light the shapes that no other
+ *     one lights
  */
 public record Surroundings(
     List<EffectInstance> fogs,
@@ -23,14 +24,16 @@ public record Surroundings(
   public static final Surroundings NONE =
       new Surroundings(List.of(), List.of(), List.of(), List.of());
 
-  /** What all of a scene with these EnvironmentLights is seen with. */
+  /** Returns the effects that apply to the whole of a scene with these EnvironmentLights. */
   static Surroundings of(List<EffectInstance> environments) {
     return environments.isEmpty()
         ? NONE
         : new Surroundings(List.of(), List.of(), List.of(), List.copyOf(environments));
   }
 
-  /** These and what stands in a group; the same object when there is nothing. */
+  /**
+   * Returns these effects and those of a group's children; the same object if the group has none.
+   */
   Surroundings within(List<Instance> children) {
     List<EffectInstance> moreFogs = null;
     List<EffectInstance> morePlanes = null;
@@ -63,7 +66,7 @@ public record Surroundings(
         everywhere);
   }
 
-  /** The fog of the innermost LocalFog that is enabled; empty when there is none. */
+  /** Returns the fog of the innermost enabled LocalFog; empty if there is none. */
   public Optional<Fog> fog() {
     for (EffectInstance effect : fogs) {
       Optional<Fog> now = effect.fogNow();
@@ -74,7 +77,7 @@ public record Surroundings(
     return Optional.empty();
   }
 
-  /** The light of the innermost EnvironmentLight that is on, else of a global one. */
+  /** Returns the lighting of the innermost EnvironmentLight that is on, else of a global one. */
   public Optional<Environment> environment() {
     for (EffectInstance effect : environments) {
       Optional<Environment> now = effect.environmentNow();
@@ -91,7 +94,7 @@ public record Surroundings(
     return Optional.empty();
   }
 
-  /** Whether a place in the world is cut off. */
+  /** Returns whether a ClipPlane cuts off a point of the world. */
   public boolean cutOff(Vector3dc at) {
     for (EffectInstance effect : planes) {
       Optional<Vector4d> plane = effect.planeNow();

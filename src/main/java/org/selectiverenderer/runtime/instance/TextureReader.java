@@ -21,7 +21,10 @@ final class TextureReader {
 
   private TextureReader() {}
 
-  /** Empty for none, for one without an image, and for what is not known. */
+  /**
+   * Reads a texture node; empty for null, for a texture without an image and for an unknown node
+   * type.
+   */
   static Optional<TextureSource> read(@Nullable Node node, Assets assets) {
     if (node == null) {
       return Optional.empty();
@@ -85,7 +88,8 @@ final class TextureReader {
   }
 
   /**
-   * The slices are the images of its textures, of which those count that are as large as the first.
+   * Reads a ComposedTexture3D: its slices are the images of its textures; those of another size
+   * than the first are left out.
    */
   private static Optional<TextureSource> composedVolume(Node node, Assets assets) {
     List<Texture.Image> slices = new ArrayList<>();

@@ -2,15 +2,21 @@ package org.selectiverenderer.runtime.instance;
 
 import org.jspecify.annotations.Nullable;
 
-/** What a texture's colours come from, with its sampling; a value, however often it is read. */
+/**
+ * The image source of a texture with its sampler settings; reading the same node again gives an
+ * equal value.
+ */
 public sealed interface TextureSource permits Texture, CubeTexture, GeneratedCube, VolumeTexture {
-  /** What TextureProperties says of it, or null. */
+  /** Returns the settings of the TextureProperties node, or null. */
   @Nullable Sampling sampling();
 
-  /** Colour components as X3D counts them (18.2.1): 1 or 2 grey, 3 or 4 coloured. */
+  /**
+   * Returns the number of colour components as X3D counts them (18.2.1): 1 or 2 for grey, 3 or 4
+   * for colour.
+   */
   int components();
 
-  /** Whether it is looked up by directions. */
+  /** Returns whether this is a cube map, which is sampled by direction. */
   default boolean cube() {
     return false;
   }

@@ -25,17 +25,20 @@ final class TextureTransforms {
         : new TextureTransforms(List.of(node), false);
   }
 
-  /** That of a MultiTexture's channel; without a MultiTextureTransform there is none (18.4.3). */
+  /**
+   * Returns the matrix of a MultiTexture's channel; null without a MultiTextureTransform (X3D 4.0,
+   * 18.4.3).
+   */
   @Nullable Matrix4f ofChannel(int channel) {
     return several ? matrix("", channel) : null;
   }
 
   /**
-   * The matrix of a texture.
+   * Returns the matrix of a texture.
    *
-   * @param mapping its name for what it takes, or ""
-   * @param channel its place in a MultiTexture, else 0
-   * @return null when nothing is to be transformed
+   * @param mapping the name by which the texture selects its transform, or ""
+   * @param channel the texture's index in a MultiTexture, else 0
+   * @return the matrix, or null if there is no transform
    */
   @Nullable Matrix4f matrix(String mapping, int channel) {
     if (!mapping.isEmpty()) {
@@ -76,8 +79,8 @@ final class TextureTransforms {
   }
 
   /**
-   * In space a scale, a rotation and a translation as in a Transform (33.4.5). The clause tells no
-   * other order; other browsers have this one.
+   * Returns the matrix of a TextureTransform3D: scale, rotation and translation as in a Transform
+   * (X3D 4.0, 33.4.5). The clause specifies no order; other browsers use this one.
    */
   private static Matrix4f space(Node node) {
     float[] center = node.floats("center");

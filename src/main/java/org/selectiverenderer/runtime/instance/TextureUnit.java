@@ -1,12 +1,12 @@
 package org.selectiverenderer.runtime.instance;
 
 /**
- * One texture of a surface: what it is for, and how its coordinates come about.
+ * One texture of a surface with its role and the source of its coordinates.
  *
- * @param set of the mesh's texture coordinates: 0 the first, n the n-th of the further ones; {@link
- *     #GENERATED} or {@link #BOUNDS}
- * @param mode of a TextureCoordinateGenerator, else ""
- * @param matrix sixteen numbers, column by column, by which coordinates s, t, r, q are multiplied
+ * @param set the set of the mesh's texture coordinates: 0 for the first, n for the n-th of the
+ *     further ones; or {@link #GENERATED} or {@link #BOUNDS}
+ * @param mode the mode of a TextureCoordinateGenerator, else ""
+ * @param matrix the 4x4 matrix, column by column, that transforms the coordinates s, t, r, q
  */
 public record TextureUnit(Role role, TextureSource source, int set, String mode, float[] matrix) {
   /** The coordinates are computed as {@link #mode} says. */
@@ -15,13 +15,16 @@ public record TextureUnit(Role role, TextureSource source, int set, String mode,
   /** The coordinates go from 0 to 1 through the box around the geometry (X3D 4.0, 33.2.4). */
   public static final int BOUNDS = -2;
 
-  /** What a texture is for; of each but {@link #STAGE} a surface has one at most. */
+  /** The role of a texture; a surface has at most one texture of each role but {@link #STAGE}. */
   public enum Role {
     /** Appearance's {@code texture}. */
     MAIN,
     /** A texture of Appearance's MultiTexture, in their order. */
     STAGE,
-    /** The material's {@code diffuseTexture}, {@code baseTexture}, or what stands for it. */
+    /**
+     * The material's {@code diffuseTexture}, {@code baseTexture} or, for UnlitMaterial, {@code
+     * emissiveTexture}.
+     */
     DIFFUSE,
     AMBIENT,
     SPECULAR,

@@ -12,9 +12,9 @@ import org.selectiverenderer.geometry.tessellate.TexCoordSource;
 import org.selectiverenderer.runtime.instance.TextureUnit.Role;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** The textures of an Appearance and its material, each with its coordinates. */
+/** Collects the textures of an Appearance and its material, each with its texture coordinates. */
 final class TextureUnits {
-  /** What the only image of a surface may be for that needs no more than a plain one. */
+  /** The roles in which a surface's only image needs no {@link SurfaceDetail}. */
   private static final Set<Role> PLAIN = EnumSet.of(Role.MAIN, Role.DIFFUSE, Role.EMISSIVE);
 
   private final Assets assets;
@@ -36,7 +36,7 @@ final class TextureUnits {
     TextureUnits all = new TextureUnits(appearance, geometry, assets);
     Node material = appearance.node("material");
     all.ofMaterial(material);
-    // The material's own goes before the Appearance's (X3D 4.0, 12.4.5).
+    // The material's own texture takes precedence over the Appearance's (X3D 4.0, 12.4.5).
     if (!all.ownMain) {
       all.ofAppearance(appearance.node("texture"));
     }
@@ -51,24 +51,30 @@ final class TextureUnits {
     return List.copyOf(stages);
   }
 
-  /** Whether no more than a plain image lies on the surface, by the mesh's first coordinates. */
+  /**
+   * Returns whether the surface has at most one plain image, mapped by the mesh's first texture
+   * coordinates.
+   */
   boolean plain() {
     return !uncommon && units.size() <= 1;
   }
 
-  /** The image that gives the surface its colour, or null. */
+  /** Returns the plain image that gives the surface its colour, or null. */
   @Nullable Texture plainTexture() {
     TextureUnit unit = main();
     return unit != null && unit.source() instanceof Texture texture ? texture : null;
   }
 
-  /** Whether that image multiplies what is there. */
+  /** Returns whether that image multiplies the material's colour. */
   boolean plainTints() {
     TextureUnit unit = main();
     return unit != null && (unit.role() == Role.DIFFUSE || mainTints);
   }
 
-  /** The image that gives the surface the colour that it sends out, if it has no other; or null. */
+  /**
+   * Returns the plain image that gives the surface its emissive colour, if it is the only image; or
+   * null.
+   */
   @Nullable Texture plainGlow() {
     return plain()
             && units.size() == 1
@@ -78,7 +84,9 @@ final class TextureUnits {
         : null;
   }
 
-  /** The transform of the only image, as a 3 x 3 matrix, column by column, or null. */
+  /**
+   * Returns the texture transform of the only image as a 3 x 3 matrix, column by column, or null.
+   */
   float @Nullable [] plainTransform() {
     TextureUnit unit = plainGlow() == null ? main() : units.get(0);
     if (unit == null || isIdentity(unit.matrix())) {
@@ -115,7 +123,7 @@ final class TextureUnits {
         add(Role.NORMAL, material, "normalTexture");
         add(Role.OCCLUSION, material, "occlusionTexture");
       }
-      // Nothing bends light that does not fall: its normalTexture has no effect (12.4.12).
+      // Without lighting the normalTexture has no effect (12.4.12).
       case "UnlitMaterial" -> ownMain = add(Role.DIFFUSE, material, "emissiveTexture");
       case "PhysicalMaterial" -> {
         ownMain = add(Role.DIFFUSE, material, "baseTexture");
@@ -182,7 +190,7 @@ final class TextureUnits {
     int set = chosen == null ? plane ? 0 : TextureUnit.BOUNDS : chosen.set();
     String mode = "";
     if (set < 0 && chosen != null) {
-      // An unknown one has been said where the mesh was made.
+      // An unknown mode was reported when the mesh was made.
       mode = chosen.unknown() ? "" : chosen.mode();
       set = !chosen.unknown() ? TextureUnit.GENERATED : plane ? 0 : TextureUnit.BOUNDS;
     }

@@ -13,25 +13,25 @@ import org.selectiverenderer.runtime.nodes.sensor.PointingSensorNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 
 /**
- * Tells TouchSensors and drag sensors what the pointing device does (X3D 4.0, 20.2). A sensor
- * senses the geometry of its parent group; of those above a shape, the ones in the lowest group
- * that has enabled ones hear of it, all of them. While the button is held, only those over which it
- * went down hear of the pointer.
+ * Dispatches the pointing device to TouchSensors and drag sensors (X3D 4.0, 20.2). A sensor senses
+ * the geometry of its parent group. For a shape, all enabled sensors of the lowest group above it
+ * that has any are addressed. While the button is held, only the sensors over which it went down
+ * are addressed.
  */
 public final class TouchDispatch {
   /**
-   * Where the pointer meets a shape, in world coordinates.
+   * The point at which the pointer hits a shape, in world coordinates.
    *
-   * @param normal of the surface, of unit length
-   * @param s texture coordinate
-   * @param t texture coordinate
+   * @param normal the surface normal, of unit length
+   * @param s the first texture coordinate
+   * @param t the second texture coordinate
    */
   public record Hit(ShapeInstance shape, Vector3dc point, Vector3dc normal, float s, float t) {}
 
   /**
-   * Where the pointer points, in world coordinates.
+   * The ray of the pointer, in world coordinates.
    *
-   * @param direction of any length but 0
+   * @param direction the direction, of any length but 0
    */
   public record Ray(Vector3dc origin, Vector3dc direction) {}
 
@@ -40,7 +40,8 @@ public final class TouchDispatch {
   private boolean pressedBefore;
 
   /**
-   * The sensors that a pointer over that instance is for; none when an Anchor stands below them.
+   * Returns the sensors addressed by a pointer over an instance; none if an Anchor is nearer to the
+   * instance.
    */
   public static List<PlainInstance> sensors(Instance hit) {
     for (GroupInstance group = hit.parent(); group != null; group = group.parent()) {
@@ -58,7 +59,10 @@ public final class TouchDispatch {
     return List.of();
   }
 
-  /** The Anchor that a click on that instance activates, unless a sensor stands below it. */
+  /**
+   * Returns the Anchor that a click on an instance activates, unless a sensor is nearer to the
+   * instance.
+   */
   public static Optional<GroupInstance> anchor(Instance hit) {
     if (sensors(hit).isEmpty()) {
       for (GroupInstance group = hit.parent(); group != null; group = group.parent()) {
@@ -80,18 +84,18 @@ public final class TouchDispatch {
         : Optional.empty();
   }
 
-  /** Whether the button is held for a drag. */
+  /** Returns whether a drag sensor has grabbed the pointer. */
   public boolean dragging() {
     return grabbed.stream()
         .anyMatch(place -> sensor(place).filter(s -> s.drags() && s.active()).isPresent());
   }
 
-  /** Whether pressing the button now begins a drag. */
+  /** Returns whether pressing the button now would begin a drag. */
   public boolean overDragSensor() {
     return over.stream().anyMatch(place -> sensor(place).filter(s -> s.drags()).isPresent());
   }
 
-  /** What the authors of the sensors that are pointed at say of them, once each. */
+  /** Returns the descriptions of the sensors under the pointer, each once. */
   public List<String> descriptions() {
     return over.stream()
         .flatMap(place -> sensor(place).stream())
@@ -102,10 +106,10 @@ public final class TouchDispatch {
   }
 
   /**
-   * The pointer moved, or its button went down or up: once per frame.
+   * Evaluates a state of the pointer; called at least once per frame.
    *
-   * @param hit the nearest shape that the pointer meets
-   * @param ray where it points; empty when it points nowhere
+   * @param hit the nearest shape that the pointer hits
+   * @param ray the ray of the pointer; empty if it points at nothing
    */
   public void point(Optional<Hit> hit, Optional<Ray> ray, boolean pressed, Cascade cascade) {
     List<PlainInstance> now = hit.map(at -> sensors(at.shape())).orElse(List.of());
@@ -133,7 +137,7 @@ public final class TouchDispatch {
     grabbed = goesDown ? now : List.of();
   }
 
-  /** Whether the same node is among them, in whatever place. */
+  /** Returns whether an instance of the same node is in a list. */
   private static boolean contains(List<PlainInstance> places, PlainInstance wanted) {
     return places.stream().anyMatch(place -> place.node() == wanted.node());
   }

@@ -3,9 +3,9 @@ package org.selectiverenderer.runtime.instance;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A texture of three dimensions (X3D 4.0, 33).
+ * A three-dimensional texture (X3D 4.0, clause 33).
  *
- * @param image whose layers are its slices, the first at r = 0
+ * @param image the image whose layers are the slices, the first at r = 0
  */
 public record VolumeTexture(
     Texture.Image image,

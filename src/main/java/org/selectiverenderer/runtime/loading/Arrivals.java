@@ -5,14 +5,14 @@ import java.util.Deque;
 import java.util.function.Consumer;
 
 /**
- * Lets what was read in the background into a running scene: so much with each frame that no frame
- * waits long for it, in the order in which it came. Belongs to the thread that steps the world, but
- * for {@link #add}.
+ * Puts content that was read in the background into a running scene, in the order of arrival. Each
+ * frame takes in a limited amount of work, so that no frame is delayed for long. Belongs to the
+ * thread that steps the world, except for {@link #add}.
  */
 final class Arrivals {
   /**
-   * Work that a frame takes on, in triangles; the piece that reaches it is taken whole. What the
-   * tree and the picture do for so many was measured as 10 to 20 ms.
+   * Budget of work per frame, in triangles; the item that exceeds it is still taken whole. Instance
+   * tree and renderer were measured to take 10 to 20 ms for this many.
    */
   static final long MOST = 20_000;
 
@@ -31,22 +31,22 @@ final class Arrivals {
   }
 
   /**
-   * Something was read. Thread-safe.
+   * Queues content that has been read. Thread-safe.
    *
-   * @param work that it makes, in triangles
-   * @param arrives puts it into the scene, on the stepping thread
+   * @param work the cost of showing the content, in triangles
+   * @param arrives the task that puts the content into the scene, run on the stepping thread
    */
   void add(long work, Runnable arrives) {
     post.accept(
         () -> {
           late.add(new Arrived(work, arrives));
-          if (!goesOn) { // Else what is before it goes first, in this frame.
+          if (!goesOn) { // Else earlier items go first, in this frame.
             take();
           }
         });
   }
 
-  /** Ends a frame: what is late goes on with the next. */
+  /** Ends a frame; remaining items are taken up in the next one. */
   void frame() {
     taken = 0;
     if (!late.isEmpty() && !goesOn) {

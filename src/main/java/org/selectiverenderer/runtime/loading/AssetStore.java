@@ -17,11 +17,12 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * Meshes, images and texts of shaders by node: those made while loading, and those made later for
- * nodes that are new or changed. Nodes that nobody else holds are let go. Thread-safe.
+ * A store of meshes, images and shader sources by node: those made while loading, and those made
+ * later for new or changed nodes. It holds nodes weakly. Thread-safe.
  */
 final class AssetStore implements Assets {
-  // Nodes are compared by identity; nothing kept here leads back to its node.
+  // Nodes are compared by identity; no value refers back to its node, so that the weak keys can be
+  // cleared.
   private final Map<Node, Optional<Mesh>> meshes = new WeakHashMap<>();
   private final Map<Node, Optional<Texture.Image>> images = new WeakHashMap<>();
   private final Map<Node, Optional<ShaderText>> shaders = new WeakHashMap<>();
@@ -34,7 +35,7 @@ final class AssetStore implements Assets {
   private final Problems problems;
 
   /**
-   * @param problems hears of programs that do not compile
+   * @param problems receives the errors of shader programs that do not compile
    */
   AssetStore(
       Function<Node, Optional<Mesh>> tessellate,
@@ -49,7 +50,7 @@ final class AssetStore implements Assets {
     shaders.put(part, text);
   }
 
-  /** Whether it is known which text a part of a shader has, or that it has none. */
+  /** Returns whether the source of a shader part is known, or known to be missing. */
   synchronized boolean hasShader(Node part) {
     return shaders.containsKey(part);
   }
@@ -64,7 +65,7 @@ final class AssetStore implements Assets {
     problems.add(problem);
   }
 
-  /** Keeps that a texture's colour multiplies the material's, as X3D 4.0 has it. */
+  /** Notes that a texture's colour multiplies the material's, as in X3D 4.0. */
   synchronized void multiply(Node texture) {
     multiplying.add(texture);
   }
@@ -78,7 +79,7 @@ final class AssetStore implements Assets {
     meshes.put(geometry, mesh);
   }
 
-  /** Keeps an image; each MovieTexture shows a film of its own. */
+  /** Stores an image; each MovieTexture gets a playback of its own. */
   synchronized void putImage(Node texture, Optional<Texture.Image> image) {
     Optional<Texture.Image> own = image;
     if (texture instanceof MovieTextureNode movie) {
@@ -89,7 +90,7 @@ final class AssetStore implements Assets {
     images.put(texture, own);
   }
 
-  /** Whether it is known which image a texture has, or that it has none. */
+  /** Returns whether the image of a texture is known, or known to be missing. */
   synchronized boolean hasImage(Node texture) {
     return images.containsKey(texture);
   }

@@ -8,8 +8,8 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * The pictures that a Background names (X3D 4.0, 24.4.1), as textures: from then on they are read,
- * kept and exchanged as those of shapes are.
+ * Makes a texture node for each image that a Background names (X3D 4.0, 24.4.1), so that these
+ * images are read, stored and replaced like those of shapes.
  */
 final class BackgroundPictures {
   private BackgroundPictures() {}
@@ -18,7 +18,7 @@ final class BackgroundPictures {
     return type.name().equals("Background");
   }
 
-  /** A texture for each side that has a url. */
+  /** Returns a texture for each side that has a url. */
   static Map<Backdrop.Side, ParsedNode> of(ParsedNode background, NodeCatalogue catalogue) {
     Map<Backdrop.Side, ParsedNode> pictures = new EnumMap<>(Backdrop.Side.class);
     NodeType type = catalogue.get("ImageTexture");

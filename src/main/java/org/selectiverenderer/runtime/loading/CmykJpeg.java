@@ -12,24 +12,27 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.files.Content;
 
 /**
- * JPEG images of four inks, as programs for print write them, which the library reads as samples
- * only. Colours are those of ideal inks; profiles are passed over.
+ * Converts CMYK JPEG images, which prepress programs write, to RGB; ImageIO only reads their raw
+ * samples. The conversion assumes ideal inks and ignores colour profiles.
  */
 final class CmykJpeg {
-  /** The transform of an Adobe segment that says YCCK: inks as brightness and two differences. */
+  /**
+   * The colour transform of an Adobe segment that stands for YCCK: inks as luma and two chroma
+   * differences.
+   */
   private static final int YCCK = 2;
 
   private static final int NO_ADOBE = -1;
 
   private CmykJpeg() {}
 
-  /** Whether an image that a reader is about to read has four inks. */
+  /** Returns whether an image that a reader is about to read is CMYK. */
   static boolean is(ImageReader reader, Content file) throws IOException {
     return reader.getFormatName().equalsIgnoreCase("jpeg") && components(file) == 4;
   }
 
   /**
-   * @param raster the samples, of four bands
+   * @param raster the samples, with four bands
    */
   static Texture.Image read(Raster raster, Content file) throws IOException {
     int transform = adobe(file);
@@ -53,7 +56,7 @@ final class CmykJpeg {
           b = light - 0.344136 * blue - 0.714136 * red;
           c = light + 1.772 * blue;
         }
-        // Adobe's programs write how much ink is missing, others how much there is.
+        // Adobe's programs write inverted ink values, others the ink values themselves.
         boolean missing = transform != NO_ADOBE;
         rgba[at] = shade(a, k, missing);
         rgba[at + 1] = shade(b, k, missing);
@@ -73,12 +76,12 @@ final class CmykJpeg {
     return segments(file, true);
   }
 
-  /** The colour transform that an Adobe segment names, or that there is none. */
+  /** Returns the colour transform that an Adobe segment names, or {@link #NO_ADOBE}. */
   private static int adobe(Content file) throws IOException {
     return segments(file, false);
   }
 
-  /** Looks through the segments before the picture (ITU-T T.81, B.1.1). */
+  /** Searches the segments before the image data (ITU-T T.81, B.1.1). */
   private static int segments(Content file, boolean frame) throws IOException {
     try (InputStream stream = file.open();
         DataInputStream in = new DataInputStream(new BufferedInputStream(stream))) {
@@ -102,7 +105,7 @@ final class CmykJpeg {
         }
       }
     } catch (EOFException e) {
-      return NO_ADOBE; // A damaged file, of which the reader will say so.
+      return NO_ADOBE; // The file is damaged; the image reader will report it.
     }
   }
 }

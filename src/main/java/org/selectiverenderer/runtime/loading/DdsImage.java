@@ -8,14 +8,14 @@ import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Texture;
 
 /**
- * Reads DirectDraw Surface files: plain pictures, cubes and volumes, uncompressed or by DXT1, 3 or
- * 5. Smaller versions in the file are passed over; the card makes its own (Microsoft, Programming
- * Guide for DDS).
+ * Reads DirectDraw Surface files: plain images, cube maps and volumes, uncompressed or compressed
+ * by DXT1, DXT3 or DXT5. Mipmap levels in the file are skipped; the GPU generates its own
+ * (Microsoft, Programming Guide for DDS).
  */
 final class DdsImage {
   private static final int MAGIC = 0x20534444;
 
-  /** Bytes before the first pixel. */
+  /** Size of the header in bytes. */
   static final int HEADER = 128;
 
   private static final int ALPHA = 0x1;
@@ -27,7 +27,10 @@ final class DdsImage {
   private static final int ALL_FACES = 0xfc00;
   private static final int VOLUME = 0x200000;
 
-  /** Faces of the file, +X, -X, +Y, -Y, +Z, -Z, in the order of a {@link CubeTexture}. */
+  /**
+   * For each face of a {@link CubeTexture} the index of the file's face, whose order is +X, -X, +Y,
+   * -Y, +Z, -Z.
+   */
   private static final int[] FACES = {5, 4, 1, 0, 2, 3};
 
   private final ByteBuffer in;
@@ -58,36 +61,36 @@ final class DdsImage {
     bits = in.getInt(88);
     masks = new int[] {in.getInt(92), in.getInt(96), in.getInt(100), in.getInt(104)};
     if (width < 1 || height < 1 || depth < 1 || levels > 31) {
-      throw new IOException("is a damaged DDS image: it has no size");
+      throw new IOException("is a damaged DDS image: its width or height is 0");
     }
     if (cube && (kind & ALL_FACES) != ALL_FACES) {
-      throw new IOException("is a DDS cube without all of its six faces");
+      throw new IOException("is a DDS cube map without all six faces");
     }
     block = (flags & FOUR_CHARACTERS) != 0 ? block(in.getInt(84)) : 0;
     if (block == 0 && ((flags & (COLOURS | GREY)) == 0 || bits < 8 || bits > 32)) {
       throw new IOException(
-          "is a DDS image in a form that is not read (uncompressed, DXT1, DXT3 and DXT5 are)");
+          "is a DDS image in an unsupported format (use uncompressed, DXT1, DXT3 or DXT5)");
     }
   }
 
-  /** Bytes of a block of sixteen pixels. */
+  /** Returns the bytes of a block of sixteen pixels. */
   private static int block(int name) throws IOException {
     return switch (name) {
       case 0x31545844 -> 8; // DXT1
       case 0x33545844, 0x35545844 -> 16; // DXT3, DXT5
       default ->
           throw new IOException(
-              "is a DDS image in a form that is not read (uncompressed, DXT1, DXT3 and DXT5 are)");
+              "is a DDS image in an unsupported format (use uncompressed, DXT1, DXT3 or DXT5)");
     };
   }
 
   /**
-   * @throws IOException when it cannot be read; {@link Failure#clause} says why
+   * @throws IOException if the image cannot be read; {@link Failure#clause} gives the reason
    */
   static Texture.Image read(byte[] file, AtomicLong budget) throws IOException {
     DdsImage image = new DdsImage(file);
     int layers = image.cube ? CubeTexture.FACES : image.depth;
-    // Sizes may be absurd: their product is no long then.
+    // Sizes in a damaged file may be so large that their product overflows a long.
     double pixels = (double) image.width * image.height * layers;
     ImageDecoder.spend((long) Math.min(pixels, 1e15), budget);
     return image.read(layers);
@@ -132,7 +135,7 @@ final class DdsImage {
     return block == 0 ? (long) w * h * bits / 8 : (long) ((w + 3) / 4) * ((h + 3) / 4) * block;
   }
 
-  /** Bytes of a face's smaller versions. */
+  /** Returns the bytes of a face's mipmap levels below the first. */
   private int smaller() {
     long sum = 0;
     for (int level = 1; level < levels; level++) {
@@ -141,7 +144,7 @@ final class DdsImage {
     return (int) Math.min(sum, Integer.MAX_VALUE / 8);
   }
 
-  /** The first row of the file is the highest. */
+  /** Copies an uncompressed image; the first row of the file is the top. */
   private void plain(int from, byte[] rgba, int to) {
     int bytes = bits / 8;
     for (int y = 0; y < height; y++) {
@@ -170,8 +173,8 @@ final class DdsImage {
   }
 
   /**
-   * Files hold faces as cards do, as seen from outside: the sides are mirrored here, what is above
-   * and below is turned upside down.
+   * Files hold cube faces as GPUs do, as seen from outside: here the side faces are mirrored, and
+   * the top and bottom faces are turned upside down.
    */
   private void asSeenFromInside(byte[] rgba, int from, int face) {
     boolean side = face != 2 && face != 3;

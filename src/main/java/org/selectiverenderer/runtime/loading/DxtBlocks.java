@@ -3,8 +3,8 @@ package org.selectiverenderer.runtime.loading;
 import java.nio.ByteBuffer;
 
 /**
- * Pictures compressed by S3's method: blocks of four by four pixels, each of which is one of four
- * colours between two (OpenGL, EXT_texture_compression_s3tc).
+ * Decodes S3TC (DXT) images: blocks of 4 x 4 pixels, each pixel of which is one of four colours
+ * interpolated between two (OpenGL, EXT_texture_compression_s3tc).
  */
 final class DxtBlocks {
   private final ByteBuffer in;
@@ -13,10 +13,11 @@ final class DxtBlocks {
   private final boolean interpolated;
 
   /**
-   * @param in in little-endian order
-   * @param size bytes per block: 8, or 16 with opacity
-   * @param alpha whether blocks of 8 bytes have holes
-   * @param interpolated whether opacity is interpolated, else given by pixel
+   * @param in the file, in little-endian order
+   * @param size the bytes per block: 8, or 16 with an alpha channel
+   * @param alpha whether blocks of 8 bytes may have transparent pixels
+   * @param interpolated whether alpha is interpolated (DXT5); otherwise it is given per pixel
+   *     (DXT3)
    */
   DxtBlocks(ByteBuffer in, int size, boolean alpha, boolean interpolated) {
     this.in = in;
@@ -25,7 +26,7 @@ final class DxtBlocks {
     this.interpolated = interpolated;
   }
 
-  /** Writes r, g, b, a per pixel, the picture's last row first. */
+  /** Writes r, g, b, a per pixel, the image's bottom row first. */
   void read(int from, int width, int height, byte[] rgba, int to) {
     int at = from;
     byte[] pixels = new byte[64];

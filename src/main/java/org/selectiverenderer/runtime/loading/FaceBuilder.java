@@ -11,13 +11,13 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.read.ParsedInstance;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Gives the instances of prototypes of a scene their interfaces. */
+/** Attaches the interfaces of prototype instances to the nodes made from their bodies. */
 final class FaceBuilder {
   private final Map<ParsedNode, Node> made;
   private final InstanceFace[] faces;
 
   /**
-   * Gives them.
+   * Attaches the interfaces of all instances.
    *
    * @param made the nodes of the scene that have been made
    */
@@ -86,7 +86,10 @@ final class FaceBuilder {
         List.copyOf(links));
   }
 
-  /** A value of the running scene; of nodes those that have a place in it. */
+  /**
+   * Converts a value of the parsed file to one of the running scene; nodes that were left out are
+   * dropped.
+   */
   private @Nullable Object kept(Object value) {
     if (value instanceof ParsedNode node) {
       return made.get(node);

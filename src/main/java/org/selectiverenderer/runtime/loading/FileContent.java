@@ -23,18 +23,20 @@ import org.selectiverenderer.x3d.script.ScriptProgram;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * A file as read, with the meshes and images of its nodes and the files that its Inlines name. A
- * file that is inlined ten times is read once. Filled by several threads, read when all are done.
+ * A parsed file with the meshes and images of its nodes and the files that its Inlines name. A file
+ * that is inlined ten times is read once. Several threads fill it; it is read when all have
+ * finished.
  *
- * @param key of what was read; for text without a file, the folder it counts as being in
- * @param base where its relative urls start
- * @param problems found in this file, kept apart so that they can be reported in document order
- * @param types names of the node types in the file
- * @param programs those of Scripts, where they have one that can be used
- * @param shaders the texts of shaders' parts
- * @param sounds those of AudioClips, where their files could be read
- * @param pictures the textures that stand for those of Background nodes
- * @param inlines what became of the file that an Inline names; complete when all threads are done
+ * @param key the key of the file; for text without a file, the folder to which it belongs
+ * @param base the base of its relative urls
+ * @param problems the problems found in this file, collected so that they can be reported in
+ *     document order
+ * @param types the names of the node types in the file
+ * @param programs the programs of the Scripts that have a usable one
+ * @param shaders the sources of shader parts
+ * @param sounds the recordings of the AudioClips whose files could be read
+ * @param pictures the textures made for the images of Background nodes
+ * @param inlines the outcome of reading each Inline's file; complete when all threads have finished
  */
 record FileContent(
     String key,
@@ -52,18 +54,18 @@ record FileContent(
 
   private static final long LEAST_OF_ONE = 40;
 
-  /** Pixels of an image that are sent to the graphics card while a triangle is made ready. */
+  /** Number of pixels whose upload to the GPU takes as long as preparing one triangle. */
   private static final long PIXELS = 50;
 
-  /** What became of reading a file. */
+  /** The outcome of reading a file. */
   sealed interface Outcome {
-    /** It could be read, however much is wrong with it. */
+    /** The file was read, possibly with problems. */
     record Read(FileContent content) implements Outcome {}
 
     /**
-     * It could not.
+     * The file could not be read.
      *
-     * @param sentence what is wrong, with the file's name
+     * @param sentence the reason, with the file's name
      */
     record Failed(String sentence) implements Outcome {}
   }
@@ -85,9 +87,10 @@ record FileContent(
   }
 
   /**
-   * What it takes to show all of it, in triangles: a shape for at least {@link #LEAST_OF_ONE}, and
-   * {@link #PIXELS} of an image for one. Files within it count once, however often and wherever
-   * they are inlined: they may inline each other, and meshes are shared.
+   * Returns the cost of showing the file with its Inlines, in triangles: a shape counts as at least
+   * {@link #LEAST_OF_ONE} triangles, and {@link #PIXELS} pixels of an image count as one. Each
+   * inlined file counts once, however often it is inlined, since files may inline each other and
+   * meshes are shared.
    */
   long work() {
     Set<FileContent> files = Collections.newSetFromMap(new IdentityHashMap<>());

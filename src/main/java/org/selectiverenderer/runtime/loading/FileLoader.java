@@ -28,8 +28,8 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * Reads a file and everything it names, all at once: each file, each geometry and each image is a
- * task of its own. One loader serves one load.
+ * Reads a file and everything it names in parallel: each file, each geometry and each image is a
+ * separate task. A loader serves one load.
  */
 final class FileLoader {
   private final X3dReader reader;
@@ -61,13 +61,13 @@ final class FileLoader {
   }
 
   /**
-   * Reads the stream of the first file on the calling thread, which can be caught up with what it
-   * names when the tasks have ended.
+   * Reads the stream of the first file on the calling thread. Everything that the file names is
+   * complete when all tasks have ended.
    *
-   * @param name for messages
-   * @param key of the file, or of the folder it counts as being in
-   * @param base where its relative urls start
-   * @param size of the stream if it is known, else 0
+   * @param name the file's name, for messages
+   * @param key the key of the file, or of the folder to which it belongs
+   * @param base the base of its relative urls
+   * @param size the size of the stream in bytes if known, else 0
    */
   FileContent first(String name, InputStream in, long size, String key, ContentBase base)
       throws IOException {
@@ -75,14 +75,14 @@ final class FileLoader {
     return begin(reader.with(libraries, base).read(name, in, size, problems), key, base, problems);
   }
 
-  /** As {@link #first}, of a text whose nodes others are given. */
+  /** Reads a text like {@link #first}; its nodes are given to another scene. */
   FileContent parts(String name, String text, String key, ContentBase base) {
     Problems problems = new Problems();
     X3dReader own = reader.with(libraries, base).ofParts();
     return begin(own.read(name, text, problems), key, base, problems);
   }
 
-  /** As {@link #first}, of an instance of a prototype. */
+  /** Makes an instance of a prototype, like {@link #first} reads a file. */
   FileContent instance(
       String name, PrototypeLibrary library, String prototype, String key, ContentBase base) {
     Problems problems = new Problems();
@@ -98,7 +98,10 @@ final class FileLoader {
     return content;
   }
 
-  /** Reads a file in a task; the outcome is there, with all that it names, when all have ended. */
+  /**
+   * Reads a file in a task; the outcome and everything that the file names are complete when all
+   * tasks have ended.
+   */
   CompletableFuture<Outcome> file(Content content) {
     return files.computeIfAbsent(
         content.key(),
@@ -125,7 +128,7 @@ final class FileLoader {
 
   private record InlineFile(ParsedNode inline, Content content) {}
 
-  /** Begins to read what a file names and to make its meshes. */
+  /** Starts tasks that read the files named in a file and make its meshes. */
   void follow(FileContent content) {
     List<InlineFile> inlined = new ArrayList<>();
     List<Runnable> assets = new ArrayList<>();
@@ -162,7 +165,7 @@ final class FileLoader {
                         assets.add(task(content, problems -> image(one, node, content, problems))));
           }
         });
-    // The largest first: begun last, it would keep everybody waiting.
+    // The largest first: if it began last, all other threads would wait for it.
     inlined.sort(Comparator.comparingLong((InlineFile found) -> found.content().size()).reversed());
     inlined.forEach(found -> content.inlines().put(found.inline(), file(found.content())));
     assets.forEach(tasks::start);
@@ -207,7 +210,7 @@ final class FileLoader {
   }
 
   /**
-   * @param owner the node of the file that names the image: the texture itself, or a Background
+   * @param owner the node that names the image: the texture itself, or a Background
    */
   private void image(ParsedNode texture, ParsedNode owner, FileContent content, Problems problems) {
     content.images().put(texture, images.read(texture, owner.base(content.base()), problems));

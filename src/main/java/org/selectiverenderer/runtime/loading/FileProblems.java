@@ -8,11 +8,11 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * What is wrong with one file, in document order whichever thread finds it first. Keeps as many as
- * will be listed: the first ones in that order. Thread-safe.
+ * The problems of one file in document order, regardless of the thread that finds them. It keeps
+ * only as many as will be listed, the first ones in that order. Thread-safe.
  */
 final class FileProblems {
-  /** By place; what concerns the file as a whole comes last. */
+  /** Order by location; problems of the file as a whole come last. */
   private static final Comparator<Problem> DOCUMENT_ORDER =
       Comparator.comparingInt(FileProblems::line)
           .thenComparingInt(problem -> problem.location().column())

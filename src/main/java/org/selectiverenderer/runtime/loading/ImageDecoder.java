@@ -18,33 +18,37 @@ import org.selectiverenderer.runtime.instance.Texture;
 import org.selectiverenderer.x3d.files.Content;
 
 /**
- * Reads image files (PNG, JPEG, GIF, BMP, TGA, DDS) and the pixels that texture nodes hold. Needs
- * no display.
+ * Decodes image files (PNG, JPEG, GIF, BMP, TGA, DDS) and the pixels in fields of texture nodes.
+ * Needs no display.
  */
 final class ImageDecoder {
-  /** Pixels above which an image is refused, before memory is spent on it: 8192 x 8192. */
+  /**
+   * Largest number of pixels of an image, 8192 x 8192; larger ones are refused before memory is
+   * allocated.
+   */
   static final long MAX_PIXELS = 1L << 26;
 
   /**
-   * Bytes per pixel while an image is being read: up to eight as decoded by the library (four
-   * samples of 16 bits), and four as kept.
+   * Bytes per pixel while an image is being read: up to eight as decoded by ImageIO (four samples
+   * of 16 bits), and four as kept.
    */
   private static final int BYTES = 12;
 
-  /** Bytes up to which a file is held in memory as a whole. */
+  /** Largest size in bytes of a file that is read into memory as a whole. */
   private static final long SMALL = 1L << 25;
 
   private ImageDecoder() {}
 
   /**
-   * @param budget bytes that may still be spent on images; lessened by this one
-   * @throws IOException when it is no image that can be read; {@link Failure#clause} says why
+   * @param budget the bytes left for images; reduced by this image
+   * @throws IOException if the image cannot be read; {@link Failure#clause} gives the reason
    */
   static Texture.Image read(Content file, AtomicLong budget) throws IOException {
     if (TgaImage.is(file.name())) {
       return TgaImage.read(whole(file), budget);
     }
-    // Most are small, and read once; of the others the beginning is enough to know them.
+    // Most files are small and read at once; of a large one the beginning suffices to recognise the
+    // format.
     boolean small = file.size() <= SMALL;
     byte[] bytes = small ? whole(file) : beginning(file);
     if (DdsImage.is(bytes)) {
@@ -54,7 +58,7 @@ final class ImageDecoder {
     return png.isPresent() ? png.get() : byLibrary(small ? known(file, bytes) : file, budget);
   }
 
-  /** A file that has been read, which the library and its helpers open more than once. */
+  /** Wraps the bytes of a file that has been read, since several decoders open it in turn. */
   private static Content known(Content file, byte[] bytes) {
     return new Content.OfBytes(file.key(), file.name(), file.base(), bytes);
   }
@@ -88,7 +92,7 @@ final class ImageDecoder {
             ? CmykJpeg.read(reader.readRaster(0, null), file)
             : convert(reader.read(0));
       } catch (IIOException | EOFException | RuntimeException e) {
-        // The library's readers throw what they like at damaged files.
+        // ImageIO's readers throw various runtime exceptions for damaged files.
         throw new IOException("is a damaged image", e);
       } finally {
         reader.dispose();
@@ -96,7 +100,7 @@ final class ImageDecoder {
     }
   }
 
-  /** Whether a file is an image of a format that this reads, judged by how it begins. */
+  /** Returns whether a file is an image of a supported format, judged by its first bytes. */
   static boolean knows(Content file) throws IOException {
     if (TgaImage.is(file.name()) || DdsImage.is(beginning(file))) {
       return true;
@@ -122,10 +126,10 @@ final class ImageDecoder {
   }
 
   /**
-   * Takes memory from a budget.
+   * Takes the memory for an image from a budget.
    *
-   * @param bytes for each pixel
-   * @throws IOException with a clause, when there is not enough
+   * @param bytes the bytes per pixel
+   * @throws IOException with a clause as message if the budget does not suffice
    */
   static void spend(long pixels, int bytes, AtomicLong budget) throws IOException {
     if (pixels > MAX_PIXELS) {
@@ -158,15 +162,15 @@ final class ImageDecoder {
         rgba[at++] = (byte) (argb >> 24);
       }
     }
-    // A palette of greys makes a grey image.
+    // A palette of greys makes a greyscale image.
     boolean grey = image.getRaster().getNumDataElements() <= 2 && isGrey(rgba);
     int components = (grey ? 1 : 3) + (image.getColorModel().hasAlpha() ? 1 : 0);
     return new Texture.Image(width, height, components, rgba);
   }
 
   /**
-   * Grey samples as the file has them: the library takes them for linear and would make them
-   * brighter.
+   * Copies the grey samples of the file unchanged, since ImageIO treats them as linear and would
+   * brighten them.
    */
   private static Texture.Image grey(Raster raster, int bits) {
     int width = raster.getWidth();
@@ -203,10 +207,10 @@ final class ImageDecoder {
   }
 
   /**
-   * An SFImage: width, height, components, then a number per pixel from the lowest row up (X3D 4.0,
-   * 5.3.6).
+   * Decodes an SFImage: width, height, components, then a number per pixel from the lowest row up
+   * (X3D 4.0, 5.3.6).
    *
-   * @throws IOException when there are too few or too many pixels
+   * @throws IOException if the number of pixels does not match the size
    */
   static Texture.Image pixels(int[] image) throws IOException {
     int width = image.length < 3 ? 0 : image[0];
@@ -219,10 +223,10 @@ final class ImageDecoder {
   }
 
   /**
-   * The pixels of a PixelTexture3D: components, width, height, depth, then a number per pixel from
-   * the lowest row of the first slice on (X3D 4.0, 33.4.3).
+   * Decodes the pixels of a PixelTexture3D: components, width, height, depth, then a number per
+   * pixel from the lowest row of the first slice on (X3D 4.0, 33.4.3).
    *
-   * @throws IOException when there are too few or too many pixels
+   * @throws IOException if the number of pixels does not match the size
    */
   static Texture.Image volume(int[] image) throws IOException {
     boolean whole = image.length >= 4;

@@ -21,14 +21,14 @@ import org.selectiverenderer.x3d.files.Failure;
 import org.selectiverenderer.x3d.files.UrlChoice;
 
 /**
- * The images of texture nodes, for one load. A file that several nodes name is read once. All
- * images together take no more than a quarter of the heap, and the files of films an eighth.
+ * Loads the images of texture nodes, for one load. A file that several nodes name is read once. All
+ * images together take no more than a quarter of the heap, and movie files no more than an eighth.
  * Thread-safe.
  */
 final class ImageFiles {
   private static final String CONSEQUENCE = "the texture is left out";
 
-  /** Bytes per pixel of a film: five pictures of four, and those that it is decoded in. */
+  /** Bytes per pixel of a movie: five RGBA frames, and the buffers of the decoder. */
   private static final int FILM_BYTES = 36;
 
   private static final int PICTURE_BYTES = 4;
@@ -41,8 +41,8 @@ final class ImageFiles {
   private final ProjectionRoom room;
 
   /**
-   * @param image empty when the file could not be read
-   * @param fault why, else empty
+   * @param image the image; empty if the file could not be read
+   * @param fault the reason why not; empty if it could
    */
   private record Decoded(Optional<Texture.Image> image, String fault, String flaw) {
     Decoded(Optional<Texture.Image> image, String fault) {
@@ -51,7 +51,7 @@ final class ImageFiles {
   }
 
   /**
-   * @param room where films are decoded
+   * @param room the threads that decode movies
    */
   ImageFiles(ContentRoot root, ProjectionRoom room) {
     this.root = root;
@@ -59,10 +59,10 @@ final class ImageFiles {
   }
 
   /**
-   * The image of a texture node.
+   * Loads the image of a texture node.
    *
-   * @param base where its relative urls start
-   * @param problems hears why there is none
+   * @param base the base of its relative urls
+   * @param problems receives the reason if there is no image
    */
   Optional<Texture.Image> read(NodeView texture, ContentBase base, Problems problems) {
     return switch (texture.type().name()) {
@@ -79,22 +79,24 @@ final class ImageFiles {
     };
   }
 
-  /** Whether a texture's image comes from a file that it names. */
+  /** Returns whether textures of a type name their image by a url. */
   static boolean named(NodeType texture) {
     return texture.is("X3DTextureNode") && texture.field("url").isPresent();
   }
 
-  /** Whether the file that a node names is to be read. */
+  /** Returns whether the file that a node names is to be read, by its field {@code load}. */
   static boolean wanted(NodeView node) {
     return node.type().field("load").isEmpty() || node.bool("load");
   }
 
-  /** The image in a PixelTexture or PixelTexture3D; of other textures none. */
+  /**
+   * Returns the image in the field of a PixelTexture or PixelTexture3D; empty for other textures.
+   */
   static Optional<Texture.Image> pixels(NodeView texture, Problems problems) {
     String type = texture.type().name();
     if (type.startsWith("PixelTexture")
         && Arrays.stream(texture.ints("image")).allMatch(i -> i == 0)) {
-      return Optional.empty(); // The default, which many a script fills later.
+      return Optional.empty(); // The default value; many scripts fill it later.
     }
     try {
       return switch (type) {
@@ -122,18 +124,21 @@ final class ImageFiles {
     } else if (isNoCube(texture, decoded.image)) {
       problems.error(
           texture.location(),
-          "%s holds no cube: an ImageCubeMapTexture takes a DDS image with six faces; %s"
+          "%s holds no cube map: an ImageCubeMapTexture needs a DDS image with six faces; %s"
               .formatted(file.name(), CONSEQUENCE));
     }
     if (!decoded.flaw.isEmpty()) {
       problems.warning(
           texture.location(),
-          "%s %s; it is shown up to there".formatted(file.name(), decoded.flaw));
+          "%s %s; the movie is shown up to there".formatted(file.name(), decoded.flaw));
     }
     return movie ? shown(texture, decoded.image, file, problems) : decoded.image;
   }
 
-  /** A film, if there is memory for it: each node that shows one has pictures of its own. */
+  /**
+   * Returns a movie if there is memory for its frames: each node that shows one has frame buffers
+   * of its own.
+   */
   private Optional<Texture.Image> shown(
       NodeView texture, Optional<Texture.Image> image, Content file, Problems problems) {
     if (image.map(Texture.Image::film).isPresent()) {
@@ -154,7 +159,7 @@ final class ImageFiles {
         && image.filter(found -> found.layers() == CubeTexture.FACES).isEmpty();
   }
 
-  /** A film, or a picture where the file is one that does not move. */
+  /** Decodes a movie, or a still image if the file holds one. */
   private Decoded movie(Content file) {
     try {
       Optional<Movie> read = MovieReader.read(file, movieBudget);
@@ -162,7 +167,7 @@ final class ImageFiles {
         return still(file);
       }
       Movie movie = read.get();
-      // The first picture stays in memory also where there is none for the others.
+      // The first frame stays in memory even if the budget does not suffice for the others.
       ImageDecoder.spend((long) movie.width() * movie.height(), PICTURE_BYTES, budget);
       byte[] first = movie.open().picture(0);
       return new Decoded(
@@ -184,8 +189,8 @@ final class ImageFiles {
   private Decoded still(Content file) throws IOException {
     if (!ImageDecoder.knows(file)) {
       throw new IOException(
-          "is no film that can be shown (MPEG-1 video, animated GIF); `ffmpeg -i FILE -r 25"
-              + " FILE.mpg` makes one of it");
+          "is not a movie in a supported format (MPEG-1 video, animated GIF); convert it with"
+              + " `ffmpeg -i FILE -r 25 FILE.mpg`");
     }
     return decode(file);
   }

@@ -14,9 +14,10 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
 
 /**
- * Makes what a scene imports and exports of what its file says.
+ * Makes the imports and exports of a running scene from the IMPORT and EXPORT statements of its
+ * file.
  *
- * @param nodes the running node of a parsed one; empty when it was left out
+ * @param nodes returns the running node for a parsed one; empty if it was left out
  */
 record ImportBuilder(Scene scene, Function<ParsedNode, Optional<Node>> nodes) {
   void build(X3dFile file) {

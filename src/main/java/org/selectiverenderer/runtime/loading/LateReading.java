@@ -20,8 +20,8 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * Reads, on the loader's threads, what nodes of a running scene name. Whoever asks goes on; what
- * arrives is taken over by the scene's own thread.
+ * Reads the files that nodes of a running scene name, asynchronously on the loader's threads; the
+ * stepping thread takes over the results.
  */
 final class LateReading {
   private final SceneLoader loader;
@@ -31,15 +31,15 @@ final class LateReading {
   }
 
   /**
-   * What has been read in the background.
+   * The result of an asynchronous read.
    *
-   * @param value empty when it could not be read
-   * @param problems with it, in order
-   * @param work that it makes where it is shown, in triangles
+   * @param value the content; empty if it could not be read
+   * @param problems the problems found, in order
+   * @param work the cost of showing the content, in triangles
    */
   record Arrival<T>(Optional<T> value, List<Problem> problems, long work) {}
 
-  /** Reads the file that an Inline names and all that it names in turn. */
+  /** Reads the file that an Inline names and all files that it names in turn. */
   CompletableFuture<Arrival<Scene>> inline(ParsedNode inline, UrlBase origin) {
     return read(
         inline,
@@ -61,7 +61,7 @@ final class LateReading {
         });
   }
 
-  /** Reads the text of a part of a shader. */
+  /** Reads the source of a shader part. */
   CompletableFuture<Arrival<ShaderText>> shader(ParsedNode part, UrlBase origin) {
     return read(
         part,
@@ -83,13 +83,13 @@ final class LateReading {
         });
   }
 
-  /** What is made of the files read. */
+  /** Makes the result from the files read. */
   @FunctionalInterface
   private interface Making<T> {
     Optional<T> make(FileContent content, Problems hears);
   }
 
-  /** Reads what a node names, as if it were the only one of its file. */
+  /** Reads what a node names, as if it were the only node of its file. */
   private <T> CompletableFuture<Arrival<T>> read(
       ParsedNode node, UrlBase origin, Making<T> making) {
     TaskGroup tasks = loader.tasks();
@@ -101,10 +101,10 @@ final class LateReading {
   }
 
   /**
-   * Reads the scene that an Anchor links to, or that another node asks for; it may name what the
-   * scene with that node may.
+   * Reads the scene that an Anchor links to or that another node requests. That scene may name the
+   * same files as the scene of the node.
    *
-   * @param consequence what is done when there is none
+   * @param consequence the end of the message if there is none
    */
   CompletableFuture<Arrival<Scene>> link(ParsedNode anchor, UrlBase origin, String consequence) {
     TaskGroup tasks = loader.tasks();
@@ -154,7 +154,7 @@ final class LateReading {
                   new Problem(
                       Problem.Severity.ERROR,
                       node.location(),
-                      "what the %s names could not be read (%s); it is left out"
+                      "the file that the %s names could not be read (%s); it is left out"
                           .formatted(node.type().name(), cause));
               return new Arrival<>(Optional.empty(), List.of(problem), 0);
             });

@@ -24,16 +24,16 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * The files that a running scene comes to name: Inlines whose {@code load} or {@code url} changes
- * (X3D 4.0, 9.4.2), textures and AudioClips with another url, Anchors that are followed. All are
- * read on the loader's threads; what was there stays until the new is there, and takes its place on
- * the stepping thread. No frame waits for a disk. When something cannot be read, that is a problem,
- * and the node is empty.
+ * Loads the files that a scene names while it runs: Inlines whose {@code load} or {@code url}
+ * changes (X3D 4.0, 9.4.2), textures and AudioClips with a new url, and Anchors that are followed.
+ * The loader's threads read the files, so that no frame waits for a disk. The old content stays
+ * until the new content has arrived; the stepping thread then replaces it. If a file cannot be
+ * read, a problem is reported and the node is empty.
  *
  * <p>Belongs to the thread that steps the world.
  */
 public final class LiveFiles {
-  private static final String NOTHING_MADE = "no nodes are made of it";
+  private static final String NOTHING_MADE = "no nodes are created from it";
 
   private final LoadedScene loaded;
   private final Problems problems;
@@ -45,7 +45,7 @@ public final class LiveFiles {
   private final LiveLoads loads;
 
   /**
-   * @param problems hears what is wrong with the files read
+   * @param problems receives the problems of the files read
    * @param post runs a task on the stepping thread
    */
   public LiveFiles(LoadedScene loaded, Problems problems, Consumer<Runnable> post) {
@@ -59,22 +59,22 @@ public final class LiveFiles {
     loads = new LiveLoads(images);
   }
 
-  /** The meshes and images of the scene's nodes, those that arrive later too. */
+  /** Returns the assets of the scene's nodes, including those that arrive later. */
   public Assets assets() {
     return images;
   }
 
-  /** Tells which Inlines are in the scene, whenever its structure has changed. */
+  /** Sets the Inlines in the scene; called whenever its structure has changed. */
   public void watch(Collection<InlineNode> present) {
     inlines.watch(present);
   }
 
-  /** Tells which AudioClips are played in the scene, whenever its structure has changed. */
+  /** Sets the AudioClips played in the scene; called whenever its structure has changed. */
   public void watchClips(Collection<AudioClipNode> present) {
     sounds.watch(present);
   }
 
-  /** Tells which nodes look at frames, whenever the scene's structure has changed. */
+  /** Sets the frame-driven nodes of the scene; called whenever its structure has changed. */
   public void watchFrameNodes(List<FrameNode> present) {
     movies.watch(only(MovieTextureNode.class, present));
     loads.watch(only(LoadSensorNode.class, present));
@@ -84,12 +84,12 @@ public final class LiveFiles {
     return from.stream().filter(kind::isInstance).map(kind::cast).toList();
   }
 
-  /** Has whoever draws wait for the pictures of films. */
+  /** Makes drawing wait until the due movie frames are decoded. */
   public void waitForFilms() {
     loaded.loader().room().waitForPictures();
   }
 
-  /** Ends a frame: begins to read what its events have asked for. */
+  /** Ends a frame: starts to read the files that its events have requested. */
   public void update() {
     arrivals.frame();
     inlines.update();
@@ -98,10 +98,11 @@ public final class LiveFiles {
   }
 
   /**
-   * Reads the scene that an Anchor links to, or a Script that does as Anchors do.
+   * Reads the scene that an Anchor or a Script links to.
    *
-   * @param node has a field {@code url} of its own; against whose file urls are resolved
-   * @param arrived takes the scene on the stepping thread; not called when there is none
+   * @param node the Anchor or Script, which has a field {@code url}; urls are resolved against its
+   *     file
+   * @param arrived receives the scene on the stepping thread; not called if there is none
    */
   public void open(Node node, String[] urls, Consumer<LoadedScene> arrived) {
     request(
@@ -111,11 +112,11 @@ public final class LiveFiles {
   }
 
   /**
-   * Reads the scene that one of some urls names, for a node that asks for it.
+   * Reads the scene that the first usable url names, at the request of a node.
    *
-   * @param asker has a field {@code url} of its own; against whose file urls are resolved, and
-   *     which messages name
-   * @param arrived takes the scene on the stepping thread; not called when there is none
+   * @param asker the requesting node, which has a field {@code url}; urls are resolved against its
+   *     file, and messages name it
+   * @param arrived receives the scene on the stepping thread; not called if there is none
    */
   public void read(Node asker, String[] urls, Consumer<LoadedScene> arrived) {
     request(
@@ -124,7 +125,7 @@ public final class LiveFiles {
         () -> {});
   }
 
-  /** The same at once: waits for the file. Empty, with a message, when there is no scene. */
+  /** Reads a scene like {@link #read} but waits for it; empty, with a message, if there is none. */
   public Optional<LoadedScene> readNow(Node asker, String[] urls) {
     LateReading.Arrival<Scene> arrival =
         loaded.loader().late().link(asking(asker, urls), origin(asker), NOTHING_MADE).join();
@@ -133,9 +134,10 @@ public final class LiveFiles {
   }
 
   /**
-   * Makes a scene of a text; empty, with a message, when it holds none.
+   * Makes a scene from a text; empty, with a message, if the text holds none.
    *
-   * @param asker against whose file urls of the scene are resolved, and which messages name
+   * @param asker the requesting node; urls of the scene are resolved against its file, and messages
+   *     name it
    */
   public Optional<LoadedScene> text(Node asker, String text) {
     Problems heard = new Problems(problems::add);
@@ -146,10 +148,10 @@ public final class LiveFiles {
   }
 
   /**
-   * Makes an instance of a prototype that a scene declares; empty if it declares none of the name.
+   * Makes an instance of a prototype that a scene declares; empty if it declares none of that name.
    *
-   * @return a scene that holds the instance; without a node, after a message, where the body has
-   *     none
+   * @return a scene that holds the instance; after a message, a scene without nodes if the
+   *     prototype's body has none
    */
   public Optional<Scene> instance(Scene of, String prototype) {
     SceneStore store = loaded.loader().store();
@@ -168,12 +170,12 @@ public final class LiveFiles {
                         new Problems(problems::add)));
   }
 
-  /** A scene of this loader, to be shown. */
+  /** Wraps a scene of this loader, to be shown. */
   public LoadedScene loaded(Scene scene) {
     return new LoadedScene(scene, loaded.loader());
   }
 
-  /** A scene of nodes of this loader, to be shown. */
+  /** Makes a scene of nodes of this loader, to be shown. */
   public LoadedScene loaded(List<?> nodes) {
     Scene from = loaded.scene();
     Node root = loaded.loader().factory().make(from.root().type(), null, from.root().location());
@@ -189,9 +191,9 @@ public final class LiveFiles {
   }
 
   /**
-   * The same, made by a Script.
+   * Makes a node of a type for a Script; empty if there is no such type.
    *
-   * @param asker against whose file urls of the node are resolved
+   * @param asker the Script; urls of the node are resolved against its file
    */
   public Optional<Node> make(Node asker, String type, Location location) {
     Optional<Node> made = make(type, location);
@@ -199,19 +201,19 @@ public final class LiveFiles {
     return made;
   }
 
-  /** The node types that scenes may have. */
+  /** Returns the catalogue of node types. */
   public NodeCatalogue catalogue() {
     return loaded.loader().catalogue();
   }
 
-  /** A node of a type, with all fields at their defaults; empty if there is no such type. */
+  /** Makes a node of a type with all fields at their defaults; empty if there is no such type. */
   public Optional<Node> make(String type, Location location) {
     return catalogue()
         .find(type)
         .map(found -> loaded.loader().factory().make(found, null, location));
   }
 
-  /** A node that stands for another one and asks for these urls. */
+  /** Makes a parsed copy of a node that requests other urls. */
   private ParsedNode asking(Node asker, String[] urls) {
     ParsedNode asking = new ParsedNode(asker.type(), asker.name(), asker.location());
     asking.put(asker.type().indexOf("url"), urls.clone());
@@ -233,7 +235,7 @@ public final class LiveFiles {
     request(clip, loaded.loader().late().sound(copy(clip), origin(clip)), arrived);
   }
 
-  /** Reads the text of a part of a shader as it is now. */
+  /** Reads the source of a shader part as its fields are now. */
   void shader(Node part, Consumer<Optional<ShaderText>> arrived) {
     ParsedNode asking = copy(part);
     asking.put(part.type().indexOf("sourceCode"), part.string("sourceCode"));
@@ -243,12 +245,12 @@ public final class LiveFiles {
         () -> arrived.accept(Optional.empty()));
   }
 
-  /** Tells a problem that was found while the scene runs. */
+  /** Reports a problem that was found while the scene runs. */
   void told(Problem problem) {
     problems.add(problem);
   }
 
-  /** The texture for a picture of a Background, with the url that the Background has now. */
+  /** Returns the texture for a side of a Background, with the url that the Background has now. */
   Optional<Node> picture(Node background, Backdrop.Side side) {
     SceneStore store = loaded.loader().store();
     Optional<Node> known = store.picture(background, side);
@@ -273,17 +275,17 @@ public final class LiveFiles {
     return texture;
   }
 
-  /** Whether the node came with a file, and what it then named has been read. */
+  /** Returns whether a node came with a file, so that the files it named then have been read. */
   boolean fromFile(Node node) {
     return loaded.loader().store().origin(node).isPresent();
   }
 
-  /** Metres per unit of the file in which a node stands. */
+  /** Returns the metres per unit of length of the file that contains a node. */
   double unitLength(Node node) {
     return origin(node).unitLength();
   }
 
-  /** Reads what a node names; LoadSensors hear of it. */
+  /** Reads what a node names and tells LoadSensors about it. */
   private <T> void request(
       Node node, CompletableFuture<LateReading.Arrival<T>> reading, Consumer<Optional<T>> arrived) {
     loads.begins(node);
@@ -313,7 +315,10 @@ public final class LiveFiles {
                 }));
   }
 
-  /** A node that an application made belongs to the scene that runs. */
+  /**
+   * Returns where the urls of a node start; a node that an application made belongs to the running
+   * scene.
+   */
   private UrlBase origin(Node node) {
     SceneStore store = loaded.loader().store();
     return store
@@ -323,7 +328,7 @@ public final class LiveFiles {
         .orElseGet(() -> UrlBase.workingFolder(loaded.loader().access()));
   }
 
-  /** A node as it is now, for other threads. */
+  /** Copies a node's present field values, for other threads. */
   private static ParsedNode copy(Node node) {
     ParsedNode copy = new ParsedNode(node.type(), node.name(), node.location());
     int url = node.type().indexOf("url");

@@ -13,8 +13,8 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * The assets of a running scene. The image of an ImageTexture that is new or has another url
- * arrives later; until then the one before is shown. Without {@code load} it has none.
+ * The assets of a running scene. The image of a new texture or of one with a new url arrives later;
+ * until then the previous one is shown. A texture with {@code load FALSE} has none.
  */
 final class LiveImages implements Assets {
   private static final String[] NONE = {};
@@ -23,7 +23,7 @@ final class LiveImages implements Assets {
   private final AssetStore store;
   private final LiveShaders shaders;
 
-  /** The url whose image a texture has or is waiting for. */
+  /** The url whose image each texture has or is waiting for. */
   private final Map<Node, String[]> requested = new WeakHashMap<>();
 
   LiveImages(LiveFiles files, AssetStore store) {
@@ -74,7 +74,7 @@ final class LiveImages implements Assets {
     if (!fromFile(node) && !ShaderFiles.named(node.type())) {
       store.asOf(node, changes);
     } else if (requested.containsKey(node) || !(node instanceof MovieTextureNode)) {
-      changed(node); // But for a film that nobody asked for: that runs where nobody sees it.
+      changed(node); // Keeps a movie from the file, which runs unseen.
     }
   }
 
@@ -93,7 +93,7 @@ final class LiveImages implements Assets {
     return ImageFiles.named(node.type());
   }
 
-  /** What it is to show: nothing where its {@code load} says so. */
+  /** Returns the urls that a texture is to show: none if its {@code load} is FALSE. */
   private static String[] url(Node texture) {
     return ImageFiles.wanted(texture) ? texture.strings("url") : NONE;
   }

@@ -9,29 +9,29 @@ import org.selectiverenderer.runtime.nodes.group.InlineNode;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
-/** Brings imports up to date when Inlines of a running scene have other contents. */
+/** Updates the imports of a running scene when the contents of its Inlines change. */
 final class LiveImports {
   private final Scene scene;
   private final Problems problems;
 
   /**
-   * @param scene the outermost
+   * @param scene the outermost scene
    */
   LiveImports(Scene scene, Problems problems) {
     this.scene = scene;
     this.problems = problems;
   }
 
-  /** The scene that an Inline shows; empty for one that shows none and for other nodes. */
+  /** Returns the scene that an Inline shows; empty if it shows none or the node is no Inline. */
   static Optional<Scene> content(Node node) {
     return node instanceof InlineNode inline ? inline.shown() : Optional.empty();
   }
 
   /**
-   * Looks at all scenes that import anything, until nothing changes: what one imports another may
-   * import from it.
+   * Updates all scenes with imports until nothing changes, since a scene may import a node that
+   * another scene has imported.
    *
-   * @param inlines all those in the scene whose contents import anything
+   * @param inlines all Inlines in the scene whose contents import anything
    */
   void refresh(Collection<InlineNode> inlines) {
     List<Scene> importing = new ArrayList<>();

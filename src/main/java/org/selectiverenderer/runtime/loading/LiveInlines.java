@@ -15,10 +15,10 @@ import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.runtime.scene.Scene;
 
 /**
- * Fills the Inlines of a running scene anew when their fields change. {@code load FALSE} empties
- * one at once; its content is kept and is back at once with {@code load TRUE} unless the url has
- * changed meanwhile. Of several changes in a row the last one counts. One that leaves the scene
- * while it is read asks again when it comes back.
+ * Reloads the Inlines of a running scene when their fields change. {@code load FALSE} empties an
+ * Inline at once; its content is kept and reappears at once with {@code load TRUE} unless the url
+ * has changed meanwhile. Of several changes in a row the last one counts. An Inline that leaves the
+ * scene while its file is being read requests it again when it returns.
  */
 final class LiveInlines {
   private final LiveFiles files;
@@ -26,7 +26,7 @@ final class LiveInlines {
   private final Map<InlineNode, Watch> watched = new IdentityHashMap<>();
   private final List<Watch> changed = new ArrayList<>();
 
-  /** Those whose scenes import something, of all that are watched. */
+  /** The watched Inlines whose scenes import anything. */
   private final Set<InlineNode> importing = Collections.newSetFromMap(new IdentityHashMap<>());
 
   LiveInlines(LiveFiles files, LiveImports imports) {
@@ -64,7 +64,10 @@ final class LiveInlines {
     }
   }
 
-  /** An Inline has the content that it has; costs the same however many others there are. */
+  /**
+   * Updates the imports after an Inline got content; the cost does not depend on the number of
+   * Inlines.
+   */
   private void filled(InlineNode inline) {
     if (inline.content().filter(content -> !content.imports().isEmpty()).isPresent()) {
       importing.add(inline);
@@ -73,15 +76,15 @@ final class LiveInlines {
     }
   }
 
-  /** One Inline. */
+  /** The observer of one Inline. */
   private final class Watch implements NodeObserver {
     private final InlineNode inline;
     private final int load;
 
-    /** The url whose content the Inline has, or is waiting for; null for none. */
+    /** The url whose content the Inline has or is waiting for; null for none. */
     private String @Nullable [] requested;
 
-    /** Whether it is waiting. */
+    /** Whether the content has been requested and not arrived. */
     private boolean waiting;
 
     Watch(InlineNode inline) {

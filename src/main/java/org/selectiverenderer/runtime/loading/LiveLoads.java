@@ -11,19 +11,19 @@ import org.selectiverenderer.runtime.nodes.sound.PlayedNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * What becomes of the files that nodes name, for LoadSensors. What came with the scene's own file
- * has been read before its first frame.
+ * Tells LoadSensors the loading states of the files that nodes name. The files named in the scene's
+ * own file have been read before its first frame.
  */
 final class LiveLoads {
   private final Assets assets;
 
-  /** How many files are being read for a node. */
+  /** The number of files that are being read for each node. */
   private final Map<Node, Integer> open = new HashMap<>();
 
   private List<LoadSensorNode> sensors = List.of();
 
   /**
-   * @param assets of the running scene
+   * @param assets the assets of the running scene
    */
   LiveLoads(Assets assets) {
     this.assets = assets;
@@ -46,7 +46,7 @@ final class LiveLoads {
 
   private LoadSensorNode.State state(Node node) {
     boolean texture = node.type().is("X3DTextureNode");
-    boolean shown = texture && assets.image(node).isPresent(); // Which begins to read a new one's.
+    boolean shown = texture && assets.image(node).isPresent(); // Starts a new texture.
     if (open.containsKey(node)) {
       return LoadSensorNode.State.LOADING;
     }

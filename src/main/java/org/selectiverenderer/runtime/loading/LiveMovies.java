@@ -5,7 +5,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.runtime.movie.Film;
 import org.selectiverenderer.runtime.nodes.sound.MovieTextureNode;
 
-/** The MovieTextures of a running scene: says which of them go on no longer. */
+/** Follows the MovieTextures of a running scene and reports those whose decoding has failed. */
 final class LiveMovies {
   private final LiveImages images;
   private final Problems problems;
@@ -22,7 +22,7 @@ final class LiveMovies {
 
   void update() {
     for (MovieTextureNode movie : watched) {
-      images.image(movie); // One that a script has made begins before it is drawn.
+      images.image(movie); // A texture that a script has made starts before it is drawn.
       movie.film().ifPresent(film -> follow(movie, film));
     }
   }

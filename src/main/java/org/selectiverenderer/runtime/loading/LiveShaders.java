@@ -7,17 +7,20 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
 /**
- * The texts of shaders in a running scene. That of a part that is new, or has another text or url,
- * arrives later; until then the one before counts.
+ * The shader sources of a running scene. The source of a shader part that is new or has a new url
+ * or sourceCode arrives later; until then the previous one is used.
  */
 final class LiveShaders {
   private final LiveFiles files;
   private final AssetStore store;
 
-  /** What each part's text was made of. */
+  /** The field values from which each part's source was read. */
   private final Map<Node, Source> requested = new WeakHashMap<>();
 
-  /** Compared by identity: fields get other values, not the same changed. */
+  /**
+   * The fields that give a part's source. Compared by identity, since a changed field always gets a
+   * new object.
+   */
   private record Source(Object url, Object code) {
     static Source of(Node part) {
       return new Source(part.strings("url"), part.string("sourceCode"));

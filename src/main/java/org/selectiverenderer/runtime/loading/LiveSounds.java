@@ -16,16 +16,19 @@ import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.runtime.sound.Recording;
 
 /**
- * Gives the AudioClips of a running scene other recordings when their {@code url} or {@code load}
- * changes. The one before is played until the new one arrives; {@code load FALSE} takes it away at
- * once.
+ * Replaces the recordings of AudioClips in a running scene when their {@code url} or {@code load}
+ * changes. The previous recording is played until the new one arrives; {@code load FALSE} removes
+ * it at once.
  */
 final class LiveSounds {
   private final LiveFiles files;
   private final Map<AudioClipNode, Watch> watched = new IdentityHashMap<>();
   private final List<Watch> changed = new ArrayList<>();
 
-  /** The urls whose recordings clips had, or waited for, when they left; nobody looked since. */
+  /**
+   * The urls whose recordings clips had or were waiting for when they left the scene; their fields
+   * were not observed since.
+   */
   private final Map<AudioClipNode, Optional<String[]>> left = new WeakHashMap<>();
 
   LiveSounds(LiveFiles files) {
@@ -59,11 +62,11 @@ final class LiveSounds {
     }
   }
 
-  /** One AudioClip. */
+  /** The observer of one AudioClip. */
   private final class Watch implements NodeObserver {
     private final AudioClipNode clip;
 
-    /** The url whose recording it has, or waits for; null for none. */
+    /** The url whose recording the clip has or is waiting for; null for none. */
     private String @Nullable [] requested;
 
     private boolean gone;
@@ -74,7 +77,7 @@ final class LiveSounds {
       Optional<String[]> had = left.remove(clip);
       if (had != null) {
         requested = had.orElse(null);
-        changed.add(this); // Its fields may be others by now.
+        changed.add(this); // The fields may have changed meanwhile.
       } else if (files.fromFile(clip) && clip.bool("load")) {
         requested = clip.strings("url");
       } else {
@@ -82,7 +85,7 @@ final class LiveSounds {
       }
     }
 
-    /** It is in the scene no longer; what is being read for it arrives all the same. */
+    /** Stops observing a clip that left the scene; a recording that is being read still arrives. */
     void leave() {
       clip.removeObserver(this);
       left.put(clip, Optional.ofNullable(requested));
@@ -112,7 +115,7 @@ final class LiveSounds {
       if (requested == url && wanted) {
         clip.recording(found.orElse(null));
       } else if (gone) {
-        left.computeIfPresent(clip, (its, had) -> Optional.empty()); // It is read again then.
+        left.computeIfPresent(clip, (its, had) -> Optional.empty()); // Read again on return.
       }
     }
   }

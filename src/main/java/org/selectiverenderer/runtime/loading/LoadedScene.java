@@ -6,10 +6,11 @@ import org.selectiverenderer.runtime.scene.Scene;
 /**
  * A scene ready to run.
  *
- * @param loader that made it, and reads what its Inlines and textures come to name while it runs
+ * @param loader the loader that made the scene and that reads what its Inlines and textures name
+ *     while it runs
  */
 public record LoadedScene(Scene scene, SceneLoader loader) {
-  /** The meshes and images of its nodes. */
+  /** Returns the assets of the scene's nodes. */
   public Assets assets() {
     return loader.assets();
   }

@@ -8,10 +8,9 @@ import java.util.zip.Inflater;
 import org.selectiverenderer.runtime.instance.Texture;
 
 /**
- * PNG images (ISO/IEC 15948) of the common kinds: grey, grey with alpha, RGB, RGBA and numbers of a
- * palette, 8 bits a sample, not interlaced. They go straight into the pixels of a texture: the
- * library, which reads all other kinds, takes three times as long, and a tenth of a second until it
- * is ready.
+ * Decodes PNG images (ISO/IEC 15948) of the common kinds: grey, grey with alpha, RGB, RGBA and
+ * palette, 8 bits per sample, not interlaced. It writes the pixels of a texture directly: ImageIO,
+ * which reads all other kinds, takes three times as long, and a tenth of a second to start.
  */
 final class PngImage {
   private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
@@ -20,24 +19,24 @@ final class PngImage {
   private static final int DATA = chunk("IDAT");
   private static final int END = chunk("IEND");
 
-  /** A colour that counts as transparent, and a profile of colours: the library knows them. */
+  /** Chunks with a transparent colour and a colour profile, which are left to ImageIO. */
   private static final int TRANSPARENT = chunk("tRNS");
 
   private static final int PROFILE = chunk("iCCP");
 
-  /** The colour type of numbers of a palette. */
+  /** The colour type of palette images. */
   private static final int INDEXED = 3;
 
   private final ByteBuffer file;
   private final int width;
   private final int height;
 
-  /** Samples of a pixel: 1 grey or a number of the palette, 2 grey and alpha, 3 RGB, 4 RGBA. */
+  /** Samples per pixel: 1 grey or palette index, 2 grey and alpha, 3 RGB, 4 RGBA. */
   private final int samples;
 
   private final boolean indexed;
 
-  /** Red, green and blue of each colour. */
+  /** Red, green and blue of each palette colour. */
   private byte[] palette = new byte[0];
 
   private PngImage(ByteBuffer file, int width, int height, int samples, boolean indexed) {
@@ -52,13 +51,13 @@ final class PngImage {
     return name.charAt(0) << 24 | name.charAt(1) << 16 | name.charAt(2) << 8 | name.charAt(3);
   }
 
-  /** Whether a file begins as a PNG image does. */
+  /** Returns whether a file begins with the PNG signature. */
   static boolean is(byte[] beginning) {
     return beginning.length >= SIGNATURE.length
         && Arrays.equals(beginning, 0, SIGNATURE.length, SIGNATURE, 0, SIGNATURE.length);
   }
 
-  /** An image by its header; empty for the kinds that are left to the library. */
+  /** Reads the header; empty for the kinds that are left to ImageIO. */
   static Optional<PngImage> of(byte[] bytes) {
     ByteBuffer file = ByteBuffer.wrap(bytes);
     if (!is(bytes) || bytes.length < 33 || file.getInt(8) != 13 || file.getInt(12) != HEADER) {
@@ -85,7 +84,7 @@ final class PngImage {
     return (long) width * height;
   }
 
-  /** The pixels; empty where anything is not as it should be, of which the library then speaks. */
+  /** Decodes the pixels; empty if anything is wrong, which ImageIO then reports. */
   Optional<Texture.Image> decode() {
     Inflater inflater = new Inflater();
     try {
@@ -107,7 +106,7 @@ final class PngImage {
         above = row;
         row = other;
       }
-      // A palette of greys makes a grey image.
+      // A palette of greys makes a greyscale image.
       int components = indexed && !ImageDecoder.isGrey(rgba) ? 3 : samples;
       return Optional.of(new Texture.Image(width, height, components, rgba));
     } catch (DataFormatException e) {
@@ -117,7 +116,7 @@ final class PngImage {
     }
   }
 
-  /** Reads so many bytes; false where there are not so many. */
+  /** Fills an array with inflated bytes; returns false if there are too few. */
   private boolean fill(Inflater inflater, byte[] into) throws DataFormatException {
     int at = 0;
     while (at < into.length) {
@@ -130,7 +129,7 @@ final class PngImage {
     return true;
   }
 
-  /** Gives the next chunk of data to inflate; false where there is none. */
+  /** Feeds the next IDAT chunk to the inflater; returns false if there is none. */
   private boolean feed(Inflater inflater) {
     while (file.remaining() >= 12) {
       int length = file.getInt();
@@ -151,12 +150,12 @@ final class PngImage {
     return false;
   }
 
-  /** Chunks that change what the samples mean. */
+  /** Returns whether a chunk changes the meaning of the samples. */
   private static boolean special(int type) {
     return type == TRANSPARENT || type == PROFILE;
   }
 
-  /** Undoes a row's filter (clause 9.2); false for an unknown one. */
+  /** Reverses a row's filter (clause 9.2); returns false for an unknown filter. */
   private boolean unfilter(int filter, byte[] row, byte[] above) {
     switch (filter) {
       case 0 -> {}
@@ -212,7 +211,7 @@ final class PngImage {
     }
   }
 
-  /** False where a number has no colour. */
+  /** Returns false if an index is beyond the palette. */
   private boolean putIndexed(byte[] row, byte[] rgba, int from) {
     int at = from;
     for (byte number : row) {

@@ -31,17 +31,17 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
- * Makes running scenes of files that are read, Inlines filled with scenes of their own. One builder
+ * Makes running scenes from parsed files and fills Inlines with scenes of their own. A builder
  * serves one load.
  */
 final class SceneBuilder {
-  /** Nodes within nodes, those of Inlines counted: as deep as the instance tree goes. */
+  /** Largest nesting depth of nodes, including those of Inlines. */
   static final int MAX_DEPTH = 1000;
 
-  /** Inlines within Inlines. */
+  /** Largest nesting depth of Inlines. */
   static final int MAX_INLINES = 100;
 
-  /** What a scene in an Inline costs besides its nodes, in nodes. */
+  /** Cost of the scene of an Inline besides its nodes, counted in nodes. */
   private static final int SCENE_COST = 30;
 
   private final NodeFactory factory;
@@ -57,8 +57,8 @@ final class SceneBuilder {
   private int depth;
 
   /**
-   * @param maxNodes nodes above which the rest is left out, so that Inlines cannot multiply for
-   *     ever
+   * @param maxNodes the largest number of nodes; the rest is left out, so that Inlines cannot
+   *     multiply without bound
    */
   SceneBuilder(
       NodeFactory factory,
@@ -76,7 +76,7 @@ final class SceneBuilder {
   }
 
   /**
-   * @param above the keys of the files that this one is inlined by, outermost first
+   * @param above the keys of the files that inline this one, outermost first
    */
   Scene build(FileContent content, List<String> above) {
     if (known.add(content)) {
@@ -85,12 +85,12 @@ final class SceneBuilder {
     return new FileBuilder(content, above).build();
   }
 
-  /** Tells the problems of all files built, in the order in which they were first met. */
+  /** Reports the problems of all files built, in the order of their first use. */
   void report(Problems to) {
     files.forEach(content -> content.problems().list().forEach(to::add));
   }
 
-  /** Builds one file: DEF names and routes are its own. */
+  /** Builds the scene of one file, with its own DEF names and routes. */
   private final class FileBuilder {
     private final FileContent content;
     private final UrlBase origin;
@@ -102,7 +102,7 @@ final class SceneBuilder {
       this.content = content;
       X3dFile file = content.file();
       modern = file.version().startsWith("4");
-      // Nearly no growing: a node with a name has some without in it.
+      // A capacity for which the map hardly ever grows.
       made = new IdentityHashMap<>(4 * file.named().size() + 32);
       List<String> including = new ArrayList<>(above);
       including.add(content.key());
@@ -150,7 +150,9 @@ final class SceneBuilder {
       return scene;
     }
 
-    /** A node at an end of a route; one that stands in no other is made for its sake. */
+    /**
+     * Returns the node at an end of a route; a node outside the scene graph is made for the route.
+     */
     private Optional<Node> end(ParsedNode parsed) {
       Node known = made.get(parsed);
       if (known != null) {
@@ -253,7 +255,8 @@ final class SceneBuilder {
       if (node.type().name().equals("Sound")
           && node.node("source") instanceof MovieTextureNode movie) {
         content.info(
-            movie.location(), "a MovieTexture is not heard as the source of a Sound; it only runs");
+            movie.location(),
+            "the soundtrack of a MovieTexture is not played; the Sound stays silent");
       }
       if (BackgroundPictures.names(node.type())) {
         store.origin(node, origin.of(parsed));
@@ -283,7 +286,7 @@ final class SceneBuilder {
       }
     }
 
-    /** An Inline for each url field that is not empty, not yet read. */
+    /** Makes an unloaded Inline for each url field that is not empty. */
     private List<InlineNode> inlines(Node node, UrlBase base, String... urls) {
       List<InlineNode> made = new ArrayList<>();
       for (String url : urls) {

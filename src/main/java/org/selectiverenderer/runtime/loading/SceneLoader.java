@@ -33,9 +33,9 @@ import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
- * Loads scenes. Owns as many threads as there are processors, named {@code scene-loader-N}, until
- * it is closed, and those that decode films. All scenes of one loader share their assets, so that
- * nodes of one may be put into another. Thread-safe.
+ * Loads scenes. Until it is closed it owns as many threads as there are processors, named {@code
+ * scene-loader-N}, and the threads that decode movies. All scenes of one loader share their assets,
+ * so that nodes of one scene may be put into another. Thread-safe.
  */
 public final class SceneLoader implements AutoCloseable {
   private final NodeCatalogue catalogue;
@@ -50,16 +50,17 @@ public final class SceneLoader implements AutoCloseable {
   private final ForkJoinPool threads;
   private final LateReading late = new LateReading(this);
 
-  /** A loader of scenes that may name no more than their own files and those of their project. */
+  /** Makes a loader of scenes that may only name files in their own folder and their project. */
   public SceneLoader(
       NodeCatalogue catalogue, NodeFactory factory, ReadLimits limits, Problems problems) {
     this(catalogue, factory, limits, ContentAccess.none(), problems);
   }
 
   /**
-   * @param limits of each file; the limit of nodes also holds for a scene with all its Inlines
-   * @param access what scenes may name besides their own files
-   * @param problems hears what is wrong with the files read
+   * @param limits the limits for each file; the limit of nodes also holds for a scene with all its
+   *     Inlines
+   * @param access the files and addresses that scenes may name besides their own files
+   * @param problems receives the problems of the files read
    */
   public SceneLoader(
       NodeCatalogue catalogue,
@@ -84,8 +85,9 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Loads JOML's classes while the first file is read. They are of an old format, which class-data
-   * sharing passes over, so that it takes some 20 ms, which the world would otherwise wait for.
+   * Loads JOML's classes while the first file is being read. Their old class-file format is
+   * excluded from class-data sharing, so that loading takes about 20 ms, for which the world would
+   * otherwise wait.
    */
   private static void loadMatrices() {
     Matrix4d matrix = new Matrix4d().translationRotate(new Vector3d(), new Quaterniond());
@@ -93,9 +95,9 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * A thread works on what it has itself begun last, the geometry of the file just read, before it
-   * takes from others what those began first, the largest files: what is in the cache is finished,
-   * and what takes long is begun early.
+   * Makes the thread pool. A thread first works on the task that it has itself begun last, the
+   * geometry of the file just read, whose data are in the cache; then it steals from others the
+   * tasks begun first, the largest files, so that long tasks begin early.
    */
   private static ForkJoinPool threads() {
     AtomicInteger count = new AtomicInteger();
@@ -111,7 +113,7 @@ public final class SceneLoader implements AutoCloseable {
         false);
   }
 
-  /** The meshes and images of all scenes of this loader. */
+  /** Returns the assets of all scenes of this loader. */
   public Assets assets() {
     return store.assets();
   }
@@ -127,16 +129,16 @@ public final class SceneLoader implements AutoCloseable {
   /**
    * Reads a scene and everything it inlines.
    *
-   * @throws IOException with a one-line message when the file itself cannot be read
+   * @throws IOException with a one-line message if the file itself cannot be read
    */
   public LoadedScene load(Path file) throws IOException {
     return load(file, problems);
   }
 
   /**
-   * As {@link #load(Path)}.
+   * Reads a scene like {@link #load(Path)}.
    *
-   * @param hears hears what is wrong with this scene, in place of the loader's own
+   * @param hears receives the problems of this scene, in place of the loader's own
    */
   public LoadedScene load(Path file, Problems hears) throws IOException {
     if (Files.isDirectory(file)) {
@@ -159,17 +161,17 @@ public final class SceneLoader implements AutoCloseable {
   /**
    * Reads a scene from a stream.
    *
-   * @param name for messages
-   * @param folder against which its urls are resolved
+   * @param name the scene's name, for messages
+   * @param folder the folder against which its urls are resolved
    */
   public LoadedScene load(String name, InputStream in, Path folder) throws IOException {
     return load(name, in, folder, problems);
   }
 
   /**
-   * As {@link #load(String, InputStream, Path)}.
+   * Reads a scene like {@link #load(String, InputStream, Path)}.
    *
-   * @param hears hears what is wrong with this scene, in place of the loader's own
+   * @param hears receives the problems of this scene, in place of the loader's own
    */
   public LoadedScene load(String name, InputStream in, Path folder, Problems hears)
       throws IOException {
@@ -177,10 +179,10 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * As {@link #load(String, InputStream, Path)}.
+   * Reads a scene like {@link #load(String, InputStream, Path)}.
    *
-   * @param base against which its urls are resolved: a folder, or an address of the network
-   * @param hears hears what is wrong with this scene, in place of the loader's own
+   * @param base the folder or network address against which its urls are resolved
+   * @param hears receives the problems of this scene, in place of the loader's own
    */
   public LoadedScene load(String name, InputStream in, ContentBase base, Problems hears)
       throws IOException {
@@ -189,10 +191,10 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Reads a scene of the network, as far as that is allowed, or of a {@code data:} url.
+   * Reads a scene from the network, if that is allowed, or from a {@code data:} url.
    *
-   * @param hears hears what is wrong with this scene, in place of the loader's own
-   * @throws IOException with a one-line message when it may not or cannot be read
+   * @param hears receives the problems of this scene, in place of the loader's own
+   * @throws IOException with a one-line message if the scene may not or cannot be read
    */
   public LoadedScene load(String url, Problems hears) throws IOException {
     Path here = Path.of("");
@@ -223,9 +225,9 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Makes a scene of a text, which may name what the scene that it comes from may.
+   * Makes a scene from a text; it may name the same files as the scene from which the text comes.
    *
-   * @param name for messages
+   * @param name the scene's name, for messages
    */
   Scene text(String name, String text, UrlBase origin, Problems hears) {
     String whole = SceneText.whole(text);
@@ -233,10 +235,10 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Makes a scene of one instance of a prototype.
+   * Makes a scene that holds one instance of a prototype.
    *
-   * @param name for messages
-   * @param origin of the scene that declares the prototype
+   * @param name the scene's name, for messages
+   * @param origin where the urls of the scene start that declares the prototype
    */
   Scene instance(
       String name, PrototypeLibrary library, String prototype, UrlBase origin, Problems hears) {
@@ -254,9 +256,9 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Makes a scene of a file that has been read.
+   * Makes a scene from a file that has been read.
    *
-   * @param above files that inline it, outermost first
+   * @param above the keys of the files that inline it, outermost first
    */
   Scene build(FileContent content, ContentRoot root, List<String> above, Problems hears) {
     SceneBuilder builder =
@@ -267,32 +269,32 @@ public final class SceneLoader implements AutoCloseable {
     return scene;
   }
 
-  /** What reads a file and all that it names, as one group of tasks. */
+  /** Makes a loader of a file and everything it names, as one group of tasks. */
   FileLoader reading(TaskGroup tasks, ContentRoot root) {
     return new FileLoader(reader, tessellator, tasks, root, room);
   }
 
-  /** Tasks on the loader's threads. */
+  /** Makes a group of tasks on the loader's threads. */
   TaskGroup tasks() {
     return new TaskGroup(threads);
   }
 
-  /** Does something on one of the loader's threads once the tasks have ended. */
+  /** Runs a function on one of the loader's threads once the tasks have ended. */
   <T> CompletableFuture<T> after(TaskGroup tasks, Supplier<T> work) {
     return tasks.end().thenApplyAsync(over -> work.get(), threads);
   }
 
-  /** Reads what nodes of running scenes name. */
+  /** Returns the loader of files that running scenes name. */
   LateReading late() {
     return late;
   }
 
-  /** What scenes may name besides their own files. */
+  /** Returns the files and addresses that scenes may name besides their own files. */
   public ContentAccess access() {
     return access;
   }
 
-  /** Where the films of its scenes are decoded. */
+  /** Returns the threads that decode the movies of this loader's scenes. */
   public ProjectionRoom room() {
     return room;
   }

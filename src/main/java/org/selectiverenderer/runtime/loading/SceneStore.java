@@ -14,14 +14,14 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.read.PrototypeLibrary;
 
 /**
- * What a loader knows of the nodes that it made, as long as they live: assets, the pictures of
- * Backgrounds, and where the urls of nodes lead. Thread-safe.
+ * The registry of the nodes that a loader has made, as long as they live: their assets, the
+ * textures of Backgrounds, and the bases of their urls. Thread-safe.
  */
 final class SceneStore {
-  /** Components with which nothing is done: told once, not once for each of their node types. */
+  /** Components without support, reported once and not once for each of their node types. */
   private static final Set<String> NOT_DONE = Set.of("DIS", "RigidBodyPhysics", "VolumeRendering");
 
-  /** The component of which the nodes of the audio graph, new in X3D 4.0, are kept only. */
+  /** The component whose audio graph nodes, new in X3D 4.0, have no behaviour here. */
   private static final String SOUND = "Sound";
 
   private final AssetStore assets;
@@ -33,7 +33,7 @@ final class SceneStore {
   private final Set<String> keptOnly = ConcurrentHashMap.newKeySet();
 
   /**
-   * @param actedOn whether anything is done with nodes of a type
+   * @param actedOn whether nodes of a type have a behaviour or an effect
    */
   SceneStore(AssetStore assets, Predicate<NodeType> actedOn) {
     this.assets = assets;
@@ -48,41 +48,41 @@ final class SceneStore {
     return assets;
   }
 
-  /** Keeps where a node comes from. */
+  /** Stores where a node comes from. */
   void origin(Node node, UrlBase origin) {
     origins.put(node, origin);
   }
 
-  /** Where a node comes from; empty for one that an application made. */
+  /** Returns where a node comes from; empty for one that an application made. */
   Optional<UrlBase> origin(Node node) {
     return Optional.ofNullable(origins.get(node));
   }
 
-  /** Keeps where the urls of a node lead that a Script has made: where those of the Script do. */
+  /** Stores the base of the urls of a node that a Script has made, which is that of the Script. */
   void maker(Node made, UrlBase origin) {
     makers.put(made, origin);
   }
 
-  /** Where the urls of a node lead that a Script has made. */
+  /** Returns the base of the urls of a node that a Script has made. */
   Optional<UrlBase> maker(Node made) {
     return Optional.ofNullable(makers.get(made));
   }
 
   /**
-   * Keeps the prototypes of a scene, for a Script of it that makes instances.
+   * Stores the prototypes of a scene, for Scripts of the scene that make instances.
    *
-   * @param root of the scene
+   * @param root the root of the scene
    */
   void prototypes(Node root, PrototypeLibrary library) {
     prototypes.put(root, library);
   }
 
-  /** The prototypes of a scene, where they have been kept. */
+  /** Returns the prototypes of a scene, if they have been stored. */
   Optional<PrototypeLibrary> prototypes(Node root) {
     return Optional.ofNullable(prototypes.get(root));
   }
 
-  /** Keeps the texture that stands for a picture of a Background. */
+  /** Stores the texture made for a side of a Background. */
   void picture(Node background, Backdrop.Side side, Node texture) {
     synchronized (pictures) {
       pictures
@@ -91,7 +91,7 @@ final class SceneStore {
     }
   }
 
-  /** The texture that stands for a picture of a Background. */
+  /** Returns the texture made for a side of a Background. */
   Optional<Node> picture(Node background, Backdrop.Side side) {
     synchronized (pictures) {
       Map<Backdrop.Side, Node> known = pictures.get(background);
@@ -100,8 +100,8 @@ final class SceneStore {
   }
 
   /**
-   * What to say of a node with which nothing is done; nothing when that has been said before, of
-   * its type or of the whole component that it belongs to.
+   * Returns the message for a node without support; empty if its type or its whole component was
+   * reported before.
    */
   Optional<String> kept(NodeType type) {
     if (actedOn.test(type)) {
@@ -110,7 +110,7 @@ final class SceneStore {
     if (type.component().equals(SOUND)) {
       return keptOnly.add(SOUND)
           ? Optional.of(
-              "%s is kept in the scene, but this program hears Sound and AudioClip only"
+              "%s is kept in the scene, but this program plays only Sound and AudioClip nodes"
                   .formatted(type.name()))
           : Optional.empty();
     }

@@ -3,8 +3,8 @@ package org.selectiverenderer.runtime.loading;
 import java.util.regex.Pattern;
 
 /**
- * Texts of scenes as applications write them: createVrmlFromString takes nodes without the header
- * that a file begins with (VRML97, 4.12.10.7), and many leave it out of XML, too.
+ * Completes scene texts that lack a file header: createVrmlFromString takes nodes without the
+ * header (VRML97, 4.12.10.7), and many applications leave it out of XML, too.
  */
 final class SceneText {
   private static final Pattern WHOLE =
@@ -13,7 +13,7 @@ final class SceneText {
 
   private SceneText() {}
 
-  /** The text with a header, if it has none. */
+  /** Returns the text, with a header added if it has none. */
   static String whole(String text) {
     if (WHOLE.matcher(text).lookingAt()) {
       return text;

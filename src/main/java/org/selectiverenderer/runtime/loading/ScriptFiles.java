@@ -11,7 +11,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.script.ProgramChoice;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
-/** Reads the programs of Scripts. */
+/** Loads the programs of Scripts. */
 final class ScriptFiles {
   private final ContentRoot root;
 
@@ -20,9 +20,9 @@ final class ScriptFiles {
   }
 
   /**
-   * The program of a Script; empty, with a message, when it has none that can be used.
+   * Loads the program of a Script; empty, with a message, if it has no usable one.
    *
-   * @param base where the relative urls of the Script start
+   * @param base the base of the Script's relative urls
    */
   Optional<ScriptProgram> read(ParsedNode script, ContentBase base, Problems problems) {
     ProgramChoice choice = ProgramChoice.of(script, root, base);

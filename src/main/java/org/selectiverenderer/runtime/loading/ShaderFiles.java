@@ -16,7 +16,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.shader.ShaderChoice;
 import org.selectiverenderer.x3d.shader.ShaderText;
 
-/** Reads the texts of shaders' parts. */
+/** Loads the sources of shader parts. */
 final class ShaderFiles {
   private static final String CONSEQUENCE = "the shader is left out";
 
@@ -26,12 +26,12 @@ final class ShaderFiles {
     this.root = root;
   }
 
-  /** Whether nodes of a type have the text of one stage of a program. */
+  /** Returns whether nodes of a type hold the source of one shader stage. */
   static boolean named(NodeType type) {
     return type.name().equals("ShaderPart") || type.name().equals("ShaderProgram");
   }
 
-  /** What to say of an Appearance that has shaders, but none that might be used here. */
+  /** Returns a problem for an Appearance with shaders of which none is in a supported language. */
   static Optional<Problem> noneOfOurs(ParsedNode appearance) {
     List<? extends NodeView> shaders = appearance.nodes("shaders");
     if (shaders.isEmpty() || shaders.stream().anyMatch(ShaderFiles::ours)) {
@@ -41,11 +41,11 @@ final class ShaderFiles {
         new Problem(
             Problem.Severity.INFO,
             shaders.get(0).location(),
-            "none of the shaders of the Appearance is in GLSL, which alone is run here; write a"
+            "none of the shaders of the Appearance is in GLSL, the only supported language; write a"
                 + " ComposedShader with language='GLSL'; the shape is drawn by its material"));
   }
 
-  /** What to say of a shader that has no program, as no part is in it. */
+  /** Returns a problem for a shader without any part. */
   static Optional<Problem> withoutParts(ParsedNode shader) {
     String parts =
         switch (shader.type().name()) {
@@ -67,16 +67,16 @@ final class ShaderFiles {
   private static boolean ours(NodeView shader) {
     if (shader.type().name().equals("PackagedShader")
         || shader.type().field("language").isEmpty()) {
-      return !shader.type().is("X3DShaderNode"); // What else stands there has been said.
+      return !shader.type().is("X3DShaderNode"); // Else reported by the reader.
     }
     String language = shader.string("language").strip();
     return language.isEmpty() || language.equalsIgnoreCase("GLSL");
   }
 
   /**
-   * The text of a part; empty, with a message, when it has none that can be used.
+   * Loads the source of a shader part; empty, with a message, if it has no usable one.
    *
-   * @param base where the relative urls of the part start
+   * @param base the base of the part's relative urls
    */
   Optional<ShaderText> read(ParsedNode part, ContentBase base, Problems problems) {
     String type = part.string("type");

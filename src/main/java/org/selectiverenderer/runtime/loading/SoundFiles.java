@@ -16,8 +16,8 @@ import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * The recordings of AudioClips, for one load. A file that several nodes name is read once, and all
- * together take no more than an eighth of the heap. Thread-safe.
+ * Loads the recordings of AudioClips, for one load. A file that several nodes name is read once,
+ * and all recordings together take no more than an eighth of the heap. Thread-safe.
  */
 final class SoundFiles {
   private static final String CONSEQUENCE = "the AudioClip is not heard";
@@ -27,8 +27,9 @@ final class SoundFiles {
   private final AtomicLong budget = new AtomicLong(Runtime.getRuntime().maxMemory() / 8);
 
   /**
-   * @param recording empty when there is none that can be played
-   * @param fault why the file could not be read; empty where it could, or is of another format
+   * @param recording the recording; empty if there is none that can be played
+   * @param fault the reason why the file could not be read; empty if it could or is of another
+   *     format
    */
   private record Decoded(Optional<Recording> recording, String fault) {}
 
@@ -37,9 +38,9 @@ final class SoundFiles {
   }
 
   /**
-   * The recording of an AudioClip; empty, with a message, when it has none that can be played.
+   * Loads the recording of an AudioClip; empty, with a message, if it has none that can be played.
    *
-   * @param base where its relative urls start
+   * @param base the base of its relative urls
    */
   Optional<Recording> read(ParsedNode clip, ContentBase base, Problems problems) {
     UrlChoice choice = UrlChoice.of(clip, root, base, CONSEQUENCE);
@@ -55,7 +56,7 @@ final class SoundFiles {
     } else if (decoded.recording.isEmpty()) {
       problems.info(
           clip.location(),
-          "%s is no uncompressed WAV, AIFF or AU sound; %s".formatted(file.name(), CONSEQUENCE));
+          "%s is not an uncompressed WAV, AIFF or AU file; %s".formatted(file.name(), CONSEQUENCE));
     }
     return decoded.recording;
   }

@@ -9,15 +9,16 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tasks that start further tasks, and the moment when all of them are over. No task ever waits for
- * another, so that any number of groups may share an executor of few threads. Thread-safe.
+ * A group of tasks that may start further tasks, with a future that completes when all of them are
+ * done. No task ever waits for another, so that any number of groups may share an executor with few
+ * threads. Thread-safe.
  */
 final class TaskGroup {
   private final Executor executor;
   private final CompletableFuture<@Nullable Void> over = new CompletableFuture<>();
   private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
 
-  /** The tasks not over yet, and the owner until it has begun all of its own. */
+  /** The number of unfinished tasks, plus 1 until the owner has started all of its own. */
   private final AtomicInteger open = new AtomicInteger(1);
 
   TaskGroup(Executor executor) {
@@ -35,7 +36,8 @@ final class TaskGroup {
     }
   }
 
-  // A task that fails, even by an Error, must end the group: somebody waits for it and is told.
+  // A task that fails, even with an Error, must still end the group, because a caller waits for it
+  // and gets the failure.
   private void run(Runnable task) {
     try {
       task.run();
@@ -58,15 +60,15 @@ final class TaskGroup {
   }
 
   /**
-   * The owner starts no more tasks of its own. Completes when all tasks are over, exceptionally if
-   * one of them failed.
+   * Declares that the owner starts no more tasks. The future completes when all tasks are done,
+   * exceptionally if one of them failed.
    */
   CompletableFuture<@Nullable Void> end() {
     finished();
     return over;
   }
 
-  /** Waits for the end; throws what a task threw. */
+  /** Waits for the end; rethrows the exception of a task. */
   static <T> T await(CompletableFuture<T> future) {
     try {
       return future.join();

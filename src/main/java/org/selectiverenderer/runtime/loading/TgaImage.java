@@ -6,9 +6,9 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.runtime.instance.Texture;
 
 /**
- * Reads Targa files: grey or colours, with or without opacity, plain or run-length encoded, also by
- * a palette (Truevision TGA file format specification 2.0). They do not say what they are: their
- * names end in {@code .tga}.
+ * Reads Targa files: grey, colour or palette images, with or without alpha, plain or run-length
+ * encoded (Truevision TGA file format specification 2.0). The format has no signature; files are
+ * recognised by the ending {@code .tga}.
  */
 final class TgaImage {
   private static final int HEADER = 18;
@@ -41,7 +41,7 @@ final class TgaImage {
             || kind == 3 && bytes == 1;
     if (!known || width == 0 || height == 0) {
       throw new IOException(
-          "is a TGA image in a form that is not read (8 bits of grey or palette, 24, 32 bits are)");
+          "is a TGA image in an unsupported format (use 8-bit grey or palette, 24 or 32 bits)");
     }
   }
 
@@ -50,7 +50,7 @@ final class TgaImage {
   }
 
   /**
-   * @throws IOException when it cannot be read; {@link Failure#clause} says why
+   * @throws IOException if the image cannot be read; {@link Failure#clause} gives the reason
    */
   static Texture.Image read(byte[] file, AtomicLong budget) throws IOException {
     TgaImage image = new TgaImage(file);
@@ -93,7 +93,7 @@ final class TgaImage {
     return new Texture.Image(width, height, size == 1 ? 1 : size, rgba);
   }
 
-  /** One pixel: grey, or blue, green, red and perhaps opacity. */
+  /** Copies one pixel: grey, or blue, green, red and perhaps alpha. */
   private void copy(int from, int size, byte[] rgba, int to) {
     rgba[to] = file[size == 1 ? from : from + 2];
     rgba[to + 1] = file[size == 1 ? from : from + 1];

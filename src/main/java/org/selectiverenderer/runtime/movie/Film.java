@@ -8,21 +8,24 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A movie that is shown. The thread that steps the scene says where it stands, the one that draws
- * asks for the picture. What is asked for is decoded on another thread, with a few that come next;
- * until it is there, one sees what came last. A short film is decoded once and kept. Thread-safe.
+ * The playback of a movie. The stepping thread sets the time, the drawing thread gets the frame.
+ * Another thread decodes the frame wanted and a few ahead; until it is ready, the last frame stays
+ * visible. A short movie is decoded once and kept. Thread-safe.
  */
 public final class Film {
   private static final int AHEAD = 3;
 
-  /** Pictures that are kept however large they are: one is seen, one comes, others are ahead. */
+  /**
+   * Number of frames that are kept however large they are: the visible one, the next, and those
+   * decoded ahead.
+   */
   private static final int LEAST = AHEAD + 2;
 
-  /** Seconds after which whoever waits for a picture gets what there is. */
+  /** Seconds after which a thread that waits for a frame gets the last one available. */
   private static final long PATIENCE = 20;
 
   /**
-   * What is seen; the same object until another one is.
+   * The visible frame; the same object until another frame is shown.
    *
    * @param rgba four bytes r, g, b, a per pixel; the first row is the lowest
    */
@@ -42,7 +45,7 @@ public final class Film {
   private @Nullable String fault;
   private boolean damaged;
 
-  // Of the thread that decodes; one at a time.
+  // Used by the decoding thread only, one at a time.
   private Movie.@Nullable Pictures pictures;
 
   Film(Movie movie, byte[] first, ProjectionRoom room) {
@@ -53,21 +56,21 @@ public final class Film {
     ready.put(0, shown);
   }
 
-  /** The same movie, to be shown apart from this one, from its beginning. */
+  /** Returns a second playback of the same movie, from its beginning. */
   public Film anew() {
     return room.film(movie, first.rgba());
   }
 
-  /** How long it takes at its own speed. */
+  /** Returns the duration in seconds at normal speed. */
   public double seconds() {
     return movie.seconds();
   }
 
   /**
-   * Takes it to a time.
+   * Sets the playback time.
    *
-   * @param seconds from the beginning of the movie
-   * @param backwards whether it runs that way
+   * @param seconds the time from the beginning of the movie
+   * @param backwards whether the movie plays backwards
    */
   public synchronized void stand(double seconds, boolean backwards) {
     wanted = movie.at(seconds);
@@ -75,12 +78,15 @@ public final class Film {
     turned = true;
   }
 
-  /** The scene has gone on by a frame, in which the same picture is seen by every eye. */
+  /** Starts a new frame of the scene; within it every eye sees the same movie frame. */
   public synchronized void nextFrame() {
     turned = true;
   }
 
-  /** The picture of where it stands, or the nearest before that; has the next ones decoded. */
+  /**
+   * Returns the movie frame at the playback time, or the nearest one before it, and requests
+   * decoding of the next ones.
+   */
   public synchronized Picture picture() {
     if (!turned) {
       return shown;
@@ -96,7 +102,7 @@ public final class Film {
     return shown;
   }
 
-  /** Why it goes on no longer, in a clause that reads after the file's name; told once. */
+  /** Returns why decoding has stopped, as a clause that follows the file's name; reported once. */
   public synchronized Optional<String> fault() {
     Optional<String> told = Optional.ofNullable(fault);
     fault = null;
@@ -125,7 +131,7 @@ public final class Film {
     }
   }
 
-  /** Of what is ready, what comes last before where it stands, the way it runs. */
+  /** Returns the last decoded frame before the playback time, in the direction of play. */
   private Picture nearest() {
     Picture exact = ready.get(wanted);
     if (exact != null) {
@@ -143,7 +149,9 @@ public final class Film {
     return best;
   }
 
-  /** What is to be decoded next: what is wanted, or comes soon; -1 for nothing. */
+  /**
+   * Returns the index of the frame to be decoded next: the one wanted, or one ahead; -1 for none.
+   */
   private int missing() {
     for (int i = 0; i <= AHEAD; i++) {
       int next = Math.floorMod(wanted + i * direction, movie.pictures());
@@ -175,7 +183,7 @@ public final class Film {
         failed(e.getMessage());
         return;
       } catch (RuntimeException | OutOfMemoryError e) {
-        // Else nobody would hear of it: the pool keeps what its tasks throw to itself.
+        // Otherwise the error would be lost: the pool swallows exceptions of its tasks.
         failed("cannot be decoded (%s)".formatted(e));
         return;
       }

@@ -3,9 +3,9 @@ package org.selectiverenderer.runtime.movie;
 import java.util.Arrays;
 import java.util.List;
 
-/** An animated GIF; each of its pictures has a time of its own. */
+/** An animated GIF; each of its frames has its own duration. */
 final class GifMovie implements Movie {
-  /** What becomes of the place of a picture before the next one is drawn. */
+  /** The disposal method: what happens to a frame's area before the next frame is drawn. */
   enum Disposal {
     STAYS,
     CLEARED,
@@ -13,9 +13,9 @@ final class GifMovie implements Movie {
   }
 
   /**
-   * A picture, drawn over those before it.
+   * A frame, drawn over those before it.
    *
-   * @param seconds for which it is shown
+   * @param seconds the time for which the frame is shown
    */
   record Part(int left, int top, double seconds, Disposal disposal) {}
 
@@ -25,7 +25,7 @@ final class GifMovie implements Movie {
   private final boolean translucent;
   private final List<Part> parts;
 
-  /** When each part ends. */
+  /** The end time of each frame in seconds. */
   private final double[] ends;
 
   GifMovie(byte[] file, int width, int height, boolean translucent, List<Part> parts) {

@@ -8,11 +8,11 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.jspecify.annotations.Nullable;
 
-/** Draws the parts of an animated GIF over each other. */
+/** Decodes the frames of an animated GIF and composes each over those before it. */
 final class GifPictures implements Movie.Pictures {
   private final GifMovie movie;
 
-  /** What has been drawn, one number a r g b per pixel from the top left corner on. */
+  /** The composed image, one ARGB number per pixel, from the top left corner. */
   private int[] canvas = new int[0];
 
   private int[] saved = new int[0];
@@ -21,7 +21,7 @@ final class GifPictures implements Movie.Pictures {
   private int lastWidth;
   private int lastHeight;
 
-  /** The next part to be drawn. */
+  /** The index of the next frame to be drawn. */
   private int next;
 
   GifPictures(GifMovie movie) {
@@ -38,7 +38,7 @@ final class GifPictures implements Movie.Pictures {
         dispose();
         draw(reader, next++);
       }
-    } catch (IOException | RuntimeException e) { // The library throws what it likes.
+    } catch (IOException | RuntimeException e) { // ImageIO throws various exceptions.
       throw new IOException("is a damaged GIF from picture %s on".formatted(next + 1), e);
     }
     return rgba();
@@ -56,7 +56,7 @@ final class GifPictures implements Movie.Pictures {
     next = 0;
   }
 
-  /** Does with the place of the last part what is to be done before the next. */
+  /** Applies the disposal method of the last frame. */
   private void dispose() {
     if (last != null && last.disposal() == GifMovie.Disposal.CLEARED) {
       for (int y = last.top(); y < Math.min(movie.height(), last.top() + lastHeight); y++) {

@@ -14,15 +14,18 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.w3c.dom.Element;
 import org.w3c.dom.Node;
 
-/** Finds the pictures of an animated GIF and when they are shown. */
+/** Reads the frame positions and durations of an animated GIF. */
 final class GifReader {
   private static final String FORM = "javax_imageio_gif_image_1.0";
   private static final String STREAM_FORM = "javax_imageio_gif_stream_1.0";
 
-  /** Pictures above which the rest is left out. */
+  /** Largest number of frames; the rest is left out. */
   private static final int MOST = 20_000;
 
-  /** Hundredths of a second up to which a time is not meant: browsers show those for a tenth. */
+  /**
+   * Largest delay, in hundredths of a second, that web browsers replace by a tenth of a second, as
+   * authors do not mean it.
+   */
   private static final int UNMEANT = 1;
 
   private static final int TENTH = 10;
@@ -38,10 +41,10 @@ final class GifReader {
   }
 
   /**
-   * Reads a GIF, without decoding its pictures.
+   * Reads a GIF without decoding its frames.
    *
-   * @return empty for one that does not move
-   * @throws IOException with a clause that reads after the file's name
+   * @return the movie; empty for a GIF of one frame
+   * @throws IOException with a clause as message that follows the file's name
    */
   static Optional<Movie> read(byte[] file) throws IOException {
     ImageReader reader = reader();
@@ -71,7 +74,7 @@ final class GifReader {
                 disposal(word(control, "disposalMethod")));
         int across = number(place, "imageWidth");
         int down = number(place, "imageHeight");
-        // A part may be larger than the picture that it is a part of.
+        // A frame may be larger than the logical screen.
         MovieReader.check(Math.max(1, across), Math.max(1, down));
         boolean whole = across >= width && down >= height;
         boolean clear = word(control, "transparentColorFlag").equalsIgnoreCase("true");
@@ -81,7 +84,7 @@ final class GifReader {
       return Optional.of(new GifMovie(file, width, height, translucent, parts));
     } catch (IIOException
         | EOFException
-        | RuntimeException e) { // The library throws what it likes at damaged files.
+        | RuntimeException e) { // ImageIO throws various exceptions for damaged files.
       throw new IOException("is a damaged GIF", e);
     } finally {
       reader.dispose();
@@ -110,7 +113,7 @@ final class GifReader {
         return child;
       }
     }
-    return root; // Which has no attributes.
+    return root; // A node without the attributes sought.
   }
 
   private static String word(Node node, String attribute) {

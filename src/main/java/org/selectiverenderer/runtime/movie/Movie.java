@@ -2,51 +2,53 @@ package org.selectiverenderer.runtime.movie;
 
 import java.io.IOException;
 
-/** A film as a file has it. Nobody changes it; any thread may read it. */
+/** A movie file with its frames' times. Immutable and thread-safe. */
 public interface Movie {
-  /** Pixels. */
+  /** Returns the width in pixels. */
   int width();
 
-  /** Pixels. */
+  /** Returns the height in pixels. */
   int height();
 
-  /** Whether one can see through some of its pixels, now or then. */
+  /** Returns whether any frame has transparent pixels. */
   boolean translucent();
 
-  /** How many pictures it has. */
+  /** Returns the number of frames. */
   int pictures();
 
-  /** How long it takes at its own speed. */
+  /** Returns the duration in seconds at normal speed. */
   double seconds();
 
   /**
-   * Which picture is shown at a time.
+   * Returns the index of the frame shown at a time.
    *
-   * @param seconds from the beginning; before it the first one is meant, after the end the last
+   * @param seconds the time from the beginning; negative times give the first frame, times after
+   *     the end the last
    */
   int at(double seconds);
 
   /**
-   * What is wrong with it although it can be shown, as a clause that reads after the file's name;
-   * may take as long as a picture takes to decode.
+   * Returns a defect that does not prevent playing, as a clause that follows the file's name. The
+   * call may take as long as decoding a frame.
    *
-   * @return empty for nothing
+   * @return the clause; empty for none
    */
   default String flaw() {
     return "";
   }
 
-  /** Begins to decode it. */
+  /** Makes a decoder for the movie. */
   Pictures open();
 
-  /** Makes pictures. Belongs to one thread at a time; of one after the other it makes the best. */
+  /** Decodes frames; fastest in ascending order. Belongs to one thread at a time. */
   interface Pictures {
     /**
-     * Makes one.
+     * Decodes a frame.
      *
-     * @param picture 0 to {@link Movie#pictures()} without it
-     * @return four bytes r, g, b, a per pixel, which nobody changes; the first row is the lowest
-     * @throws IOException with a clause that reads after the file's name, when it is damaged
+     * @param picture the index of the frame, from 0 to below {@link Movie#pictures()}
+     * @return four bytes r, g, b, a per pixel, not to be changed; the first row is the lowest
+     * @throws IOException if the frame is damaged, with a clause as message that follows the file's
+     *     name
      */
     byte[] picture(int picture) throws IOException;
   }

@@ -7,12 +7,12 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.runtime.movie.mpeg.MpegVideo;
 import org.selectiverenderer.x3d.files.Content;
 
-/** Reads films: MPEG-1 and animated GIF. */
+/** Reads movie files: MPEG-1 video and animated GIF. */
 public final class MovieReader {
-  /** Bytes of a file. */
+  /** Largest size of a file in bytes. */
   public static final int MAX_BYTES = 256 << 20;
 
-  /** Pixels of a picture: those of 4096 x 2160. */
+  /** Largest number of pixels of a frame: that of 4096 x 2160. */
   static final long MAX_PIXELS = 4096L * 2160;
 
   private static final int BEGINNING = 16;
@@ -20,11 +20,11 @@ public final class MovieReader {
   private MovieReader() {}
 
   /**
-   * Reads a file. Its pictures are decoded later.
+   * Reads a file. Its frames are decoded later.
    *
-   * @param budget bytes left for all films of a load; those of this one are taken from it
-   * @return empty when it is no film
-   * @throws IOException with a clause that reads after the file's name
+   * @param budget the bytes left for all movies of a load; reduced by this one
+   * @return the movie; empty if the file is no movie
+   * @throws IOException with a clause as message that follows the file's name
    */
   public static Optional<Movie> read(Content file, AtomicLong budget) throws IOException {
     byte[] beginning;
@@ -36,7 +36,7 @@ public final class MovieReader {
       return Optional.empty();
     }
     byte[] bytes = file.bytes(MAX_BYTES);
-    // The video of a stream is kept beside it.
+    // The video extracted from a system stream is kept in addition to the file.
     if (budget.addAndGet(-2L * bytes.length) < 0) {
       budget.addAndGet(2L * bytes.length);
       throw new IOException(

@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.movie;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.runtime.movie.mpeg.MpegVideo;
 
-/** A film of MPEG-1 video; all its pictures are shown equally long. */
+/** A movie of MPEG-1 video, in which all frames have the same duration. */
 record MpegMovie(MpegVideo video) implements Movie {
   @Override
   public int width() {

@@ -10,11 +10,13 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * Where films are decoded: threads {@code movie-N}, which begin with the first picture and end when
- * none has been wanted for two seconds. Thread-safe.
+ * The threads that decode movies, {@code movie-N}. They start with the first frame and end when
+ * none has been requested for two seconds. Thread-safe.
  */
 public final class ProjectionRoom implements AutoCloseable {
-  /** Bytes of pictures that a film keeps at most, unless they are few. */
+  /**
+   * Largest memory for the decoded frames of one movie, in bytes, unless a few frames need more.
+   */
   private static final long KEPT = 24 << 20;
 
   private final ThreadPoolExecutor threads;
@@ -37,26 +39,29 @@ public final class ProjectionRoom implements AutoCloseable {
               thread.setDaemon(true);
               return thread;
             },
-            new ThreadPoolExecutor.DiscardPolicy()); // Closed: nobody looks any more.
+            new ThreadPoolExecutor.DiscardPolicy()); // Closed: nobody needs the frame.
     threads.allowCoreThreadTimeOut(true);
   }
 
   /**
-   * Has whoever asks for a picture wait for it. Where times are not those of a clock, what is seen
-   * must not depend on how fast this machine decodes.
+   * Makes threads that request a frame wait for it. Where frame times do not come from a clock, the
+   * picture must not depend on how fast this machine decodes.
    */
   public void waitForPictures() {
     patient = true;
   }
 
-  /** A film of this room. */
+  /** Makes a playback whose frames these threads decode. */
   public Film film(Movie movie, byte[] first) {
     Film film = new Film(movie, first, this);
     films.put(film, true);
     return film;
   }
 
-  /** Bytes of pictures that a film may keep: all together an eighth of the memory. */
+  /**
+   * Returns the bytes of decoded frames that each movie may keep: all together an eighth of the
+   * heap.
+   */
   long share() {
     return Math.min(KEPT, Runtime.getRuntime().maxMemory() / 8 / Math.max(1, films.size()));
   }
@@ -73,7 +78,7 @@ public final class ProjectionRoom implements AutoCloseable {
     return threads;
   }
 
-  /** Nothing more is decoded; what is under way ends with its picture. */
+  /** Stops decoding after the frames in progress. */
   @Override
   public void close() {
     closed = true;

@@ -1,15 +1,15 @@
 /**
- * Films: pictures that follow each other in time (X3D 4.0, 18.4.2). {@link
+ * Movies of MovieTextures (X3D 4.0, 18.4.2). {@link
  * org.selectiverenderer.runtime.movie.MovieReader} makes a {@link
- * org.selectiverenderer.runtime.movie.Movie} of a file, which knows how long it is and what it
- * begins with. A {@link org.selectiverenderer.runtime.movie.Film} is a movie that a texture shows:
- * the scene says where it stands, whoever draws asks for the picture of that moment. Only then are
- * pictures decoded, a few ahead, by the threads of a {@link
- * org.selectiverenderer.runtime.movie.ProjectionRoom}: a run that draws nothing decodes none but
- * the first.
+ * org.selectiverenderer.runtime.movie.Movie} of a file, which knows its duration and its first
+ * frame. A {@link org.selectiverenderer.runtime.movie.Film} is the playback of a movie by a
+ * texture: the scene sets its time, the renderer gets the frame of that time. Frames are decoded
+ * only on request, a few ahead, by the threads of a {@link
+ * org.selectiverenderer.runtime.movie.ProjectionRoom}: a run that draws nothing decodes only the
+ * first frame.
  *
- * <p>In: files, times. Out: pictures. Uses {@code runtime.movie.mpeg} and {@code x3d.files};
- * ImageIO reads GIF, which needs no display.
+ * <p>In: files, times. Out: frames. Uses {@code runtime.movie.mpeg} and {@code x3d.files}; ImageIO
+ * reads GIF, which needs no display.
  */
 @NullMarked
 package org.selectiverenderer.runtime.movie;

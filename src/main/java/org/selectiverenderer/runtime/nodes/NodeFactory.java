@@ -47,8 +47,9 @@ import org.selectiverenderer.runtime.scene.NodeMaker;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Makes the node for a node type: the class with its behaviour where there is one. A maker is found
- * when it is asked for, as to make all of them would cost each start of the program.
+ * Makes a node for a node type: an instance of the class that implements the type's behaviour, or a
+ * plain node. Constructors are looked up on demand, since creating them all would slow down every
+ * start of the program.
  */
 public final class NodeFactory {
   private static @Nullable NodeMaker maker(NodeType type) {
@@ -103,7 +104,7 @@ public final class NodeFactory {
     };
   }
 
-  /** Those of the components that have a package of their own. */
+  /** Returns the constructors of a component that has a package of its own. */
   private static Map<String, NodeMaker> makers(String component) {
     return switch (component) {
       case "EventUtilities" -> EventUtilities.MAKERS;
@@ -120,20 +121,20 @@ public final class NodeFactory {
     };
   }
 
-  /** Each node has a blend of its own, which keeps what it calculates with. */
+  /** Each node gets its own interpolation object, which holds scratch variables. */
   private static NodeMaker interpolating(Supplier<Blend> blend) {
     return (type, name, location) -> new InterpolatorNode(type, name, location, blend.get());
   }
 
-  /** A node with all fields at their defaults. */
+  /** Makes a node with all fields at their defaults. */
   public Node make(NodeType type, @Nullable String name, Location location) {
     NodeMaker maker = maker(type);
     return maker == null ? new Node(type, name, location) : maker.make(type, name, location);
   }
 
   /**
-   * Whether the runtime does something with nodes of a type: they behave, are drawn, light, or are
-   * data that is read. Nodes of other types are kept with their fields, and that is all.
+   * Returns whether this browser supports a node type: its nodes behave, are drawn, give light, or
+   * hold data that is read. Nodes of other types only keep their fields.
    */
   public boolean actsOn(NodeType type) {
     return maker(type) != null || PassiveNodes.isRead(type.name());

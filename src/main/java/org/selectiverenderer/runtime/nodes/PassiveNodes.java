@@ -2,7 +2,10 @@ package org.selectiverenderer.runtime.nodes;
 
 import java.util.Set;
 
-/** The node types without a behaviour that others read: to draw, to light, to describe. */
+/**
+ * The names of supported node types without a behaviour of their own: nodes that others read as
+ * geometry, appearance, light or description.
+ */
 final class PassiveNodes {
   private static final Set<String> SHAPES =
       Set.of(

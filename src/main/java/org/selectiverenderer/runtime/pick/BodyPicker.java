@@ -12,10 +12,10 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tree.MeshInside;
 
 /**
- * A convex body that meets something: one of X3D's primitives, which meets all that it has a place
- * in common with (X3D 4.0, PrimitivePickSensor, 38.4.4), or the hull of any geometry, which meets
- * what has a vertex in it (VolumePickSensor, 38.4.5). Shapes are sorted by how far their middles
- * are from the body's: of a cone from its tip.
+ * Picks with a convex body: an X3D primitive, which picks every shape that intersects it (X3D 4.0,
+ * PrimitivePickSensor, 38.4.4), or the convex hull of any geometry, which picks shapes with a
+ * vertex inside it (VolumePickSensor, 38.4.5). Shapes are sorted by the distance of their centres
+ * from the body's centre, or from a cone's tip.
  */
 final class BodyPicker implements Picker {
   private final Convex body;
@@ -24,9 +24,9 @@ final class BodyPicker implements Picker {
   private final boolean vertices;
 
   /**
-   * @param box around the body
-   * @param middle from which distances count
-   * @param vertices whether only vertices of shapes are met
+   * @param box the bounding box of the body
+   * @param middle the point from which distances are measured
+   * @param vertices whether only the vertices of shapes are tested
    */
   BodyPicker(Convex body, Bounds box, Vector3dc middle, boolean vertices) {
     this.body = body;
@@ -44,7 +44,7 @@ final class BodyPicker implements Picker {
     return new Met(Picker.toMiddle(target, middle), List.of());
   }
 
-  /** Who asks has compared the boxes already. */
+  /** Always picks: the caller has tested the bounding boxes already. */
   @Override
   public Optional<Met> bounds(Target target) {
     return Optional.of(met(target));
@@ -97,7 +97,10 @@ final class BodyPicker implements Picker {
     return found[0];
   }
 
-  /** Whether it meets the part of a mesh that some indices make. */
+  /**
+   * Returns whether the body intersects the primitive (point, line or triangle) that some indices
+   * of a mesh form.
+   */
   private boolean meets(Target target, int first, int corners) {
     double[] points = new double[3 * corners];
     for (int corner = 0; corner < corners; corner++) {
@@ -109,7 +112,7 @@ final class BodyPicker implements Picker {
     return Meeting.of(body, Convex.hull(points));
   }
 
-  /** Whether the body is inside of a shape whose surface it does not touch. */
+  /** Returns whether the body is inside a shape without touching its surface. */
   private boolean isWithin(Target target) {
     Vector3d inside = box.min().add(box.max()).mul(0.5);
     target.fromSensor().transformPosition(inside);

@@ -14,11 +14,11 @@ import org.selectiverenderer.runtime.collide.SurfaceHit;
 import org.selectiverenderer.runtime.nodes.pick.Picked;
 
 /**
- * Lines that go through something (X3D 4.0, LinePickSensor, 38.4.1). Shapes are sorted by how far
- * from its beginning a line meets them.
+ * Picks with lines (X3D 4.0, LinePickSensor, 38.4.1). Shapes are sorted by the distance of the
+ * intersection from the beginning of the line.
  */
 final class LinePicker implements Picker {
-  /** Surfaces of a shape at which a line is told to meet it, at most. */
+  /** Largest number of intersections of a line with one shape. */
   private static final int MOST = 10_000;
 
   private record Line(Vector3dc from, Vector3dc way) {}
@@ -82,7 +82,7 @@ final class LinePicker implements Picker {
     return places.isEmpty() ? Optional.empty() : Optional.of(new Met(nearest, places));
   }
 
-  /** Adds the places where a line meets surfaces, from its beginning on. */
+  /** Adds the intersections of a line with surfaces, in order along the line. */
   private static void follow(Line line, Target target, List<Picked.Place> places) {
     Vector3d start = target.fromSensor().transformPosition(line.from(), new Vector3d());
     Vector3d way = target.fromSensor().transformDirection(line.way(), new Vector3d());

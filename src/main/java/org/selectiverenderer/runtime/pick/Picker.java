@@ -6,9 +6,9 @@ import org.joml.Vector3dc;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.runtime.nodes.pick.Picked;
 
-/** What a sensor meets shapes with: its geometry, in its local coordinates. */
+/** The picking geometry of a pick sensor, in the sensor's local coordinates. */
 interface Picker {
-  /** One that meets nothing. */
+  /** A picker that picks nothing. */
   Picker NOTHING =
       new Picker() {
         @Override
@@ -28,23 +28,27 @@ interface Picker {
       };
 
   /**
-   * How a shape is met.
+   * The result of picking a shape.
    *
-   * @param distance by which met shapes are sorted, in the sensor's unit
-   * @param places where, in the sensor's coordinates; none where nobody asks
+   * @param distance the distance by which picked shapes are sorted, in the sensor's unit
+   * @param places the intersection points, in the sensor's coordinates; empty if they are not
+   *     needed
    */
   record Met(double distance, List<Picked.Place> places) {}
 
-  /** Around all of it, in the sensor's coordinates. */
+  /** Returns the bounding box, in the sensor's coordinates. */
   Bounds box();
 
-  /** Whether and how the box around a shape is met. */
+  /** Intersects with the bounding box of a shape; empty if it is not picked. */
   Optional<Met> bounds(Target target);
 
-  /** Whether and how a shape itself is met. */
+  /** Intersects with a shape itself; empty if it is not picked. */
   Optional<Met> mesh(Target target);
 
-  /** From a place of the sensor to the middle of a shape's box. */
+  /**
+   * Returns the distance from a point in the sensor's coordinates to the centre of a shape's
+   * bounding box.
+   */
   static double toMiddle(Target target, Vector3dc from) {
     return target
         .toSensor()

@@ -10,7 +10,7 @@ import org.selectiverenderer.runtime.instance.Assets;
 import org.selectiverenderer.runtime.nodes.pick.PickSensorNode;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** Makes a {@link Picker} of what a sensor picks with. */
+/** Makes a {@link Picker} from a sensor's picking geometry. */
 final class Pickers {
   private Pickers() {}
 
@@ -28,7 +28,9 @@ final class Pickers {
     };
   }
 
-  /** One of the four primitives; the hull of any other geometry. */
+  /**
+   * Makes a picker from one of the four primitives, or from the convex hull of any other geometry.
+   */
   private static Picker primitive(Node node, Mesh mesh) {
     Bounds box = Bounds.of(mesh.bounds());
     Vector3d middle = new Vector3d();

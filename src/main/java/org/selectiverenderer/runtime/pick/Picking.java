@@ -11,8 +11,9 @@ import org.selectiverenderer.runtime.nodes.pick.PickSensorNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 
 /**
- * The picking sensors of a scene, or of a layer of it. After all other sensors have looked at a
- * frame (X3D 4.0, 38.2), each that is enabled hears what it meets, if anything has changed since.
+ * Evaluates the pick sensors of a layer. After all other sensors have been updated in a frame (X3D
+ * 4.0, 38.2), each enabled pick sensor receives the shapes that it picks, if anything has changed
+ * since the last frame.
  */
 public final class Picking {
   private final InstanceTree tree;
@@ -29,7 +30,7 @@ public final class Picking {
     this.meshes = meshes;
   }
 
-  /** These are the sensors from now on, in this order. */
+  /** Sets the sensors, in order. */
   public void follow(List<PickSensorNode> sensors) {
     if (sensors.isEmpty() && searches.isEmpty()) {
       return;
@@ -45,7 +46,7 @@ public final class Picking {
     searches = now;
   }
 
-  /** Has the sensors look at a frame. */
+  /** Updates the sensors for a frame. */
   public void frame(Cascade cascade) {
     if (searches.isEmpty()) {
       return;

@@ -11,9 +11,9 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tree.MeshInside;
 import org.selectiverenderer.runtime.nodes.pick.Picked;
 
-/** Points that lie in something (X3D 4.0, PointPickSensor, 38.4.3). */
+/** Picks with points: picks the shapes that contain a point (X3D 4.0, PointPickSensor, 38.4.3). */
 final class PointPicker implements Picker {
-  /** Share of a shape's size that is on its surface. */
+  /** Tolerance for points on a surface, relative to the size of the shape. */
   private static final double TOUCHING = 1e-6;
 
   private final List<Vector3dc> points = new ArrayList<>();

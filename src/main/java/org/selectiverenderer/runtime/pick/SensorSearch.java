@@ -23,7 +23,10 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.runtime.scene.NodesBelow;
 
-/** Looks for what one sensor meets, when something it depends on has changed. */
+/**
+ * Searches for the shapes that one pick sensor intersects, if something on which they depend has
+ * changed.
+ */
 final class SensorSearch implements NodeObserver {
   private final PickSensorNode sensor;
   private final InstanceTree tree;
@@ -66,7 +69,7 @@ final class SensorSearch implements NodeObserver {
   }
 
   /**
-   * @param moved whether anything in the scene has
+   * @param moved whether anything in the scene has moved
    */
   void frame(boolean moved, Cascade cascade) {
     stale |= moved || reshaped;
@@ -105,7 +108,7 @@ final class SensorSearch implements NodeObserver {
     return met;
   }
 
-  /** Whether the groups around something let it be picked. */
+  /** Returns whether the groups above an instance let it be picked. */
   private static boolean pickable(@Nullable GroupInstance around, PickLabels labels) {
     for (GroupInstance group = around; group != null; group = group.parent()) {
       if (!lets(group, labels)) {
@@ -121,7 +124,8 @@ final class SensorSearch implements NodeObserver {
   }
 
   /**
-   * @param inline the Inline that hides what it is of, if any
+   * @param inline the outermost Inline that contains the instance and is reported in its place, if
+   *     any
    */
   private void meet(Instance at, PickLabels labels, @Nullable Node inline, List<Picked> met) {
     if (at instanceof GroupInstance group && group.shown() && lets(group, labels)) {

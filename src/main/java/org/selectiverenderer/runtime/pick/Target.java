@@ -7,14 +7,14 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tree.MeshTree;
 
 /**
- * A shape that may be picked, as a sensor sees it.
+ * A shape to be tested by a pick sensor.
  *
- * @param mesh in coordinates of its own
- * @param tree of the mesh
- * @param box around the shape, in the world
- * @param toSensor takes the mesh's coordinates to the sensor's
- * @param fromSensor takes the sensor's coordinates to the mesh's
- * @param toWorld takes the sensor's coordinates to the world's
+ * @param mesh the mesh in its local coordinates
+ * @param tree the BVH of the mesh
+ * @param box the world-space bounding box of the shape
+ * @param toSensor the matrix from the mesh's coordinates to the sensor's
+ * @param fromSensor the matrix from the sensor's coordinates to the mesh's
+ * @param toWorld the matrix from the sensor's coordinates to the world
  */
 record Target(
     Mesh mesh,
@@ -29,7 +29,9 @@ record Target(
     return new Target(mesh, tree, box, toSensor, toSensor.invertAffine(new Matrix4d()), sensor);
   }
 
-  /** Whether both have an extent: a scale of 0 above them leaves nothing to meet. */
+  /**
+   * Returns whether both shape and sensor have an extent: under a scale of 0 nothing can intersect.
+   */
   boolean hasExtent() {
     return toSensor.isFinite() && fromSensor.isFinite();
   }

@@ -4,16 +4,16 @@ import com.jogamp.opengl.GLException;
 import org.selectiverenderer.runtime.render.context.GlProfiles;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 
-/** How many samples per pixel smooth the edges where nobody asked for a number. */
+/** The default number of samples per pixel for multisample anti-aliasing. */
 public final class AntiAliasing {
-  /** What edges need to look smooth. */
+  /** The samples per pixel with which edges look smooth. */
   public static final int SMOOTH = 4;
 
   private AntiAliasing() {}
 
   /**
-   * {@value #SMOOTH} on a graphics card, none where a processor draws: there, lights that are
-   * computed for every sample make frames five times as long.
+   * Returns {@value #SMOOTH} on a graphics card, and 0 for a software renderer, where light that is
+   * computed for every sample makes frames five times as long.
    *
    * @throws GlUnavailableException if there is no display or no OpenGL 3.3
    */

@@ -3,14 +3,14 @@ package org.selectiverenderer.runtime.render;
 import java.util.Optional;
 
 /**
- * How a scene is drawn, beside what the scene says.
+ * Options for drawing a scene that the scene itself does not set.
  *
  * @param shading where light is computed
- * @param headlight whether the viewer carries a light; empty for what the bound NavigationInfo says
- * @param wireframe whether only the edges of polygons are drawn, also of those behind others
+ * @param headlight whether the viewer carries a headlight; empty to follow the bound NavigationInfo
+ * @param wireframe whether only the edges of polygons are drawn, including hidden polygons
  */
 public record DrawStyle(Shading shading, Optional<Boolean> headlight, boolean wireframe) {
-  /** As the scene says. */
+  /** Returns options that leave headlight and polygon mode to the scene. */
   public static DrawStyle of(Shading shading) {
     return new DrawStyle(shading, Optional.empty(), false);
   }

@@ -1,9 +1,9 @@
 package org.selectiverenderer.runtime.render;
 
 /**
- * What a frame drew after culling.
+ * Counts of what a frame drew after culling.
  *
- * @param shapes with at least a part in view
- * @param triangles sent to the graphics card
+ * @param shapes of which at least a part is in view
+ * @param triangles that were sent to the graphics card
  */
 public record Drawn(int shapes, long triangles) {}

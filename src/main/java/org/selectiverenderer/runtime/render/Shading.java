@@ -2,21 +2,21 @@ package org.selectiverenderer.runtime.render;
 
 import org.selectiverenderer.runtime.render.context.GlInfo;
 
-/** Where the light of a shape is computed. */
+/** The choice between per-vertex (Gouraud) and per-pixel (Phong) shading. */
 public enum Shading {
-  /** As suits what draws: at pixels on a graphics card, else at vertices. */
+  /** Per pixel on a graphics card, per vertex with a software renderer. */
   AUTO,
-  /** At vertices where nobody sees that, on meshes refined where needed; else at pixels. */
+  /** Per vertex where that is not visible, on meshes refined where needed; else per pixel. */
   VERTEX,
-  /** At every pixel. */
+  /** Per pixel everywhere. */
   PIXEL;
 
-  /** Whether it is computed at vertices on what draws. */
+  /** Returns whether this mode means per-vertex lighting with that driver. */
   public boolean byVertex(GlInfo gl) {
     return this == VERTEX || (this == AUTO && gl.software());
   }
 
-  /** What it comes to there: {@link #VERTEX} or {@link #PIXEL}. */
+  /** Returns what {@link #AUTO} stands for with that driver: {@link #VERTEX} or {@link #PIXEL}. */
   public Shading on(GlInfo gl) {
     return byVertex(gl) ? VERTEX : PIXEL;
   }

@@ -11,12 +11,12 @@ import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.walk.Navigation;
 
 /**
- * What the bound NavigationInfo decides about a picture (X3D 4.0, 23.4.4), and the bound
- * viewpoint's {@code nearDistance} and {@code farDistance} where they are above 0 and nothing is to
- * be seen beyond them: not with {@code viewAll} (23.3.1).
+ * The depth range and headlight of a view, from the bound NavigationInfo (X3D 4.0, 23.4.4) and the
+ * bound viewpoint's {@code nearDistance} and {@code farDistance}. The distances count where they
+ * are above 0 and the viewpoint does not set {@code viewAll} (23.3.1).
  *
- * @param range of depths that are drawn
- * @param headlight whether the viewer carries a light
+ * @param range the depths between the near and the far clipping plane
+ * @param headlight whether the viewer carries a headlight
  */
 public record VisibleRange(DepthRange range, boolean headlight) {
   public static VisibleRange of(World world) {
@@ -27,7 +27,7 @@ public record VisibleRange(DepthRange range, boolean headlight) {
         world.bindables().bound("X3DViewpointNode"));
   }
 
-  /** That of one of a world's layers. */
+  /** Returns the settings of one of a world's layers. */
   public static VisibleRange of(LayerView layer) {
     return of(layer.instances(), layer.viewer(), layer.navigationInfo(), layer.viewpoint());
   }

@@ -9,22 +9,22 @@ import java.util.regex.Pattern;
 import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.files.FileUrl;
 
-/** Between addresses as applications write them, file names or URLs, and files. */
+/** Converts between the addresses that SAI applications pass (file names or URLs) and files. */
 final class Addresses {
-  /** Two letters at least, since one is a drive of Windows. */
+  /** At least two letters, because one letter is a drive of Windows. */
   private static final Pattern SCHEME = Pattern.compile("^[A-Za-z][A-Za-z0-9+.-]+:.*");
 
   private Addresses() {}
 
-  /** Whether an address is one of a file, and none of the network or of another scheme. */
+  /** Returns whether an address is that of a file, not one of the network or another URL scheme. */
   static boolean isFile(String url) {
     return FileUrl.is(url) || !SCHEME.matcher(url).lookingAt();
   }
 
   /**
-   * The file at an address.
+   * Returns the file at an address.
    *
-   * @throws IOException with a one-line message if it is no address of a file
+   * @throws IOException with a one-line message if it is not the address of a file
    */
   static Path path(String url) throws IOException {
     try {
@@ -40,7 +40,10 @@ final class Addresses {
     }
   }
 
-  /** What addresses of a scene are relative to, given the scene's own or a folder. */
+  /**
+   * Returns the base that a scene's relative URLs are resolved against, given the scene's own
+   * address or a folder.
+   */
   static ContentBase base(String baseUrl) throws IOException {
     if (isFile(baseUrl)) {
       return ContentBase.folder(folder(baseUrl));
@@ -48,7 +51,7 @@ final class Addresses {
     try {
       return new ContentBase.Web(URI.create(baseUrl));
     } catch (IllegalArgumentException e) {
-      throw new IOException(baseUrl + " is no address: " + e.getMessage(), e);
+      throw new IOException(baseUrl + " is not a URL: " + e.getMessage(), e);
     }
   }
 
@@ -61,17 +64,17 @@ final class Addresses {
     return parent == null ? Path.of("") : parent;
   }
 
-  /** The full address of what was read from a file of that name; empty for any other source. */
+  /** Returns the full URL of a source that is a file; empty for any other source. */
   static String urlOf(String source) {
     try {
       Path file = path(source);
       return Files.isRegularFile(file) ? url(file) : "";
     } catch (IOException e) {
-      return ""; // The name of a source is made for messages and need not be that of a file.
+      return ""; // The name of a source serves messages and need not be a file name.
     }
   }
 
-  /** A file's full address. */
+  /** Returns a file's full URL. */
   static String url(Path file) {
     return file.toAbsolutePath().normalize().toUri().toString();
   }

@@ -12,8 +12,8 @@ import org.web3d.x3d.sai.InvalidNodeException;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * What the SAI objects of one browser share: which object stands for which node, the way of writes
- * into the world, and whether the browser is still there. Thread-safe.
+ * The context that the SAI objects of one browser share: it maps nodes to SAI objects, passes
+ * writes to the world, and knows whether the browser was disposed of. Thread-safe.
  */
 final class Binding {
   private final World world;
@@ -53,25 +53,28 @@ final class Binding {
   }
 
   /**
-   * The SAI object of a node, always the same; of an instance of a prototype that of its interface.
-   * Null for null.
+   * Returns the SAI object of a node, always the same; for a prototype instance that of its
+   * interface. Null for null.
    */
   @Nullable X3DNode wrap(@Nullable Node node) {
     return node == null ? null : proxy(InstanceFace.seen(node, null), true).proxy();
   }
 
-  /** The same of a node. */
+  /** Returns the SAI object of a node that is not null. */
   X3DNode wrapped(Node node) {
     return exactly(InstanceFace.seen(node, null));
   }
 
-  /** The SAI object of a node itself, as it is within the body of a prototype. */
+  /** Returns the SAI object of the node itself, as seen within the body of a prototype. */
   X3DNode exactly(Node node) {
     check();
     return proxy(node, true).proxy();
   }
 
-  /** The SAI object of a node that the application sets up first. */
+  /**
+   * Returns the SAI object of a new node, whose initializeOnly fields the application may set until
+   * it is realized.
+   */
   X3DNode wrapNew(Node node) {
     return proxy(node, false).proxy();
   }
@@ -87,20 +90,22 @@ final class Binding {
     }
   }
 
-  /** The node of the scene of an SAI object, which is in use from now on; null for null. */
+  /** Returns the scene's node of an SAI object and marks it as realized; null for null. */
   @Nullable Node unwrap(@Nullable X3DNode node) {
     return node == null ? null : body(node);
   }
 
-  /** The same of an object: of an instance, the first node of its body. */
+  /**
+   * Returns the scene's node of an SAI object: of a prototype instance, the first node of its body.
+   */
   Node body(X3DNode node) {
     return InstanceFace.body(unwrapped(node));
   }
 
   /**
-   * What an SAI object stands for, a node or an interface, which is in use from now on.
+   * Returns the node or prototype interface of an SAI object and marks it as realized.
    *
-   * @throws InvalidNodeException if it is of another browser or disposed of
+   * @throws InvalidNodeException if it belongs to another browser or was disposed of
    */
   Node unwrapped(@Nullable X3DNode node) {
     NodeProxy proxy = find(node);
@@ -109,12 +114,12 @@ final class Binding {
     return proxy.node();
   }
 
-  /** The node of an SAI object, to look at. */
+  /** Returns the node of an SAI object without marking it as realized. */
   Node peek(X3DNode node) {
     return find(node).node();
   }
 
-  /** What stands behind an SAI object. */
+  /** Returns the invocation handler of an SAI object. */
   NodeProxy proxyOf(X3DNode node) {
     check();
     return find(node);
@@ -129,10 +134,10 @@ final class Binding {
       return proxy;
     }
     throw new InvalidNodeException(
-        node == null ? "a node is needed, not null" : "the node is of another browser");
+        node == null ? "a node is needed, not null" : "the node belongs to another browser");
   }
 
-  /** Does a change now, or at the end of the update that this thread has begun. */
+  /** Executes a change now, or at the end of the update bracket that this thread has opened. */
   void execute(Runnable change) {
     check();
     if (!updates.hold(change)) {
@@ -140,7 +145,7 @@ final class Binding {
     }
   }
 
-  /** Sends a value, within a change that is being done. */
+  /** Sends a value to a field, during a change. */
   void sendNow(Node node, int field, @Nullable Object value) {
     world.cascade().send(node, field, value);
   }

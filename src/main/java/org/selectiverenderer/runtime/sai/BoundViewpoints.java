@@ -5,7 +5,8 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * Goes through the viewpoints of the scene that is shown. There is one layer: all numbers mean it.
+ * Binds the next, previous, first or last viewpoint of the scene that is shown. Layer numbers are
+ * ignored.
  */
 final class BoundViewpoints {
   private final World world;
@@ -17,9 +18,9 @@ final class BoundViewpoints {
   }
 
   /**
-   * Binds one counted from the bound one, around the ends of the list.
+   * Binds a viewpoint relative to the bound one, cyclically.
    *
-   * @param steps +1 for the next, -1 for the one before
+   * @param steps +1 for the next, -1 for the previous one
    */
   void go(int steps) {
     binding.execute(() -> world.views().goToViewpoint(steps));

@@ -7,7 +7,7 @@ import org.selectiverenderer.runtime.scene.ApplicationCode;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 
-/** Who hears of a browser's beginnings and ends, in the order in which they came. Thread-safe. */
+/** The listeners of a browser's events, in the order of their registration. Thread-safe. */
 final class BrowserListeners {
   private final World world;
   private final CopyOnWriteArrayList<BrowserListener> listeners = new CopyOnWriteArrayList<>();

@@ -27,7 +27,7 @@ import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DScene;
 
-/** The embedded browser. Stepping its world is its owner's business. Thread-safe. */
+/** The embedded browser behind the SAI. Its owner steps its world. Thread-safe. */
 public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, InstanceBodies {
   /**
    * An event of this browser's own: nodes were added or removed at the top of the scene it shows.
@@ -49,7 +49,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
   private volatile String description = "";
 
   /**
-   * @param console takes what applications print
+   * @param console receives what applications print
    * @param renderingProperties as {@link #getRenderingProperties()} returns them
    */
   public EmbeddedBrowser(
@@ -91,7 +91,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
     listeners.tell(new BrowserEvent(this, id));
   }
 
-  /** Where a node was read, for messages. */
+  /** Returns where in a file a node was read, for messages. */
   public Location locationOf(X3DNode node) {
     return binding.peek(node).location();
   }
@@ -122,7 +122,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
     if (binding.body(node) instanceof InlineNode inline) {
       return inline;
     }
-    throw new InvalidNodeException(node.getNodeName() + " is no Inline");
+    throw new InvalidNodeException(node.getNodeName() + " is not an Inline");
   }
 
   @Override
@@ -233,7 +233,7 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlinedScenes, In
   public void replaceWorld(X3DScene scene) {
     binding.check();
     if (!(scene instanceof EmbeddedScene embedded) || embedded.binding() != binding) {
-      throw new InvalidNodeException("the scene is of another browser");
+      throw new InvalidNodeException("the scene belongs to another browser");
     }
     Scene shown = embedded.scene();
     embedded.show();

@@ -18,12 +18,12 @@ import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.NotSupportedException;
 import org.web3d.x3d.sai.X3DComponent;
 
-/** Makes embedded browsers for applications that use the SAI alone. */
+/** Makes embedded browsers for applications that use only the SAI. */
 public final class EmbeddedBrowserFactory implements BrowserFactoryImpl {
-  /** Key of a parameter: a {@code Consumer<String>} that takes what applications print. */
+  /** The key of a parameter: a {@code Consumer<String>} that receives what applications print. */
   public static final String CONSOLE = "org.selectiverenderer.console";
 
-  /** Key of a parameter: a {@code Consumer<Problem>} that hears what is wrong with files. */
+  /** The key of a parameter: a {@code Consumer<Problem>} that receives the problems of files. */
   public static final String PROBLEMS = "org.selectiverenderer.problems";
 
   @Override
@@ -48,7 +48,7 @@ public final class EmbeddedBrowserFactory implements BrowserFactoryImpl {
     return new EmbeddedComponent(world, loader, browser);
   }
 
-  /** The consumer among the parameters; one that takes no notice when there is none. */
+  /** Returns the consumer among the parameters; one that does nothing when there is none. */
   @SuppressWarnings("unchecked")
   private static <T> Consumer<T> consumer(Map<String, Object> parameters, String key, Class<T> of) {
     return parameters != null && parameters.get(key) instanceof Consumer<?> consumer

@@ -9,8 +9,8 @@ import org.web3d.x3d.sai.ExternalBrowser;
 import org.web3d.x3d.sai.X3DComponent;
 
 /**
- * The browser as {@code BrowserFactory} hands it out: without a window, its world stepped 60 times
- * a second by a thread of its own, {@code x3d-browser}, until {@link #shutdown()}. {@link
+ * The browser component that {@code BrowserFactory} returns: without a window, its world stepped 60
+ * times a second by a thread of its own, {@code x3d-browser}, until {@link #shutdown()}. {@link
  * #getImplementation()} is the {@link World}, for a renderer to draw.
  */
 final class EmbeddedComponent implements X3DComponent {

@@ -5,9 +5,9 @@ import org.web3d.x3d.sai.X3DFieldDefinition;
 import org.web3d.x3d.sai.X3DFieldTypes;
 
 /**
- * A field of the catalogue, as the SAI describes it.
+ * The SAI's field definition of a field of the node catalogue.
  *
- * @param typeNumber of {@link X3DFieldTypes}
+ * @param typeNumber the field type's constant of {@link X3DFieldTypes}
  */
 record EmbeddedFieldDefinition(FieldDefinition field, int typeNumber)
     implements X3DFieldDefinition {

@@ -4,7 +4,7 @@ import org.selectiverenderer.runtime.scene.Route;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DRoute;
 
-/** A route, as the SAI describes it. Equal when it connects the same fields. */
+/** The SAI's route object. Two are equal when they connect the same fields. */
 record EmbeddedRoute(Binding binding, Route route) implements X3DRoute {
   @Override
   public X3DNode getSourceNode() {

@@ -21,8 +21,8 @@ import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DRoute;
 
 /**
- * A scene behind the SAI. Until it is shown it is the application's: changes are done at once, by
- * whatever thread. From then on changes of nodes and routes go through the world as writes do.
+ * The SAI's scene object. Until the scene is shown, changes are done at once, by any thread. From
+ * then on changes of nodes and routes go through the world as writes of fields do.
  */
 final class EmbeddedScene extends SceneWithoutPrototypes {
   private final Binding binding;
@@ -34,8 +34,8 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
   private volatile boolean disposed;
 
   /**
-   * @param scene whose lists of names are read and written with its lock held
-   * @param worldUrl full address, or empty
+   * @param scene the scene, whose lock is held while its lists of names are read or written
+   * @param worldUrl the scene's full URL, or empty
    */
   EmbeddedScene(Binding binding, SceneMaker maker, Scene scene, String worldUrl) {
     this.binding = binding;
@@ -58,7 +58,7 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
     return scene == other;
   }
 
-  /** The world is about to show the scene. */
+  /** Notes that the world is about to show the scene. */
   void show() {
     shown = true;
   }
@@ -71,7 +71,7 @@ final class EmbeddedScene extends SceneWithoutPrototypes {
     }
   }
 
-  /** Changes routes or nodes: in the world's order if it shows the scene. */
+  /** Changes routes or nodes: through the world if it shows the scene. */
   private void change(Runnable change) {
     if (shown) {
       binding.execute(() -> locked(change));

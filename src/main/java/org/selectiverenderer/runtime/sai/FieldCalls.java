@@ -4,24 +4,27 @@ import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** The methods of field interfaces that read and write values: getValue, append, set1Value ... */
+/**
+ * Implements the methods of the SAI's field interfaces that read and write values: getValue,
+ * append, set1Value ...
+ */
 final class FieldCalls {
   private FieldCalls() {}
 
   /** The field whose methods are called. */
   interface Target {
-    /** Its value; throws where there is none to read. */
+    /** Returns its value; throws if the field is not readable. */
     @Nullable Object value();
 
     /**
-     * Gives it a value made of the one that it has when the change is done: another thread's write
-     * in between is not lost.
+     * Replaces the value by a function of the value at the time of the change, so that another
+     * thread's write in between is not lost.
      */
     void change(UnaryOperator<@Nullable Object> change);
   }
 
   /**
-   * Does what a method says.
+   * Executes a method.
    *
    * @return the method's result
    */

@@ -19,9 +19,9 @@ import org.web3d.x3d.sai.X3DFieldEvent;
 import org.web3d.x3d.sai.X3DFieldEventListener;
 
 /**
- * A field behind the interface of its type: SFInt32, MFString ... Two objects of one field are
- * equal; the node keeps only one that has listeners or data attached, and hands that out from then
- * on.
+ * The dynamic proxy of a field behind the SAI interface of its type: SFInt32, MFString ... Two
+ * objects of one field are equal. The node keeps an object only while it has listeners or user
+ * data, and then returns the same one.
  */
 final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls.Target {
   private static final Object[] NO_ARGUMENTS = {};
@@ -31,7 +31,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
   private final EmbeddedFieldDefinition definition;
   private final X3DField proxy;
 
-  /** Null, a listener, or an array of more than one that is never written into. */
+  /** Null, one listener, or an array of several listeners that is never modified. */
   private volatile @Nullable Object listeners;
 
   private volatile @Nullable Object userData;
@@ -137,7 +137,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
     owner.change(field, change);
   }
 
-  /** The object of this field that the node keeps, if any. */
+  /** Returns the object of this field that the node keeps, if any. */
   private @Nullable FieldProxy kept() {
     return owner.kept(field());
   }
@@ -205,7 +205,7 @@ final class FieldProxy implements InvocationHandler, ListenerOfField, FieldCalls
         : new X3DFieldEventListener[] {(X3DFieldEventListener) now};
   }
 
-  /** Calls the listeners in order; one that was removed meanwhile is not called any more. */
+  /** Calls the listeners in order, except those that were removed meanwhile. */
   @Override
   public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
     if (listeners == null || owner.gone()) {

@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.sai;
 import org.joml.Vector3d;
 import org.selectiverenderer.runtime.World;
 
-/** Measures how fast frames come and how fast the viewer moves. Read from any thread. */
+/** Measures the frame rate and the viewer's speed. Read from any thread. */
 final class FrameMeter {
   private static final double SMOOTHING = 0.1;
 
@@ -32,12 +32,15 @@ final class FrameMeter {
     last.set(world.viewer().position());
   }
 
-  /** Frames per second of the clock on the wall, smoothed over about ten frames. */
+  /** Returns the frames per second of wall-clock time, smoothed over about ten frames. */
   double framesPerSecond() {
     return interval == 0 ? 0 : 1 / interval;
   }
 
-  /** Units of length per second of the scene's time, over the last frame. */
+  /**
+   * Returns the viewer's speed over the last frame, in units of length per second of the scene's
+   * time.
+   */
   double speed() {
     return speed;
   }

@@ -10,8 +10,8 @@ import org.jspecify.annotations.Nullable;
 import org.web3d.x3d.sai.InvalidFieldValueException;
 
 /**
- * The methods of SFImage, whose value is width, height, components and a number per pixel, the
- * lowest row first (X3D 4.0, 5.3.6).
+ * Implements the methods of SFImage, whose value is width, height, components and an integer per
+ * pixel, the lowest row first (X3D 4.0, 5.3.6).
  */
 final class ImageValues {
   private ImageValues() {}
@@ -19,11 +19,12 @@ final class ImageValues {
   static int[] of(int width, int height, int components, int[] pixels) {
     if (width < 0 || height < 0 || components < 0 || components > 4) {
       throw new InvalidFieldValueException(
-          "an image has a size of 0 or more and 0 to 4 components");
+          "an image needs a width and height of 0 or more and 0 to 4 components");
     }
     if ((long) width * height > pixels.length) {
       throw new InvalidFieldValueException(
-          "%s x %s pixels are announced, %s are given".formatted(width, height, pixels.length));
+          "an image of %s x %s pixels has only %s in its array"
+              .formatted(width, height, pixels.length));
     }
     int[] value = new int[3 + width * height];
     value[0] = width;
@@ -33,7 +34,7 @@ final class ImageValues {
     return value;
   }
 
-  /** A field's value as an application gives it in one array. */
+  /** Checks and copies an image value that an application passes as one array. */
   static int[] checked(int[] value) {
     if (value.length < 3) {
       throw new InvalidFieldValueException("an image begins with width, height and components");
@@ -121,7 +122,7 @@ final class ImageValues {
     return new BufferedImage(colours, pixels, colours.isAlphaPremultiplied(), null);
   }
 
-  /** The field's image with a rectangle of another one put in. */
+  /** Returns the field's image with a rectangle replaced by a part of another image. */
   private static int[] withPart(int[] value, int[] part, Object[] a) {
     int width = (Integer) a[1];
     int height = (Integer) a[2];
@@ -143,16 +144,16 @@ final class ImageValues {
 
   private static void check(int[] image, int x, int y, int width, int height) {
     if (x < 0 || y < 0 || width < 0 || height < 0) {
-      throw new InvalidFieldValueException("a part of an image has no negative place or size");
+      throw new InvalidFieldValueException("a sub-image's position and size must not be negative");
     }
     if ((long) x + width > image[0] || (long) y + height > image[1]) {
       throw new InvalidFieldValueException(
-          "a part of %s x %s at %s, %s exceeds an image of %s x %s"
+          "a sub-image of %s x %s at %s, %s exceeds the image of %s x %s"
               .formatted(width, height, x, y, image[0], image[1]));
     }
   }
 
-  /** A pixel with the components that another image has. */
+  /** Converts an RGBA pixel to another number of components. */
   private static int reduced(int rgba, int components) {
     int alpha = rgba & 0xFF;
     int rgb = rgba >>> 8;

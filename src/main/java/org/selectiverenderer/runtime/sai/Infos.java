@@ -11,7 +11,8 @@ import org.web3d.x3d.sai.NotSupportedException;
 import org.web3d.x3d.sai.ProfileInfo;
 
 /**
- * Profiles and components (X3D 4.0, 4.6): components and levels are those of the node catalogue.
+ * The profiles, components and optional features that the browser supports (X3D 4.0, 4.6);
+ * components and levels are those of the node catalogue.
  */
 final class Infos {
   private static final List<String> PROFILES =
@@ -68,7 +69,10 @@ final class Infos {
     return new Component(name, level);
   }
 
-  /** Which optional parts of the SAI there are (ISO/IEC 19775-2, 6.2.4). */
+  /**
+   * Returns the browser properties: which optional parts of the SAI are supported (ISO/IEC 19775-2,
+   * 6.2.4).
+   */
   static Map<String, Object> browserProperties() {
     return Map.of(
         "ABSTRACT_NODES", true,
@@ -77,7 +81,7 @@ final class Infos {
         "PROTOTYPE_CREATE", false,
         "DOM_IMPORT", true,
         "XML_ENCODING", true,
-        "CLASSIC_VRML_ENCODING", false,
+        "CLASSIC_VRML_ENCODING", true,
         "BINARY_ENCODING", false);
   }
 

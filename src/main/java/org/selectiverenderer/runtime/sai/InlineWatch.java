@@ -10,9 +10,9 @@ import org.selectiverenderer.sai.InlinedScenes;
 import org.selectiverenderer.sai.InlinedScenes.Registration;
 
 /**
- * Hears when an Inline shows another scene, or that scene other nodes at its top. What observers
- * see at once is told as listeners hear of events: when the cascade has come to rest, in the frame
- * in which a file has arrived.
+ * Observes an Inline and tells a listener when it shows another scene, or that scene has other root
+ * nodes. The listener is called like field listeners: after the event cascade, in the frame in
+ * which a file has arrived.
  */
 final class InlineWatch implements NodeObserver, Registration {
   private final World world;

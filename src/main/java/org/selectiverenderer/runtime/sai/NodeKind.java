@@ -15,8 +15,8 @@ import org.web3d.x3d.sai.X3DNodeTypes;
 import org.web3d.x3d.sai.X3DProtoInstance;
 
 /**
- * What the SAI objects of all nodes of one type share: their interfaces, numbers and field
- * definitions, and what their methods mean. Thread-safe.
+ * The data that the SAI objects of all nodes of one type share: interfaces, type constants, field
+ * definitions, and the meaning of each method. Thread-safe.
  */
 final class NodeKind {
   private final NodeType type;
@@ -54,13 +54,14 @@ final class NodeKind {
   }
 
   /**
-   * X3DNode, the interface of the type itself, and those of its abstract types. Not to write to.
+   * Returns X3DNode, the interface of the type itself, and those of its abstract types. Not to be
+   * modified.
    */
   Class<?>[] interfaces() {
     return interfaces;
   }
 
-  /** The constants of its abstract types. */
+  /** Returns the constants of its abstract types. */
   int[] numbers() {
     return numbers.clone();
   }
@@ -76,9 +77,9 @@ final class NodeKind {
   }
 
   /**
-   * A field by its name or that of its events.
+   * Returns a field's definition by the field's name or that of its events.
    *
-   * @throws InvalidFieldException if there is none
+   * @throws InvalidFieldException if there is no such field
    */
   EmbeddedFieldDefinition definition(String name) {
     return type.field(name)

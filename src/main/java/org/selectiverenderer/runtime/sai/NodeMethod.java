@@ -8,20 +8,21 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * What a method of a node interface means for nodes of one type, by the naming rule that the SAI
- * package states.
+ * The operation that a method of a node interface stands for on nodes of one type, derived from the
+ * method's name by the rule in the SAI's package description.
  *
- * @param field that is read or written; null where none is, or the type has none of that name
+ * @param field the field that is read or written; null where the method has none, or the type has
+ *     none of that name
  * @param input for {@link Operation#WRITE}: the field that takes the value when {@code field} is
  *     not writable, such as set_bind
- * @param name of the field as the method has it, for messages
+ * @param name the name of the field as the method has it, for messages
  */
 record NodeMethod(
     Operation operation,
     @Nullable FieldDefinition field,
     @Nullable FieldDefinition input,
     String name) {
-  /** What a method does. */
+  /** The operation of a method. */
   enum Operation {
     EQUALS,
     HASH_CODE,
@@ -35,9 +36,9 @@ record NodeMethod(
     DISPOSE,
     /** The number of values of an MF field. */
     COUNT,
-    /** The value, as the result. */
+    /** The value is returned. */
     READ,
-    /** The values, into an array of the caller. */
+    /** The values are copied into the caller's array. */
     COPY,
     WRITE
   }

@@ -17,8 +17,8 @@ import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * A node behind the interface of its type; {@link NodeMethod} says what each method means. Kept
- * small, since a scene may have hundreds of thousands.
+ * The dynamic proxy of a node behind the SAI interface of its type; {@link NodeMethod} tells what
+ * each method means. It has few fields, because a scene may have hundreds of thousands of nodes.
  */
 final class NodeProxy implements InvocationHandler {
   private static final Object[] NO_ARGUMENTS = {};
@@ -58,12 +58,12 @@ final class NodeProxy implements InvocationHandler {
     realized = true;
   }
 
-  /** Whether the node or its browser was disposed of. */
+  /** Returns whether the SAI object or its browser was disposed of. */
   boolean gone() {
     return disposed || binding.disposed();
   }
 
-  /** Refuses further use of a node or a browser that was disposed of. */
+  /** Throws if the SAI object or its browser was disposed of. */
   void check() {
     binding.check();
     if (disposed) {
@@ -112,7 +112,10 @@ final class NodeProxy implements InvocationHandler {
     }
   }
 
-  /** The SAI's object goes, the node stays: who asks for it again gets another object. */
+  /**
+   * Disposes of the SAI object only: the node stays, and gets another object when it is asked for
+   * again.
+   */
   private void dispose() {
     disposed = true;
     synchronized (node) {
@@ -126,7 +129,7 @@ final class NodeProxy implements InvocationHandler {
     }
   }
 
-  /** The object of a field that the node keeps for this owner, if any. */
+  /** Returns the field object that the node keeps for this proxy, if any. */
   @Nullable FieldProxy kept(int field) {
     return node.listener(field, FieldProxy.class, proxy -> proxy.owner() == this);
   }
@@ -179,8 +182,8 @@ final class NodeProxy implements InvocationHandler {
   }
 
   /**
-   * Sends a new value to a writable field. A node that is not realized yet is nobody's but the
-   * application's: it takes the value at once, whatever the world does, and sends no event.
+   * Sends a new value to a writable field. A node that is not realized yet belongs to the
+   * application alone: it takes the value at once and sends no event.
    */
   void change(FieldDefinition field, UnaryOperator<@Nullable Object> change) {
     if (!realized && field.access() != FieldAccess.INPUT_ONLY) {

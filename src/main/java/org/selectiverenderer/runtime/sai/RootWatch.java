@@ -7,8 +7,8 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
 /**
- * Hears when nodes come to or leave the top of a scene that is shown, as listeners hear it; is told
- * the time stamp.
+ * Calls a consumer with the time stamp when root nodes are added to or removed from a scene that is
+ * shown, in the way of field listeners.
  */
 final class RootWatch implements ListenerOfField, AutoCloseable {
   private final Node root;

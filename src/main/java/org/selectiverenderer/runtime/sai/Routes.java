@@ -6,12 +6,12 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.web3d.x3d.sai.InvalidReadableFieldException;
 import org.web3d.x3d.sai.InvalidWritableFieldException;
 
-/** Checks what an application wants to connect (X3D 4.0, 4.4.8.2). */
+/** Checks and makes the routes that an application adds (X3D 4.0, 4.4.8.2). */
 final class Routes {
   private Routes() {}
 
   /**
-   * A route between fields that are named by themselves or by their events.
+   * Returns a route between two fields, given by the names of the fields or of their events.
    *
    * @throws InvalidReadableFieldException if the first field sends no events
    * @throws InvalidWritableFieldException if the second receives none, or of another type
@@ -21,12 +21,15 @@ final class Routes {
         from.type()
             .output(readableField)
             .orElseThrow(
-                () -> new InvalidReadableFieldException(from + " sends no " + readableField));
+                () ->
+                    new InvalidReadableFieldException(
+                        from + " has no output field " + readableField));
     FieldDefinition in =
         to.type()
             .input(writableField)
             .orElseThrow(
-                () -> new InvalidWritableFieldException(to + " receives no " + writableField));
+                () ->
+                    new InvalidWritableFieldException(to + " has no input field " + writableField));
     if (out.type() != in.type()) {
       throw new InvalidWritableFieldException(
           "%s of %s cannot be routed to %s of %s: the types %s and %s differ"

@@ -13,8 +13,8 @@ import org.web3d.x3d.sai.X3DFieldTypes;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * Finds the SAI's interfaces and constants for the types of the catalogue, by their names, and
- * remembers what it found. Thread-safe.
+ * Finds and caches the SAI's interfaces and constants for the types of the node catalogue, by name.
+ * Thread-safe.
  */
 final class SaiTypes {
   private static final String PACKAGE = X3DNode.class.getPackageName() + ".";
@@ -25,7 +25,7 @@ final class SaiTypes {
 
   NodeKind kind(NodeType type) {
     if (type.ownFrom() < type.fields().size()) {
-      return new NodeKind(type, this); // One node's own: kept with it, not for ever.
+      return new NodeKind(type, this); // The type of one node alone: not cached.
     }
     NodeKind known = kinds.get(type);
     return known != null
@@ -33,7 +33,10 @@ final class SaiTypes {
         : kinds.computeIfAbsent(type, missing -> new NodeKind(missing, this));
   }
 
-  /** The interface of a field's type; of a type that the SAI lacks (SFVec4f ...), of all fields. */
+  /**
+   * Returns the interface of a field type; for types that the SAI lacks (SFVec4f ...) the general
+   * one.
+   */
   Class<?> interfaceOf(FieldType type) {
     return fieldInterfaces.computeIfAbsent(
         type, t -> find(t.name()).orElse(t.multiple() ? MField.class : X3DField.class));
@@ -47,7 +50,7 @@ final class SaiTypes {
     return new EmbeddedFieldDefinition(field, number);
   }
 
-  /** An interface of the SAI by its name below the base package. */
+  /** Returns an interface of the SAI by its name below the base package. */
   static Optional<Class<?>> find(String name) {
     try {
       return Optional.of(Class.forName(PACKAGE + name, false, X3DNode.class.getClassLoader()));
@@ -56,7 +59,7 @@ final class SaiTypes {
     }
   }
 
-  /** A constant of the SAI; empty for what it does not number. */
+  /** Returns a constant of the SAI; empty if it has none of that name. */
   static Optional<Integer> constant(Class<?> holder, String name) {
     try {
       return Optional.of(holder.getField(name).getInt(null));

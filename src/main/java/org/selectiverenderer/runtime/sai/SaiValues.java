@@ -13,8 +13,8 @@ import org.web3d.x3d.sai.InvalidNodeException;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * Between the arguments of SAI methods and the values of {@link FieldType}. What is handed in or
- * out is copied, so that nobody outside writes into a field's array.
+ * Converts between the arguments of SAI methods and the values of {@link FieldType}. All values are
+ * copied, so that no application writes into a field's array.
  */
 final class SaiValues {
   private final Binding binding;
@@ -23,7 +23,7 @@ final class SaiValues {
     this.binding = binding;
   }
 
-  /** The number of tuples in an MF value. */
+  /** Returns the number of elements in an MF value. */
   static int size(FieldType type, @Nullable Object value) {
     if (value == null) {
       return 0;
@@ -31,15 +31,15 @@ final class SaiValues {
     return type.isNode() ? ((List<?>) value).size() : Array.getLength(value) / type.components();
   }
 
-  /** A single value as a method returns it. */
+  /** Returns a single value as SAI methods return it. */
   @Nullable Object result(FieldType type, @Nullable Object value) {
     return type.isNode() ? binding.wrap((Node) value) : value;
   }
 
   /**
-   * The value, if a field takes such nodes.
+   * Returns the value if the field accepts its node types.
    *
-   * @throws InvalidNodeException if not
+   * @throws InvalidNodeException if the field does not accept a node
    */
   static @Nullable Object accepted(FieldDefinition field, @Nullable Object value) {
     if (value instanceof Node node) {
@@ -59,7 +59,7 @@ final class SaiValues {
   }
 
   /**
-   * The value of a whole field from a method's argument.
+   * Converts a method's argument to the value of a whole field.
    *
    * @param argument scalar, array, array of tuples, node or array of nodes
    */
@@ -87,7 +87,7 @@ final class SaiValues {
     }
     if (given % type.components() != 0) {
       throw new InvalidFieldValueException(
-          "%s numbers are not a multiple of %s".formatted(given, type));
+          "%s numbers cannot be divided into values of %s".formatted(given, type));
     }
     return flat;
   }
@@ -114,7 +114,7 @@ final class SaiValues {
     return nodes;
   }
 
-  /** A fresh primitive or String array of the components in an argument. */
+  /** Returns a new primitive or String array of the components in an argument. */
   private static Object flat(FieldType type, Object argument) {
     if (!argument.getClass().isArray()) {
       Object one = Array.newInstance(componentClass(type), 1);
@@ -170,7 +170,7 @@ final class SaiValues {
     return copy;
   }
 
-  /** Writes a field's value into the beginning of a caller's array. */
+  /** Copies a field's value into a caller's array. */
   void toArgument(FieldType type, Object value, Object target) {
     if (type.isNode()) {
       List<?> nodes = (List<?>) value;
@@ -187,7 +187,7 @@ final class SaiValues {
     }
   }
 
-  /** One value of an MF field that is no tuple. */
+  /** Returns one element of an MF field whose elements have one component. */
   @Nullable Object element(FieldType type, Object value, int index) {
     check(type, value, index, false);
     return type.isNode()
@@ -195,15 +195,15 @@ final class SaiValues {
         : Array.get(value, index);
   }
 
-  /** Writes one tuple of an MF field into the beginning of a caller's array. */
+  /** Copies one element of an MF field into a caller's array. */
   void element(FieldType type, Object value, int index, Object target) {
     check(type, value, index, false);
     System.arraycopy(value, index * type.components(), target, 0, type.components());
   }
 
   /**
-   * One tuple of an MF field from a method's argument: an array of its components, or a list of
-   * nodes.
+   * Converts a method's argument to one element of an MF field: an array of its components, or a
+   * list of nodes.
    */
   Object tuple(FieldType type, @Nullable Object argument) {
     if (type.isNode()) {
@@ -221,7 +221,9 @@ final class SaiValues {
     return tuple;
   }
 
-  /** An MF value with none or one of its tuples replaced by what {@link #tuple} made. */
+  /**
+   * Returns an MF value in which an element made by {@link #tuple} is inserted or replaces another.
+   */
   @SuppressWarnings("unchecked")
   Object splice(FieldType type, Object value, int at, int removed, Object tuple) {
     check(type, value, at, removed == 0);
@@ -230,7 +232,7 @@ final class SaiValues {
         : spliced(type, value, at, removed, tuple, type.components());
   }
 
-  /** An MF value without one of its tuples. */
+  /** Returns an MF value without one of its elements. */
   Object without(FieldType type, Object value, int at) {
     check(type, value, at, false);
     return type.isNode()
@@ -265,7 +267,7 @@ final class SaiValues {
     }
   }
 
-  /** The first tuples of an argument, as a whole field's value. */
+  /** Returns the first elements of an argument as a whole field's value. */
   @Nullable Object first(FieldType type, int count, @Nullable Object argument) {
     if (argument == null) {
       throw new InvalidFieldValueException("null is not a value of type " + type);
@@ -282,7 +284,7 @@ final class SaiValues {
   private static void checkAnnounced(FieldType type, int announced, int given) {
     if (announced < 0 || announced > given) {
       throw new InvalidFieldValueException(
-          "%s values of %s are announced, %s are given".formatted(announced, type, given));
+          "%s values of %s are asked for, but only %s are given".formatted(announced, type, given));
     }
   }
 }

@@ -28,8 +28,9 @@ import org.web3d.x3d.sai.ProfileInfo;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
- * Makes scenes and nodes for an application: out of nothing, text, streams, files and documents.
- * Problems of what is read go to the world's; a scene is refused when it has problems and no node.
+ * Makes scenes and nodes for an application: empty ones, or from text, streams, URLs and DOM
+ * documents. Problems of what is read are reported to the world; a scene is refused when it has
+ * problems and no node.
  */
 final class SceneMaker {
   private static final Location MADE = Location.of("(made by the application)");
@@ -44,12 +45,12 @@ final class SceneMaker {
     this.infos = infos;
   }
 
-  /** The profile of a scene; null for one that a file leaves out or misspells. */
+  /** Returns the profile of a scene; null if the file leaves it out or misspells it. */
   @Nullable ProfileInfo profile(String name) {
     return infos.knows(name) ? infos.profile(name) : null;
   }
 
-  /** A node of a type, not realized; empty if there is no such type. */
+  /** Makes a node of a type, not realized; empty if there is no such type. */
   Optional<X3DNode> node(String type) {
     return loader
         .catalogue()
@@ -118,7 +119,7 @@ final class SceneMaker {
     return new EmbeddedScene(binding, this, scene, worldUrl);
   }
 
-  /** The first of some addresses that can be read. */
+  /** Reads the scene from the first of the URLs that can be read. */
   EmbeddedScene fromUrl(String[] urls) {
     String reason = "no address is given";
     for (String url : urls) {

@@ -7,11 +7,11 @@ import org.web3d.x3d.sai.X3DProtoInstance;
 import org.web3d.x3d.sai.X3DScene;
 
 /**
- * A scene that knows no prototypes: their instances are expanded while a file is read, so that the
- * lists are empty and no name is found.
+ * The prototype methods of the SAI's scene interface for a browser that expands prototype instances
+ * when a file is read: all lists are empty and no name is found.
  */
 abstract class SceneWithoutPrototypes implements X3DScene {
-  /** Refuses further use of a scene that was disposed of. */
+  /** Throws if the scene was disposed of. */
   abstract void check();
 
   @Override

@@ -5,21 +5,21 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Holds back changes between {@code beginUpdate} and {@code endUpdate}, so that they take effect in
- * one frame. A bracket belongs to the thread that opens it: the controller, which answers on the
- * thread of the browser, does not wait for the brackets of others. Thread-safe.
+ * Buffers changes between {@code beginUpdate} and {@code endUpdate}, so that they take effect in
+ * one frame. A bracket belongs to the thread that opens it: the controller, which responds on the
+ * browser's thread, is not delayed by the brackets of other threads. Thread-safe.
  */
 final class UpdateBuffer {
   private final ThreadLocal<@Nullable Held> open = new ThreadLocal<>();
 
-  /** Opens a bracket unless there is one. */
+  /** Opens a bracket unless one is open. */
   void begin() {
     if (open.get() == null) {
       open.set(new Held());
     }
   }
 
-  /** Holds a change back; false when there is no bracket and it is to be done now. */
+  /** Buffers a change; returns false when no bracket is open and the change is to be done now. */
   boolean hold(Runnable change) {
     Held held = open.get();
     if (held != null) {
@@ -28,14 +28,14 @@ final class UpdateBuffer {
     return held != null;
   }
 
-  /** Closes the bracket and returns what was held; nothing if there is none. */
+  /** Closes the bracket and returns the buffered changes; none if no bracket is open. */
   Held end() {
     Held held = open.get();
     open.remove();
     return held == null ? new Held() : held;
   }
 
-  /** Changes in order; all are done, and then the first failure, if any, is thrown. */
+  /** Buffered changes in order. All are executed; then the first failure, if any, is thrown. */
   static final class Held implements Runnable {
     private final List<Runnable> changes = new ArrayList<>();
 

@@ -5,13 +5,13 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
 /**
- * Calls what applications wrote: listeners. Whatever it throws is reported and ends there, so that
- * one bad listener neither silences the others nor stops the world.
+ * Calls code of applications, such as listeners. Exceptions are caught and reported, so that a
+ * faulty listener neither prevents the others from being called nor stops the world.
  *
- * <p>That goes for an {@code Error} too: one of an assertion or of linking is the listener's own,
- * and a stack that overflowed in it is unwound. What the virtual machine throws for itself ({@code
- * OutOfMemoryError}, {@code InternalError}) passes through, since after it nothing can be relied
- * upon, least of all a report.
+ * <p>This includes errors: an assertion or linkage error is the listener's own fault, and after a
+ * stack overflow in the listener the stack is unwound. Other errors of the virtual machine ({@code
+ * OutOfMemoryError}, {@code InternalError}) pass through, since after them nothing works reliably,
+ * least of all reporting.
  */
 public final class ApplicationCode {
   private ApplicationCode() {}
@@ -19,7 +19,7 @@ public final class ApplicationCode {
   /**
    * Calls code.
    *
-   * @param who for the report, such as "a listener of size"
+   * @param who the name of the code in the report, such as "a listener of size"
    */
   public static void call(Problems problems, Location location, String who, Runnable code) {
     try {

@@ -8,14 +8,15 @@ import org.selectiverenderer.base.problem.Problems;
  * The event cascade (X3D 4.0, 4.4.8.3): carries events along routes until no more are sent, all
  * with one time stamp, then calls listeners, whose own events cascade in turn.
  *
- * <p>Each event that begins outside (a sensor's, an application's, a listener's) is a first event
- * of its own and is carried to its end before the next one begins, so that none is lost and the
- * last one sent wins. Within it, order is first in, first out, and fan-out is in the order of the
- * routes: the same input gives the same events. A field takes one event in answer to the same first
- * event; that ends loops, and where routes meet again the first arrival counts (X3D 4.0, 4.4.8.4).
+ * <p>Each event from outside the cascade (of a sensor, an application or a listener) is an initial
+ * event. It is carried to its end before the next one begins, so that none is lost and the last one
+ * sent wins. Events that follow from an initial event are delivered first in, first out, and
+ * fan-out is in the order of the routes: the same input gives the same events. A field accepts one
+ * event per initial event; that breaks loops, and where routes converge the first arrival counts
+ * (X3D 4.0, 4.4.8.4).
  */
 public final class Cascade {
-  /** Listener calls in one run after which something is taken to be endless. */
+  /** Number of listener calls in one run after which an endless loop is assumed. */
   static final int MAX_NOTIFICATIONS = 1_000_000;
 
   private record Delivery(Node to, int field, @Nullable Object value) {}
@@ -38,7 +39,7 @@ public final class Cascade {
     this.problems = problems;
   }
 
-  /** The time stamp of the events now being sent, in seconds. */
+  /** Returns the time stamp of the events now being sent, in seconds. */
   public double time() {
     return time;
   }
@@ -49,14 +50,14 @@ public final class Cascade {
   }
 
   /**
-   * A first event: what an application sends to a field. It is carried along the routes at once, or
-   * after the first event that is being carried; listeners hear of it in {@link #run()}.
+   * Sends a value to an input of a node, as an initial event. It is carried along the routes at
+   * once, or after the initial event that is being carried; listeners are called in {@link #run()}.
    */
   public void send(Node node, int field, @Nullable Object value) {
     begin(node, field, value, true);
   }
 
-  /** Sends a value from an output of a node, as a first event. */
+  /** Sends a value from an output of a node, as an initial event. */
   public void emit(Node node, int field, @Nullable Object value) {
     begin(node, field, value, false);
   }
@@ -91,12 +92,12 @@ public final class Cascade {
     }
   }
 
-  /** Whether a first event is being carried. */
+  /** Returns whether an initial event is being carried. */
   boolean carrying() {
     return carrying;
   }
 
-  /** Numbers the first event that is being carried. */
+  /** Returns the number of the initial event that is being carried. */
   long id() {
     return id;
   }
@@ -106,21 +107,22 @@ public final class Cascade {
   }
 
   /**
-   * Calls a listener in {@link #run()}, after those that wait already. For what is no event, but to
-   * be heard as one: a file that has arrived.
+   * Queues a call of a listener for {@link #run()}, for occurrences that are not events but are
+   * reported like one, such as the arrival of a file.
    */
   public void notify(FieldListener listener, Node node, int field, @Nullable Object value) {
     notifications.add(new Notification(listener, node, field, value));
   }
 
   /**
-   * Calls the listeners of everything that was sent, until they send no more. They hear the time
-   * stamp of now: what was sent between two frames belongs to the one that delivers it. Should one
-   * end in an error that {@link ApplicationCode} lets through, the rest are called in the next run.
+   * Calls the listeners of all events sent, until they send no more. They get the present time
+   * stamp: events sent between two frames belong to the frame that delivers them. If a listener
+   * ends in an error that {@link ApplicationCode} lets through, the rest are called in the next
+   * run.
    */
   public void run() {
     if (running) {
-      return; // A listener asked for it; the run that called it goes on.
+      return; // Called by a listener: the outer run continues.
     }
     running = true;
     try {

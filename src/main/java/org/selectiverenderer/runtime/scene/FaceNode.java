@@ -6,11 +6,14 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * The interface of an instance as a node: it passes events on to the fields that its own stand for,
- * and theirs to whoever listens to it. A field that stands for none keeps its value, as any node's.
+ * A prototype instance as a node: forwards events between the fields of its interface and the
+ * fields of body nodes that they are connected to by IS. A field without a connection stores its
+ * value like that of any node.
  */
 final class FaceNode extends Node {
-  /** Takes what the body sends; the interface itself takes what the body is to get. */
+  /**
+   * Receives the events that the body sends; the enclosing node receives those that go to the body.
+   */
   private static final class Outlet extends Node {
     private final FaceNode face;
 
@@ -37,7 +40,7 @@ final class FaceNode extends Node {
     return face;
   }
 
-  /** The value of a field as it is now: the body's, where that has one. */
+  /** Returns the present value of a field: that of the connected body field, if there is one. */
   @Nullable Object current(int field) {
     for (InstanceFace.Link link : face.links()) {
       if (link.field() == field && link.holds()) {
@@ -65,7 +68,7 @@ final class FaceNode extends Node {
     }
   }
 
-  /** Brings the events of the body here, from when somebody wants to hear them. */
+  /** Connects the events of the body when the first listener is added. */
   @Override
   void heardFrom(int field) {
     if (heard(field)) {

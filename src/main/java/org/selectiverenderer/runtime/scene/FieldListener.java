@@ -3,9 +3,9 @@ package org.selectiverenderer.runtime.scene;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Hears the events that a field sends, after the cascade that carried them came to rest. It may set
- * fields: that begins a further cascade at the same time. One that throws is reported; the others
- * are called nevertheless.
+ * Is called with the events that a field sends, after the cascade has come to rest. It may set
+ * fields, which starts a further cascade with the same time stamp. An exception is reported; the
+ * other listeners are still called.
  */
 @FunctionalInterface
 public interface FieldListener {

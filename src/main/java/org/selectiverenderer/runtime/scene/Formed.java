@@ -5,17 +5,17 @@ import java.util.function.Function;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * A node that is drawn like a Shape, with an {@code appearance}, but makes its own mesh. It tells
- * its observers when there is another one.
+ * A node that is drawn like a Shape, with an {@code appearance}, but generates its own mesh:
+ * ParticleSystem, InstancedShape. It notifies its observers of a new mesh.
  */
 public interface Formed {
-  /** What is drawn now, in local coordinates; the same object until it changes. */
+  /** Returns the present mesh in local coordinates; the same object until it changes. */
   Optional<Mesh> form();
 
   /**
-   * Where the meshes of geometry nodes in it come from; told once, before it is drawn.
+   * Sets the source of meshes for geometry nodes in it; called once, before it is drawn.
    *
-   * @param meshes the mesh of a geometry node as its fields are
+   * @param meshes returns the mesh of a geometry node for its present fields
    */
   void meshes(Function<Node, Optional<Mesh>> meshes);
 }

@@ -8,19 +8,18 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * What an instance of a prototype shows to scripts and applications: the fields of its interface
- * (X3D 4.0, 4.4.4.1). Its body's nodes stand in its place in the scene and know nothing of it. So
- * that it costs nothing while nobody asks, the node that shows the interface is made when somebody
- * does.
+ * A prototype instance as scripts and applications see it: with the fields of its interface (X3D
+ * 4.0, 4.4.4.1). In the scene the nodes of its body take its place and do not refer to it. The node
+ * that represents the interface is made on demand, so that it costs nothing until then.
  */
 public final class InstanceFace {
   /**
-   * A field of the interface and one that it stands for.
+   * An IS connection between a field of the interface and a field of a body node.
    *
-   * @param field its index in the interface
+   * @param field the index of the interface field
    * @param takes whether events go from the interface to the node
    * @param sends whether events go from the node to the interface
-   * @param holds whether the node's field has the value of the interface's
+   * @param holds whether the node's field holds the value of the interface field
    */
   public record Link(
       int field, Node node, int nodeField, boolean takes, boolean sends, boolean holds) {}
@@ -35,13 +34,13 @@ public final class InstanceFace {
   private @Nullable FaceNode shown;
 
   /**
-   * Gives a node an interface to hide behind. Of several, when a body begins with an instance
-   * itself, the outermost is the first.
+   * Makes an instance and attaches it to the first node of its body. If the body itself starts with
+   * an instance, the outermost is attached and leads to the inner ones.
    *
    * @param body the first node of the instance's body
-   * @param others those behind it that take part in the scene, though they stand in no other
-   * @param within the instance in whose body this one stands, if any
-   * @param values of fields that no node holds, by their indices
+   * @param others the other nodes of the body that take part in the scene by routes only
+   * @param within the instance whose body contains this one, if any
+   * @param values the values of fields that no body node holds, by their indices
    */
   public InstanceFace(
       Node body,
@@ -68,10 +67,11 @@ public final class InstanceFace {
   }
 
   /**
-   * What stands for a node where somebody looks: the interface of the outermost instance that it is
-   * the first node of, of those in which the onlooker does not stand itself; else the node.
+   * Returns the node that an observer sees for a node of the scene: the outermost prototype
+   * instance whose body starts with the node and does not contain the observer; else the node
+   * itself.
    *
-   * @param from the innermost instance in whose body the onlooker stands, or null
+   * @param from the innermost instance whose body contains the observer, or null
    */
   public static Node seen(Node node, @Nullable InstanceFace from) {
     for (InstanceFace face = node.face(); face != null; face = face.inner) {
@@ -82,19 +82,22 @@ public final class InstanceFace {
     return node;
   }
 
-  /** The node of the scene behind what {@link #seen} gives: the first of the instance's body. */
+  /**
+   * Returns the node of the scene for a result of {@link #seen}: the first node of the instance's
+   * body.
+   */
   public static Node body(Node seen) {
     return seen instanceof FaceNode node ? node.shown().body : seen;
   }
 
-  /** The value of a field as it is now, of whatever {@link #seen} gives. */
+  /** Returns the present value of a field of a result of {@link #seen}. */
   public static @Nullable Object value(Node seen, int field) {
     return seen instanceof FaceNode node ? node.current(field) : seen.value(field);
   }
 
   /**
-   * Gives a field that takes no events another value, of whatever {@link #seen} gives: the nodes
-   * that it stands for look at it again.
+   * Replaces the value of a field that accepts no events, for a result of {@link #seen}, and
+   * notifies the connected body nodes.
    */
   public static void replace(Node seen, int field, @Nullable Object value) {
     if (seen instanceof FaceNode node) {
@@ -105,7 +108,10 @@ public final class InstanceFace {
     seen.replace(field, value);
   }
 
-  /** The routes between nodes of the scene that a route stands for; itself if it is one. */
+  /**
+   * Returns the routes between nodes of the scene that a route stands for; the route itself if its
+   * ends are no prototype instances.
+   */
   static List<Route> behind(Route route) {
     if (!(route.from() instanceof FaceNode) && !(route.to() instanceof FaceNode)) {
       return List.of(route);
@@ -129,8 +135,8 @@ public final class InstanceFace {
   }
 
   /**
-   * Gathers what stands beside a node in the bodies of instances that it is the first node of: they
-   * are in the scene as long as it is (X3D 4.0, 4.4.4.3).
+   * Collects the other body nodes of the instances whose body starts with a node; they are in the
+   * scene as long as that node is (X3D 4.0, 4.4.4.3).
    */
   public static void beside(Node node, Collection<Node> into) {
     for (InstanceFace face = node.face(); face != null; face = face.inner) {
@@ -151,7 +157,7 @@ public final class InstanceFace {
   }
 
   private Node node() {
-    synchronized (body) { // Applications ask from any thread.
+    synchronized (body) { // Applications call this from any thread.
       if (shown == null) {
         shown = new FaceNode(this, type, body);
         values.forEach(shown::init);

@@ -1,7 +1,7 @@
 package org.selectiverenderer.runtime.scene;
 
-/** A listener that knows its field, so that the node need not note it. */
+/** A listener that knows the field it listens to, so that the node need not store it. */
 public interface ListenerOfField extends FieldListener {
-  /** The index of the field. */
+  /** Returns the index of the field. */
   int field();
 }

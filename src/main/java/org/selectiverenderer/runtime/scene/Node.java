@@ -12,9 +12,9 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * A node of a running scene: its field values, and who hears of their changes. As it stands it
- * keeps and passes on events of its inputOutput fields; a node type with a behaviour of its own
- * extends it (package {@code nodes}). Not thread-safe: it belongs to the thread that steps the
+ * A node of a running scene: its field values with their routes, observers and listeners. This base
+ * class stores and forwards the events of inputOutput fields; a node type with a behaviour of its
+ * own extends it (package {@code nodes}). Not thread-safe: it belongs to the thread that steps the
  * world.
  */
 public class Node implements NodeView {
@@ -62,7 +62,7 @@ public class Node implements NodeView {
     return name;
   }
 
-  /** Gives the node another DEF name; only its scene does. */
+  /** Changes the DEF name; only the scene calls this. */
   final void rename(@Nullable String newName) {
     name = newName;
   }
@@ -78,20 +78,23 @@ public class Node implements NodeView {
     return value != null ? value : type.fields().get(field).defaultValue();
   }
 
-  /** The node in an SFNode field, or null. */
+  /** Returns the node in an SFNode field, or null. */
   @Override
   public @Nullable Node node(String field) {
     return (Node) value(field);
   }
 
-  /** The nodes in an MFNode field. */
+  /** Returns the nodes in an MFNode field. */
   @Override
   @SuppressWarnings("unchecked")
   public List<Node> nodes(String field) {
     return (List<Node>) value(field);
   }
 
-  /** What another layer keeps of this node: its SAI object. Null until there is one. */
+  /**
+   * Returns the object that another software layer has attached to this node, its SAI object; null
+   * until there is one.
+   */
   public final @Nullable Object companion() {
     return companion;
   }
@@ -100,7 +103,7 @@ public class Node implements NodeView {
     companion = object;
   }
 
-  /** The interface of the outermost instance of a prototype whose body begins with this node. */
+  /** Returns the outermost prototype instance whose body starts with this node, or null. */
   final @Nullable InstanceFace face() {
     return face;
   }
@@ -109,15 +112,16 @@ public class Node implements NodeView {
     face = outermost;
   }
 
-  /** Gives a field its value before the node is part of a world: no event is sent. */
+  /** Sets the initial value of a field before the node is part of a world; no event is sent. */
   public final void init(int field, @Nullable Object value) {
     values[field] = value;
   }
 
   /**
-   * An event arrives at a field. The base class keeps the value of an inputOutput field and sends
-   * it on. An inputOnly field such as set_coordIndex gives its value to the field coordIndex, which
-   * has no other way to change (X3D 4.0, 11.2.2.4); others only mean something to a behaviour.
+   * Is called when an event arrives at a field. The base class stores the value of an inputOutput
+   * field and forwards it. An inputOnly field such as set_coordIndex sets the field coordIndex,
+   * which cannot change otherwise (X3D 4.0, 11.2.2.4); other inputOnly fields only affect
+   * subclasses.
    *
    * @param value as {@link org.selectiverenderer.x3d.field.FieldType} represents it
    */
@@ -131,7 +135,7 @@ public class Node implements NodeView {
     }
   }
 
-  /** Gives a field that sends no events a new value; observers hear of it. */
+  /** Replaces the value of a field that sends no events and notifies the observers. */
   final void replace(int field, @Nullable Object value) {
     VarHandle.releaseFence();
     values[field] = value;
@@ -139,9 +143,9 @@ public class Node implements NodeView {
   }
 
   /**
-   * Keeps a field's new value, tells the observers and sends it along routes and to listeners.
-   * Outside a cascade it begins one. A second event of a field in answer to the same first event is
-   * dropped (see {@link Cascade}).
+   * Stores a field's new value, notifies the observers, and sends the value along routes and to
+   * listeners. Outside a cascade this starts one. A second event of a field for the same initial
+   * event is dropped (see {@link Cascade}).
    *
    * @return whether the event was sent
    */
@@ -153,11 +157,11 @@ public class Node implements NodeView {
     if (!firstIn(cascade, field)) {
       return false;
     }
-    // Other threads may read fields at any time: they must not see an array before its elements.
+    // Other threads may read fields at any time and must not see an array before its elements.
     VarHandle.releaseFence();
     values[field] = value;
     tellObservers(field);
-    // What is added meanwhile comes after the count, what is removed leaves these arrays alone.
+    // Elements added meanwhile lie beyond the count; removing one replaces the array.
     Route[] going = routes;
     for (int i = 0, count = routeCount; i < count; i++) {
       Route route = going[i];
@@ -176,14 +180,17 @@ public class Node implements NodeView {
   }
 
   /**
-   * Keeps another value in a field and tells the observers, without an event: what the node itself
-   * derives from others, such as the deformed skin of a figure.
+   * Stores a derived value in a field and notifies the observers, without an event; for values that
+   * are computed from other nodes, such as the deformed skin of a humanoid.
    */
   public final void derive(int field, Object value) {
     replace(field, value);
   }
 
-  /** Makes observers look at a field again, without an event: what it leads to has changed. */
+  /**
+   * Notifies the observers of a field without an event, because content that the field refers to
+   * has changed.
+   */
   public final void tellObservers(int field) {
     changes++;
     for (int i = 0; i < observerCount; i++) {
@@ -191,12 +198,15 @@ public class Node implements NodeView {
     }
   }
 
-  /** How often a field has got a new value, whether anybody observed it or not. */
+  /** Returns how often any field has got a new value, observed or not. */
   public final int changes() {
     return changes;
   }
 
-  /** Whether a field sends its first event in that cascade; from now on it has. */
+  /**
+   * Returns whether a field sends its first event for the present initial event, and notes that it
+   * has.
+   */
   private boolean firstIn(Cascade cascade, int field) {
     if (sentIn == null || sentBy != cascade) {
       sentIn = new long[values.length];
@@ -218,7 +228,10 @@ public class Node implements NodeView {
     routes = append(routes, routeCount++, route);
   }
 
-  /** Somebody is about to hear the events of a field: who passes on others' goes and gets them. */
+  /**
+   * Is called before a route or listener is added to a field; a subclass that forwards the events
+   * of other nodes connects to them.
+   */
   void heardFrom(int field) {}
 
   final void removeRoute(Route route) {
@@ -228,7 +241,7 @@ public class Node implements NodeView {
     }
   }
 
-  /** Observers are told in the order in which they were added. */
+  /** Adds an observer; observers are notified in the order in which they were added. */
   public final void addObserver(NodeObserver observer) {
     observers = append(observers, observerCount++, observer);
   }
@@ -243,7 +256,7 @@ public class Node implements NodeView {
     }
   }
 
-  /** Listeners are called in the order in which they were added. */
+  /** Adds a listener; listeners are called in the order in which they were added. */
   public final void addListener(int field, FieldListener listener) {
     heardFrom(field);
     listeners = append(listeners, listenerCount++, ofField(field, listener));
@@ -256,7 +269,7 @@ public class Node implements NodeView {
     }
   }
 
-  /** Whether events of a field go anywhere: along a route or to a listener. */
+  /** Returns whether a field has a route or a listener. */
   public final boolean heard(int field) {
     for (int i = 0; i < routeCount; i++) {
       if (routes[i].fromField() == field) {
@@ -266,7 +279,9 @@ public class Node implements NodeView {
     return listener(field, ListenerOfField.class, any -> true) != null;
   }
 
-  /** The first listener of a field that is of a kind and as wanted, or null. */
+  /**
+   * Returns the first listener of a field that is of a class and satisfies a condition, or null.
+   */
   public final <L extends ListenerOfField> @Nullable L listener(
       int field, Class<L> kind, Predicate<? super L> wanted) {
     for (int i = 0; i < listenerCount; i++) {
@@ -286,7 +301,10 @@ public class Node implements NodeView {
         : new Listening(field, listener);
   }
 
-  /** Doubles a full array: a node may have a great many routes, places or listeners. */
+  /**
+   * Appends an element, doubling a full array, since a node may have very many routes, observers or
+   * listeners.
+   */
   private static <T> @Nullable T[] append(@Nullable T[] array, int count, T element) {
     @Nullable T[] longer =
         count == array.length ? Arrays.copyOf(array, Math.max(1, 2 * count)) : array;

@@ -1,8 +1,9 @@
 package org.selectiverenderer.runtime.scene;
 
 /**
- * Hears at once that a field of a node has a new value, before routes and listeners do. For what
- * must stay true to the scene (the instance tree); it may mark things, not change fields.
+ * Is notified at once that a field of a node has a new value, before routes and listeners. For
+ * structures that must stay consistent with the scene, such as the instance tree; an observer must
+ * not change fields.
  */
 @FunctionalInterface
 public interface NodeObserver {

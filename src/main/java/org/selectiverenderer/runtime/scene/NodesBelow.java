@@ -5,11 +5,11 @@ import java.util.Set;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** A node and all that stands in its fields, and in theirs, but for metadata. */
+/** Collects a node and all nodes in its fields, recursively, except metadata. */
 public final class NodesBelow {
   private NodesBelow() {}
 
-  /** Each once, in the order in which they stand. */
+  /** Returns the nodes, each once, in document order. */
   public static Set<Node> of(Node node) {
     Set<Node> all = new LinkedHashSet<>();
     add(node, all);

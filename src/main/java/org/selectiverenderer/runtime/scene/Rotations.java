@@ -6,11 +6,11 @@ import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** SFRotation values (axis and angle in radians) and quaternions. */
+/** Converts between SFRotation values (axis and angle in radians) and quaternions. */
 public final class Rotations {
   private Rotations() {}
 
-  /** The rotation of four floats at an offset; the identity for an axis without length. */
+  /** Reads the rotation of four floats at an offset; the identity for an axis without length. */
   public static Quaterniond read(float[] values, int offset, Quaterniond into) {
     double x = values[offset];
     double y = values[offset + 1];
@@ -21,7 +21,9 @@ public final class Rotations {
         : into.identity();
   }
 
-  /** Writes axis and angle, the angle in 0..pi; no rotation is about Z by 0. */
+  /**
+   * Writes axis and angle, the angle in 0..pi; the identity is written as an angle of 0 about Z.
+   */
   public static void write(Quaterniondc rotation, float[] into) {
     double sign = rotation.w() < 0 ? -1 : 1;
     double x = sign * rotation.x();
@@ -42,11 +44,12 @@ public final class Rotations {
   }
 
   /**
-   * The orientation that looks along a direction with its up as near to the given one as that
-   * allows; the identity where they do not span a plane.
+   * Returns the orientation that looks along a direction with its up as near as possible to a given
+   * one; the identity if both are parallel.
    *
-   * @param forward need not be of unit length; neither need {@code up}, nor be normal to it
-   * @param scratch is overwritten
+   * @param forward the viewing direction, of any length; {@code up} may have any length and need
+   *     not be orthogonal to it
+   * @param scratch a scratch matrix, overwritten
    */
   public static Quaterniond looking(
       Vector3dc forward, Vector3dc up, Matrix3d scratch, Quaterniond into) {
@@ -68,12 +71,12 @@ public final class Rotations {
     return into.setFromNormalized(scratch).normalize();
   }
 
-  /** The viewer's looking direction, -Z of its frame, in the world. */
+  /** Computes the viewing direction, -Z of the viewer's frame, in the world. */
   public static Vector3d forward(Quaterniondc orientation, Vector3d into) {
     return orientation.transform(into.set(0, 0, -1));
   }
 
-  /** The viewer's up, Y of its frame, in the world. */
+  /** Computes the viewer's up, Y of its frame, in the world. */
   public static Vector3d up(Quaterniondc orientation, Vector3d into) {
     return orientation.transform(into.set(0, 1, 0));
   }

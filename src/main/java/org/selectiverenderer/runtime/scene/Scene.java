@@ -10,8 +10,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A scene: its nodes under one root group, names, routes, and the head of its file. The content of
- * an Inline is a scene of its own.
+ * A running scene: its nodes under one root group, DEF names, routes, and the head of its file. The
+ * content of an Inline is a scene of its own.
  */
 public final class Scene {
   private final Node root;
@@ -33,8 +33,8 @@ public final class Scene {
 
   /**
    * @param root a Group that holds the scene's top nodes in its {@code children}
-   * @param url where it was read, or empty
-   * @param unitLength metres per unit of length
+   * @param url the address from which the scene was read, or empty
+   * @param unitLength the metres per unit of length
    */
   public Scene(
       Node root,
@@ -51,7 +51,7 @@ public final class Scene {
     this.unitLength = unitLength;
   }
 
-  /** The group that holds the top nodes; no part of the file. */
+  /** Returns the group that holds the root nodes; it is no part of the file. */
   public Node root() {
     return root;
   }
@@ -72,17 +72,17 @@ public final class Scene {
     return components;
   }
 
-  /** The meta statements, name to content; may be changed. */
+  /** Returns the meta statements, name to content; the map may be changed. */
   public Map<String, String> meta() {
     return meta;
   }
 
-  /** Metres per unit of length, from the {@code unit} statement. */
+  /** Returns the metres per unit of length, from the {@code unit} statement. */
   public double unitLength() {
     return unitLength;
   }
 
-  /** DEF name to node, in document order. */
+  /** Returns the DEF names with their nodes, in document order. */
   public Map<String, Node> named() {
     return Collections.unmodifiableMap(named);
   }
@@ -91,7 +91,7 @@ public final class Scene {
     return Optional.ofNullable(named.get(name));
   }
 
-  /** Names a node, or gives a name to another node. */
+  /** Assigns a DEF name to a node; a name in use is moved to that node. */
   public void name(String name, Node node) {
     Node before = named.put(name, node);
     if (before != null && before != node && name.equals(before.name())) {
@@ -100,7 +100,7 @@ public final class Scene {
     node.rename(name);
   }
 
-  /** Frees a name. A node that has another one besides keeps that. */
+  /** Removes a DEF name. A node with a second name keeps that. */
   public void unname(String name) {
     Node node = named.remove(name);
     if (node != null && name.equals(node.name())) {
@@ -108,17 +108,17 @@ public final class Scene {
     }
   }
 
-  /** Imported name to node, from IMPORT statements. */
+  /** Returns the imported names with their nodes, from IMPORT statements. */
   public Map<String, Node> imported() {
     return imported;
   }
 
-  /** What this scene has from its Inlines. */
+  /** Returns the imports from this scene's Inlines. */
   public SceneImports imports() {
     return imports;
   }
 
-  /** The node that is exported under a name: one of its own, or one that it imports itself. */
+  /** Returns the node exported under a name: one of this scene, or one that it imports itself. */
   public Optional<Node> exported(String name) {
     String local = exports.get(name);
     if (local == null) {
@@ -128,7 +128,9 @@ public final class Scene {
     return Optional.ofNullable(own != null ? own : imported.get(local));
   }
 
-  /** What the fields of an exported instance of a prototype stand for; empty for other nodes. */
+  /**
+   * Returns the connections of the fields of an exported prototype instance; empty for other nodes.
+   */
   public Optional<SceneImports.ExportedInstance> exportedInstance(String name) {
     return Optional.ofNullable(exportedInstances.get(name));
   }
@@ -137,14 +139,15 @@ public final class Scene {
     exportedInstances.put(name, fields);
   }
 
-  /** Exported name to DEF name, from EXPORT statements. */
+  /** Returns the exported names with their DEF names, from EXPORT statements. */
   public Map<String, String> exports() {
     return exports;
   }
 
   /**
-   * Nodes that stand in no other and take part by routes only, such as the clock of a prototype: of
-   * a prototype's body only the first node takes the instance's place (X3D 4.0, 4.4.4.3).
+   * Returns the nodes outside the scene graph, which take part by routes only, such as the
+   * TimeSensor of a prototype: of a prototype's body only the first node takes the instance's place
+   * (X3D 4.0, 4.4.4.3).
    */
   public Set<Node> loose() {
     return Collections.unmodifiableSet(loose);
@@ -154,14 +157,14 @@ public final class Scene {
     loose.add(node);
   }
 
-  /** The names of the node types in its file; empty if that is not known. */
+  /** Returns the names of the node types in the file; empty if unknown. */
   public Optional<Set<String>> types() {
     return Optional.ofNullable(types).map(Collections::unmodifiableSet);
   }
 
   /**
-   * Whether nodes can come that its file does not hold: by an application, a Script, an Inline, or
-   * through what it exports. Nodes at its top are not meant.
+   * Returns whether nodes that are not in the file can be added: by an application, a Script, an
+   * Inline or through an export. Added root nodes do not count.
    */
   public boolean mayGrow() {
     return types == null
@@ -170,7 +173,7 @@ public final class Scene {
         || types.contains("Inline");
   }
 
-  /** Notes the names of the node types in its file. */
+  /** Sets the names of the node types in the file. */
   public void types(Set<String> ofFile) {
     types = ofFile;
   }
@@ -179,14 +182,16 @@ public final class Scene {
     return List.copyOf(routes);
   }
 
-  /** Adds a route unless the same one is there. */
+  /** Adds a route unless the scene has the same one. */
   public void addRoute(Route route) {
     if (routes.add(route)) {
       route.from().addRoute(route);
     }
   }
 
-  /** Removes a route; of a file's own, one between instances is several between their nodes. */
+  /**
+   * Removes a route; one between prototype instances stands for several between their body nodes.
+   */
   public void removeRoute(Route route) {
     if (routes.remove(route)) {
       route.from().removeRoute(route);

@@ -13,9 +13,9 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * What a scene has from the scenes of its Inlines: names, and routes to and from their nodes (X3D
- * 4.0, 4.4.6). An Inline may get its content, another one or none while the world runs; then the
- * names stand for other nodes, and the routes lead elsewhere or are gone.
+ * The imports of a scene from the scenes of its Inlines: names of their nodes, and routes to and
+ * from them (X3D 4.0, 4.4.6). The content of an Inline may arrive, change or disappear while the
+ * world runs; then the names refer to other nodes, and the routes are replaced or removed.
  *
  * <p>Belongs to the thread that steps the world.
  */
@@ -28,7 +28,7 @@ public final class SceneImports {
     record Own(Node node, int field) implements End {}
 
     /**
-     * @param field as the ROUTE spells it
+     * @param field the field as the ROUTE spells it
      */
     record Imported(String name, String field) implements End {}
   }
@@ -42,7 +42,7 @@ public final class SceneImports {
   private static final class Import {
     final Declared declared;
 
-    /** Where it was looked for last; null before that, and while the Inline is empty. */
+    /** The scene last searched; null before the first search, and while the Inline is empty. */
     @Nullable Scene content;
 
     @Nullable Node node;
@@ -56,7 +56,7 @@ public final class SceneImports {
     final Link link;
     List<Route> routes = List.of();
 
-    /** The ends that it was made for. */
+    /** The nodes for which the routes were made. */
     List<@Nullable Node> ends = List.of();
 
     LiveLink(Link link) {
@@ -77,12 +77,13 @@ public final class SceneImports {
   }
 
   /**
-   * Brings names and routes up to date.
+   * Updates names and routes.
    *
-   * @param scene whose imports these are
-   * @param contents the scene in a node; empty for one that is no Inline or has none now
-   * @param wrong hears what an Inline lacks, once for each content
-   * @return whether anything has changed, so that scenes that import from this one must look anew
+   * @param scene the scene whose imports these are
+   * @param contents returns the scene in a node; empty if the node is no Inline or has no content
+   *     now
+   * @param wrong receives a message if an Inline lacks an exported node, once for each content
+   * @return whether anything has changed, so that scenes that import from this one must be updated
    */
   public boolean refresh(
       Scene scene, Function<Node, Optional<Scene>> contents, BiConsumer<Location, String> wrong) {
@@ -125,7 +126,7 @@ public final class SceneImports {
     return true;
   }
 
-  /** Whether an IMPORT gives that name, be there a node or not yet. */
+  /** Returns whether an IMPORT declares a name, even if its node is not available. */
   private boolean declares(@Nullable String name) {
     return imports.stream().anyMatch(each -> each.declared.as().equals(name));
   }
@@ -205,7 +206,10 @@ public final class SceneImports {
     return field.map(found -> List.of(new End.Own(node, found.index()))).orElse(List.of());
   }
 
-  /** The fields of an exported instance of a prototype, by every name that a ROUTE may use. */
+  /**
+   * The connections of the fields of an exported prototype instance, by every field name that a
+   * ROUTE may use.
+   */
   public record ExportedInstance(
       Map<String, List<End.Own>> inputs, Map<String, List<End.Own>> outputs) {
     public ExportedInstance {

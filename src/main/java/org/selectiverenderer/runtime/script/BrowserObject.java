@@ -16,7 +16,10 @@ import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** {@code Browser} (ISO/IEC 19777-1, 7.2; VRML97, C.6.3), {@code print} and {@code console}. */
+/**
+ * The global objects {@code Browser} (ISO/IEC 19777-1, 7.2; VRML97, C.6.3), {@code print} and
+ * {@code console} of scripts.
+ */
 final class BrowserObject {
   private static final String NAME = "Selective Renderer embedded browser";
 
@@ -31,7 +34,7 @@ final class BrowserObject {
     this.world = world;
   }
 
-  /** Defines them in the scope that all scripts share. */
+  /** Defines the objects in the scope that all scripts share. */
   void define(Context context, ScriptableObject scope) {
     HostObject browser = new HostObject("X3DBrowser", scope);
     about(browser);
@@ -73,11 +76,11 @@ final class BrowserObject {
     browser.method("getWorldURL", 0, args -> world.scene().url());
     browser.property("description", () -> description, text -> description = HostObject.text(text));
     browser.action("setDescription", 1, args -> description = HostObject.text(args[0]));
-    // There are no properties that scripts could rely on: pictures may be drawn or not.
+    // All properties are undefined, because a world may run with or without a renderer.
     browser.method("getRenderingProperty", 1, args -> Undefined.instance);
     browser.method("getBrowserProperty", 1, args -> Undefined.instance);
     browser.method("getBrowserOption", 1, args -> Undefined.instance);
-    browser.action("setBrowserOption", 2, args -> {}); // Titania's and X_ITE's own.
+    browser.action("setBrowserOption", 2, args -> {}); // An extension of Titania and X_ITE.
     browser.action("beginUpdate", 0, args -> {});
     browser.action("endUpdate", 0, args -> {});
   }
@@ -138,7 +141,8 @@ final class BrowserObject {
   }
 
   /**
-   * {@code (url, node, event)}: the nodes are sent to a field of the node when they have arrived.
+   * Implements {@code createX3DFromURL(url, node, event)}: the nodes are sent to a field of the
+   * node when they have been loaded.
    */
   private Object fromUrl(Object[] args) {
     Node node = Ends.node(args[1]);
@@ -148,7 +152,7 @@ final class BrowserObject {
             .input(name)
             .filter(found -> found.type() == FieldType.MFNode)
             .orElseThrow(
-                () -> ScriptRuntime.typeError(node + " receives no MFNode under the name " + name));
+                () -> ScriptRuntime.typeError(node + " has no MFNode input field " + name));
     Consumer<LoadedScene> arrived =
         loaded ->
             world.cascade().send(node, field.index(), loaded.scene().root().nodes("children"));
@@ -169,7 +173,7 @@ final class BrowserObject {
     browser.action("println", 0, this::println);
   }
 
-  /** Prints its arguments, separated by spaces, as lines of their own. */
+  /** Prints the arguments, separated by spaces, on lines of their own. */
   private void println(Object[] args) {
     StringBuilder text = new StringBuilder();
     for (int i = 0; i < args.length; i++) {

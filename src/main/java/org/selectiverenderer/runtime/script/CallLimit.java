@@ -7,11 +7,14 @@ import org.mozilla.javascript.EvaluatorException;
 import org.mozilla.javascript.ScriptStackElement;
 
 /**
- * Watches over the call that is running: how long it takes and how much memory it asks for. It is
- * asked every some thousand instructions, so that a short call costs nothing.
+ * Limits the time and memory of the script call that is running. It is checked every few thousand
+ * instructions, so that a short call costs nothing.
  */
 final class CallLimit {
-  /** A share of all memory, so that a scene lives on after a script that asked for too much. */
+  /**
+   * A call may allocate one part in this number of the heap, so that a scene survives a script that
+   * allocates too much.
+   */
   private static final int SHARE = 4;
 
   private final long maxBytes;
@@ -25,13 +28,13 @@ final class CallLimit {
   }
 
   /**
-   * @param maxBytes that a call may allocate
+   * @param maxBytes the bytes that a call may allocate
    */
   CallLimit(long maxBytes) {
     this.maxBytes = maxBytes;
   }
 
-  /** A call begins. */
+  /** Begins a call. */
   void begin(double maxSeconds) {
     seconds = maxSeconds;
     began = System.nanoTime();
@@ -39,9 +42,9 @@ final class CallLimit {
   }
 
   /**
-   * Has a look at the running call.
+   * Checks the running call.
    *
-   * @throws Stopped if it is beyond a limit
+   * @throws Stopped if it exceeds a limit
    */
   void check() {
     if ((System.nanoTime() - began) * 1e-9 > seconds) {
@@ -54,7 +57,7 @@ final class CallLimit {
       bytesBefore = allocated;
     } else if (allocated - bytesBefore > maxBytes) {
       throw new Stopped(
-          "it asked for more than %s MB of memory in one call".formatted(maxBytes >> 20),
+          "it allocated more than %s MB of memory in one call".formatted(maxBytes >> 20),
           lineNow());
     }
   }
@@ -64,7 +67,7 @@ final class CallLimit {
     return stack.length == 0 ? 0 : stack[0].lineNumber;
   }
 
-  /** What the thread has allocated, where the virtual machine counts that. */
+  /** The bytes that the thread has allocated, where the virtual machine counts them. */
   private static final class Allocation {
     private static final com.sun.management.@Nullable ThreadMXBean COUNTER = counter();
 

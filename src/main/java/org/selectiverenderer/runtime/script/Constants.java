@@ -9,8 +9,9 @@ import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * {@code X3DConstants} (ISO/IEC 19777-1, 7.5). Scripts compare the numbers with each other only; a
- * field type's is its place in {@link FieldType}, an access type's a power of two.
+ * The object {@code X3DConstants} of scripts (ISO/IEC 19777-1, 7.5). Scripts only compare these
+ * numbers with each other; a field type's is its ordinal in {@link FieldType}, an access type's a
+ * power of two.
  */
 final class Constants {
   private static final Map<FieldAccess, String> ACCESS =

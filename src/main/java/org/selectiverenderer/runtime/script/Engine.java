@@ -17,15 +17,16 @@ import org.selectiverenderer.runtime.script.value.FieldValues;
 import org.selectiverenderer.x3d.script.BigIntegers;
 
 /**
- * Rhino with all that scripts of a world share. It interprets instead of compiling: a scene's
- * programs are short, and a program compiled to classes takes longer to begin than to run, cannot
- * be stopped as finely and overflows the stack of the program itself.
+ * The Rhino script engine with all that the scripts of a world share. It interprets instead of
+ * compiling: a scene's scripts are short, and a script compiled to Java classes takes longer to
+ * start than to run, cannot be interrupted as finely, and overflows the stack of the application
+ * itself.
  */
 final class Engine {
-  /** Calls within calls. */
+  /** The deepest nesting of calls. */
   private static final int MAX_DEPTH = 500;
 
-  /** Instructions between two looks at the limits: well below a millisecond. */
+  /** Instructions between two checks of the limits: well below a millisecond. */
   private static final int LOOK_EVERY = 10_000;
 
   private final ContextFactory factory = new Limited();
@@ -55,7 +56,7 @@ final class Engine {
     ScriptableObject.defineProperty(shared, name, value, ScriptableObject.DONTENUM);
   }
 
-  /** The standard objects, constructors and {@code Browser}. */
+  /** Returns the shared scope: the standard objects, constructors and {@code Browser}. */
   ScriptableObject shared() {
     return shared;
   }
@@ -64,7 +65,7 @@ final class Engine {
     return values;
   }
 
-  /** The script whose code is running. */
+  /** Returns the script whose code is running. */
   RunningScript running() {
     if (running == null) {
       throw new IllegalStateException("no script is running");
@@ -73,9 +74,9 @@ final class Engine {
   }
 
   /**
-   * Runs code of a script.
+   * Runs code of a script under the limits of a call.
    *
-   * @param seconds after which it is stopped
+   * @param seconds the time in seconds after which it is stopped
    */
   <T> T call(RunningScript script, double seconds, Function<Context, T> code) {
     RunningScript before = running;
@@ -92,7 +93,7 @@ final class Engine {
     }
   }
 
-  /** A context that takes no program with integers of any length, {@code eval} included. */
+  /** A context that rejects sources with BigInt literals, {@code eval} included. */
   private static final class Bounded extends Context {
     Bounded(ContextFactory factory) {
       super(factory);
@@ -120,7 +121,7 @@ final class Engine {
     }
   }
 
-  /** Contexts in which a script can neither reach Java nor go on for ever. */
+  /** Makes contexts in which a script can neither access Java nor run for ever. */
   private final class Limited extends ContextFactory {
     @Override
     protected Context makeContext() {

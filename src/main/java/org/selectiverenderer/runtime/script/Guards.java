@@ -12,15 +12,16 @@ import org.mozilla.javascript.ScriptableObject;
 import org.mozilla.javascript.Undefined;
 
 /**
- * What of ECMAScript's own objects is different in a scene. Time is the scene's, and chance is the
- * same in every run, so that the same walk gives the same events. What Rhino does in one go, where
- * the limits of a call cannot reach it, is kept to a bearable size.
+ * Replaces some of ECMAScript's built-in objects for scripts of a scene. Dates come from the
+ * scene's time, and random numbers are the same in every run, so that the same walk gives the same
+ * events. Built-in functions that run without interruption by the limits of a call are limited in
+ * the length of their input.
  */
 final class Guards {
-  /** Elements or characters that one function of the standard objects may work on. */
+  /** The most elements or characters that a built-in function may work on. */
   private static final int MAX_LENGTH = 1 << 22;
 
-  /** Buffers of numbers, which scripts of scenes have no use for, and integers of any length. */
+  /** Removed: typed arrays, for which scripts of scenes have no use, and BigInt. */
   private static final List<String> LEFT_OUT =
       List.of(
           "ArrayBuffer",
@@ -41,7 +42,7 @@ final class Guards {
   private Guards() {}
 
   /**
-   * @param time the scene's, in seconds since 1970
+   * @param time the scene's time in seconds since 1970
    */
   static void define(ScriptableObject scope, DoubleSupplier time) {
     LEFT_OUT.forEach(scope::delete);
@@ -58,7 +59,7 @@ final class Guards {
     date(scope, time);
   }
 
-  /** What a replaced function does. */
+  /** The body of a replaced function. */
   @FunctionalInterface
   private interface Body {
     Object call(Object[] args);
@@ -72,7 +73,7 @@ final class Guards {
         ScriptableObject.DONTENUM);
   }
 
-  /** Has each method look at the length of what it is called on, and at its numbers, first. */
+  /** Wraps each method in a check of the length of its object and arguments. */
   private static void bound(Scriptable scope, Scriptable owner) {
     ScriptableObject object = (ScriptableObject) owner;
     for (Object id : object.getAllIds()) {
@@ -101,12 +102,12 @@ final class Guards {
       case "padStart", "padEnd" -> length = args.length > 0 ? ScriptRuntime.toNumber(args[0]) : 0;
       case "from" -> length = args.length > 0 ? length(args[0]) : 0;
       default -> {
-        // All others go through what they are called on.
+        // All others iterate over their object.
       }
     }
     if (length > MAX_LENGTH) {
       throw ScriptRuntime.rangeError(
-          "%s of more than %s elements or characters is too much".formatted(name, MAX_LENGTH));
+          "%s works on at most %s elements or characters in a Script".formatted(name, MAX_LENGTH));
     }
   }
 
@@ -121,7 +122,7 @@ final class Guards {
     return 0;
   }
 
-  /** {@code new Date()} and {@code Date.now()} give the scene's time. */
+  /** Makes {@code new Date()} and {@code Date.now()} return the scene's time. */
   private static void date(ScriptableObject scope, DoubleSupplier time) {
     Function original = (Function) ScriptableObject.getProperty(scope, "Date");
     SceneDate date = new SceneDate(scope, original, time);
@@ -137,7 +138,7 @@ final class Guards {
     ScriptableObject.defineProperty(scope, "Date", date, ScriptableObject.DONTENUM);
   }
 
-  /** A Date whose now is the scene's. */
+  /** The Date constructor with the scene's time. */
   @SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
   private static final class SceneDate extends LambdaFunction {
     private final transient Function original;

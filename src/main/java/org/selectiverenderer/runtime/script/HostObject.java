@@ -9,10 +9,10 @@ import org.mozilla.javascript.Scriptable;
 import org.mozilla.javascript.ScriptableObject;
 import org.mozilla.javascript.Undefined;
 
-/** An object of the browser as scripts see it: methods and properties. */
+/** A host object: an object of the browser with methods and properties for scripts. */
 @SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
 class HostObject extends ScriptableObject {
-  /** What a method does; null stands for nothing to give back. */
+  /** The body of a method; null stands for no result. */
   @FunctionalInterface
   interface Method {
     @Nullable Object call(Object[] args);
@@ -36,7 +36,7 @@ class HostObject extends ScriptableObject {
   }
 
   /**
-   * @param least arguments that it needs
+   * @param least the least number of arguments
    */
   final void method(String method, int least, Method body) {
     LambdaFunction function =
@@ -55,7 +55,7 @@ class HostObject extends ScriptableObject {
     defineProperty(method, function, DONTENUM);
   }
 
-  /** A method that gives nothing back. */
+  /** Defines a method without a result. */
   final void action(String method, int least, Consumer<Object[]> body) {
     method(
         method,
@@ -66,18 +66,18 @@ class HostObject extends ScriptableObject {
         });
   }
 
-  /** A property that scripts read. */
+  /** Defines a read-only property. */
   final void property(String property, Supplier<@Nullable Object> value) {
     defineProperty(property, value::get, null, DONTENUM);
   }
 
-  /** A property that scripts read and write. */
+  /** Defines a writable property. */
   final void property(
       String property, Supplier<@Nullable Object> value, Consumer<Object> assigned) {
     defineProperty(property, value::get, assigned::accept, DONTENUM);
   }
 
-  /** An argument as text. */
+  /** Converts an argument to a string. */
   static String text(Object argument) {
     return ScriptRuntime.toString(argument);
   }

@@ -11,11 +11,11 @@ import org.selectiverenderer.runtime.script.value.NodeValue;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
-/** What an SFNode says of itself (ISO/IEC 19777-1, 7.3). */
+/** The methods of SFNode objects (ISO/IEC 19777-1, 7.3). */
 final class NodeMethods {
   private NodeMethods() {}
 
-  /** Adds them to the constructor of that name in a scope. */
+  /** Adds the methods to the constructor SFNode of a scope. */
   static void define(ScriptableObject scope, Supplier<NodeCatalogue> catalogue) {
     LambdaConstructor into = (LambdaConstructor) ScriptableObject.getProperty(scope, "SFNode");
     method(scope, into, "getNodeTypeName", node -> node.node().type().name());

@@ -17,22 +17,22 @@ import org.selectiverenderer.x3d.write.SceneFormat;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * Nodes and scenes as texts, as they are now: {@code toXMLString} and {@code toVRMLString} (ISO/IEC
- * 19777-1, 7.3 and 7.4). Instances of prototypes stand as the nodes of their bodies.
+ * Serialises nodes and scenes in their present state: {@code toXMLString} and {@code toVRMLString}
+ * (ISO/IEC 19777-1, 7.3 and 7.4). Prototype instances are written as the nodes of their bodies.
  */
 final class NodeTexts {
   private static final String VERSION = "4.0";
 
   private NodeTexts() {}
 
-  /** A node as an element of the XML encoding. */
+  /** Writes a node as an element of the XML encoding. */
   static String xml(Node node) {
     X3dWriter out = new X3dWriter();
     append(List.of(node), out);
     return out.finish();
   }
 
-  /** A scene as a file of the XML encoding. */
+  /** Writes a scene as a file of the XML encoding. */
   static String xml(Scene scene) {
     X3dWriter out = begun(scene.profile(), scene.version());
     scene.meta().forEach(out::meta);
@@ -49,7 +49,7 @@ final class NodeTexts {
     return out.finish();
   }
 
-  /** A node as a statement of ClassicVRML. */
+  /** Writes a node as a statement of the ClassicVRML encoding. */
   static String classic(Node node, NodeCatalogue catalogue) {
     X3dWriter out = begun("Full", VERSION).close().open("Scene");
     append(List.of(node), out);
@@ -57,7 +57,7 @@ final class NodeTexts {
     return file.substring(file.indexOf("\n\n") + 1).strip();
   }
 
-  /** A scene as a file of ClassicVRML. */
+  /** Writes a scene as a file of the ClassicVRML encoding. */
   static String classic(Scene scene, NodeCatalogue catalogue) {
     return classic(xml(scene), catalogue);
   }
@@ -86,7 +86,7 @@ final class NodeTexts {
           catalogue,
           new Problems());
     } catch (IOException e) {
-      throw new UncheckedIOException(e); // Bytes in memory can be read.
+      throw new UncheckedIOException(e); // Never thrown for bytes in memory.
     }
   }
 }

@@ -11,9 +11,9 @@ import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
 /**
- * The values of a script's own fields as its program sees them. What it assigns, or changes in
- * place, is sent when the function has ended, once for each field, in the order of the first
- * change.
+ * The values of a Script node's own fields as its program sees them. Assigned values and values
+ * changed in place are sent as events when the function has ended, once per field, in the order of
+ * the first change.
  */
 final class OwnValues implements ScriptScope.Fields {
   private final ScriptNode node;
@@ -47,14 +47,14 @@ final class OwnValues implements ScriptScope.Fields {
     changed.add(field);
   }
 
-  /** The node's field has got its value from elsewhere. */
+  /** Drops the cached value, after the field got its value from elsewhere. */
   void forget(FieldDefinition field) {
     known[field.index()] = false;
     cells[field.index()] = null;
     changed.remove(field);
   }
 
-  /** Sends what has changed. */
+  /** Sends the values that have changed. */
   void send(Cascade cascade) {
     if (changed.isEmpty()) {
       return;

@@ -4,7 +4,7 @@ import org.mozilla.javascript.Scriptable;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Route;
 
-/** An {@code X3DRoute} of a script. */
+/** The {@code X3DRoute} object of scripts. */
 @SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
 final class RouteObject extends HostObject {
   private final transient Route route;

@@ -23,14 +23,18 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
- * One Script and its program. It begins to run with the first frame or the first event, whichever
- * is first. After it was stopped, or failed too often, it is off for good.
+ * A Script node with its running program. It starts with the first frame or the first event,
+ * whichever comes first. After it was stopped at a limit, or has failed too often, it is switched
+ * off for good.
  */
 final class RunningScript implements ScriptCalls, NodeAccess {
-  /** Failures after which a script is switched off. */
+  /** The number of failures after which a script is switched off. */
   private static final int MAX_FAILURES = 20;
 
-  /** Calls at one time stamp after which scripts are taken to call each other endlessly. */
+  /**
+   * The number of calls at one time stamp after which scripts are assumed to trigger each other
+   * endlessly.
+   */
   private static final int MAX_CALLS = 10_000;
 
   private static final double CALL_SECONDS = 1;
@@ -79,12 +83,12 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     return node;
   }
 
-  /** The scene in which the Script stands. */
+  /** Returns the scene that contains the Script. */
   Scene context() {
     return context;
   }
 
-  /** The same as its program sees it. */
+  /** Returns that scene as its program sees it. */
   SceneObject contextObject(Supplier<SceneObject> maker) {
     if (contextObject == null) {
       contextObject = maker.get();
@@ -92,12 +96,12 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     return contextObject;
   }
 
-  /** Whether it wants to be called in every frame. */
+  /** Returns whether it defines {@code prepareEvents} and so is called in every frame. */
   boolean prepares() {
     return prepareEvents != null && !off;
   }
 
-  /** Runs the program's own statements and its {@code initialize}, once. */
+  /** Runs the program's top-level statements and its {@code initialize}, once. */
   void start() {
     if (started) {
       return;
@@ -118,8 +122,9 @@ final class RunningScript implements ScriptCalls, NodeAccess {
   }
 
   /**
-   * Sends what the start has assigned: after all that start together have, so that none receives an
-   * event before its {@code initialize} (X3D 4.0, 29.2.4).
+   * Sends the values that the start has assigned. This is done after all scripts that start
+   * together have started, so that none receives an event before its {@code initialize} (X3D 4.0,
+   * 29.2.4).
    */
   void sendFirst() {
     send(world.cascade());
@@ -152,17 +157,17 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     }
   }
 
-  /** A frame is about to begin. */
+  /** Calls {@code prepareEvents}, before a frame. */
   void prepareEvents() {
     call(prepareEvents);
   }
 
-  /** The events of now have been carried. */
+  /** Calls {@code eventsProcessed}, after the events of a time stamp. */
   void eventsProcessed() {
     call(eventsProcessed);
   }
 
-  /** The Script is no part of the scene any more. */
+  /** Calls {@code shutdown}, after the Script has left the scene. */
   void shutdown() {
     if (started) {
       call(scope.function("shutdown"));
@@ -195,7 +200,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     } catch (Stopped e) {
       switchOff(program.line(e.line()), e.getMessage());
     } catch (OutOfMemoryError e) {
-      switchOff(program.start(), "it asked for more memory than there is");
+      switchOff(program.start(), "it ran out of memory");
     } catch (RhinoException e) {
       failed(program.line(e.lineNumber()), e.details());
     } catch (StackOverflowError e) {
@@ -207,7 +212,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     if (!starting && scripts.together().add(cascade.time(), took)) {
       problem(
           program.start(),
-          "scripts have run for more than %s s at one time; further events of this time are dropped"
+          "scripts ran for more than %s s at one time stamp; its further events are dropped"
               .formatted(TimeTogether.MOST_SECONDS));
     }
   }
@@ -235,9 +240,9 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     if (++calls == MAX_CALLS) {
       problem(
           program.start(),
-          "it was called %s times at one time, as scripts that call each other endlessly are; "
+          "it was called %s times at one time stamp, as if scripts triggered each other endlessly; "
                   .formatted(MAX_CALLS)
-              + "further events of this time are dropped");
+              + "further events of this time stamp are dropped");
     }
     return calls >= MAX_CALLS;
   }
@@ -257,24 +262,29 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     problem(at, why + "; the Script is switched off");
   }
 
-  /** Tells a problem where the code stands; that of another file also names the Script. */
+  /**
+   * Reports a problem at its place in the code; if the code is in another file, the message also
+   * names the place of the Script.
+   */
   private void problem(Location at, String what) {
     world.problems().error(at, name() + ": " + what);
   }
 
-  /** How messages call the Script. */
+  /** Returns the Script's name in messages. */
   private String name() {
     String name = node.name() == null ? "Script" : "Script " + node.name();
     boolean here = program.start().file().equals(node.location().file());
     return here ? name : name + " of " + node.location();
   }
 
-  /** Tells what the script prints. */
+  /** Reports what the script prints. */
   void print(String text) {
     scripts.print(node.location(), name() + " prints: " + text);
   }
 
-  /** A node that the script has made may be filled by it as a file fills one. */
+  /**
+   * Registers a node that the script has made: the script may also set its initializeOnly fields.
+   */
   Node own(Node created) {
     made.add(created);
     return created;
@@ -316,7 +326,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     }
   }
 
-  /** Refuses nodes of types that a field does not take. */
+  /** Throws for nodes of types that a field does not accept. */
   private static void accept(FieldDefinition field, @Nullable Object value) {
     if (value instanceof Node one) {
       accept(field, one);
@@ -334,7 +344,9 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     }
   }
 
-  /** Says once that a field is given a value after its time (X3D 4.0, 4.4.2.2). */
+  /**
+   * Reports once that an initializeOnly field is written after initialisation (X3D 4.0, 4.4.2.2).
+   */
   private void late(Node to, FieldDefinition field) {
     if (!late) {
       late = true;
@@ -347,7 +359,7 @@ final class RunningScript implements ScriptCalls, NodeAccess {
     }
   }
 
-  /** Says once that a script that writes to nodes should say so (X3D 4.0, 29.2.6). */
+  /** Reports once that a script writes to nodes without directOutput (X3D 4.0, 29.2.6). */
   private void direct(Node to) {
     if (!undirected && !node.bool("directOutput") && !made.contains(to)) {
       undirected = true;

@@ -16,7 +16,9 @@ import org.selectiverenderer.runtime.script.value.NodeValue;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** An {@code X3DScene}, or the {@code X3DExecutionContext} of a script (ISO/IEC 19777-1, 7.4). */
+/**
+ * The {@code X3DScene} and {@code X3DExecutionContext} object of scripts (ISO/IEC 19777-1, 7.4).
+ */
 @SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
 final class SceneObject extends HostObject {
   private final transient Scene scene;
@@ -134,14 +136,14 @@ final class SceneObject extends HostObject {
     return Context.getCurrentContext().newArray(getParentScope(), all);
   }
 
-  /** Connects, and gives the route back. */
+  /** Adds a route and returns it. */
   Object addRoute(Object[] args) {
     RouteObject route = new RouteObject(Ends.route(args), engine, getParentScope());
     scene.addRoute(route.route());
     return route;
   }
 
-  /** Takes a route, or the four that describe one. */
+  /** Removes a route, given as an object or by the four arguments that describe one. */
   void deleteRoute(Object[] args) {
     if (args[0] instanceof RouteObject given) {
       scene.removeRoute(given.route());

@@ -10,12 +10,12 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * The globals of a script: the fields of its node, and what its program declares. Fields that only
- * receive events are no variables; functions of their names answer the events.
+ * The global scope of a script: the fields of its node, and what its program declares. inputOnly
+ * fields are no variables; functions of their names handle their events.
  */
 @SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
 final class ScriptScope extends ScriptableObject {
-  /** The values of the node's own fields. */
+  /** Access to the values of the node's own fields. */
   interface Fields {
     @Nullable Object get(FieldDefinition field);
 
@@ -37,15 +37,15 @@ final class ScriptScope extends ScriptableObject {
           variables.putIfAbsent(field.name() + "_changed", field);
         }
         case INPUT_ONLY -> {
-          // Only functions have its name.
+          // Only a function has this name.
         }
       }
     }
   }
 
   /**
-   * The function that answers events of a field: that of its name, for an inputOutput field {@code
-   * set_} before it; null when the program has none.
+   * Returns the function that handles events of a field: the one of its name, for an inputOutput
+   * field with {@code set_} before it; null when the program has none.
    */
   @Nullable Function answerTo(FieldDefinition field) {
     Function declared = answers.get(field.name());
@@ -56,7 +56,7 @@ final class ScriptScope extends ScriptableObject {
     return function(field.access().sendsEvents() || !has(field.name(), this) ? set : field.name());
   }
 
-  /** The global function of a name, or null. */
+  /** Returns the global function of a name, or null. */
   @Nullable Function function(String name) {
     return super.get(name, this) instanceof Function function ? function : null;
   }
@@ -84,7 +84,7 @@ final class ScriptScope extends ScriptableObject {
     }
   }
 
-  /** What {@code function} and {@code var} at the top of a program do. */
+  /** Called by {@code function} and {@code var} at the top level of a program. */
   @Override
   public void defineProperty(String name, @Nullable Object value, int attributes) {
     if (!keep(name, value)) {
@@ -92,7 +92,7 @@ final class ScriptScope extends ScriptableObject {
     }
   }
 
-  /** Takes what is meant for a field; false when there is none of the name. */
+  /** Assigns a value to the field of that name; returns false when there is none. */
   private boolean keep(String name, @Nullable Object value) {
     FieldDefinition field = variables.get(name);
     if (field == null) {

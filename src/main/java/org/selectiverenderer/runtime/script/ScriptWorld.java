@@ -7,22 +7,22 @@ import org.selectiverenderer.runtime.nodes.script.ScriptNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Scene;
 
-/** What scripts may ask of the world that they run in. */
+/** The services of the world that scripts run in. */
 public interface ScriptWorld {
   Cascade cascade();
 
-  /** Hears what goes wrong, and what scripts print. */
+  /** Returns the receiver of errors and of what scripts print. */
   Problems problems();
 
-  /** The scene that is shown. */
+  /** Returns the scene that is shown. */
   Scene scene();
 
-  /** Reads what scripts name, within the bounds of the scene. */
+  /** Returns the loader of the files that scripts name, within the limits of the scene. */
   LiveFiles files();
 
-  /** Shows another scene from the next frame on. */
+  /** Replaces the scene that is shown from the next frame on. */
   void show(LoadedScene scene);
 
-  /** Goes where an Anchor with these urls that stood beside the Script leads, next frame. */
+  /** Follows URLs with the next frame, as an Anchor beside the Script would. */
   void follow(ScriptNode script, String[] urls);
 }

@@ -18,11 +18,15 @@ import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
- * The Scripts of a scene that runs: which there are, and when their functions are called. A Script
- * that neither receives anything nor defines {@code prepareEvents} costs nothing in a frame.
+ * Schedules the Scripts of a running scene: keeps track of them and calls their functions at the
+ * right times. A Script that neither receives events nor defines {@code prepareEvents} costs
+ * nothing in a frame.
  */
 public final class Scripts {
-  /** Lines printed per file; a script that prints in every frame would drown all else. */
+  /**
+   * The most printed lines per file, so that a script that prints in every frame does not hide
+   * other messages.
+   */
   private static final int MAX_LINES = 50;
 
   private final ScriptWorld world;
@@ -43,7 +47,10 @@ public final class Scripts {
     this.world = world;
   }
 
-  /** Tells which Scripts are in the scene, in document order, whenever its structure changes. */
+  /**
+   * Sets the Scripts that are in the scene, in document order; called whenever its structure
+   * changes.
+   */
   public void watch(Collection<ScriptNode> present) {
     if (present.isEmpty() && running.isEmpty()) {
       return;
@@ -79,12 +86,12 @@ public final class Scripts {
     received.remove(script);
   }
 
-  /** Ends all of them: the scene is not shown any more. */
+  /** Ends all Scripts when the scene is not shown any more. */
   public void close() {
     List.copyOf(running.keySet()).forEach(this::end);
   }
 
-  /** Starts those that are new. */
+  /** Starts the new Scripts. */
   public void start() {
     if (waiting.isEmpty()) {
       return;
@@ -103,10 +110,10 @@ public final class Scripts {
   }
 
   /**
-   * A frame begins, before any sensor has looked at it: calls {@code prepareEvents}.
+   * Calls {@code prepareEvents} at the beginning of a frame, before any sensor is evaluated.
    *
    * @param time of the frame in seconds
-   * @param viewer its place in the world
+   * @param viewer the viewer's position in the world
    */
   public void prepare(double time, Vector3dc viewer) {
     if (running.isEmpty()) {
@@ -129,8 +136,7 @@ public final class Scripts {
   }
 
   /**
-   * The cascade has come to rest: calls {@code eventsProcessed} of all that have received
-   * something.
+   * Calls {@code eventsProcessed} of all Scripts that have received events, after the cascade.
    *
    * @return whether there were any; they may have sent events
    */
@@ -144,7 +150,7 @@ public final class Scripts {
     return true;
   }
 
-  /** How often code of scripts has been called so far. */
+  /** Returns how often code of scripts has been called so far. */
   long calls() {
     return calls;
   }
@@ -153,17 +159,17 @@ public final class Scripts {
     calls++;
   }
 
-  /** How long scripts have run at the time stamp of now. */
+  /** Returns the time budget that all scripts share at the present time stamp. */
   TimeTogether together() {
     return together;
   }
 
-  /** Of the scene's own time, in the last frame. */
+  /** Returns the frame rate of the last frame in the scene's time. */
   double framesPerSecond() {
     return framesPerSecond;
   }
 
-  /** The viewer's, in units per second over the last frame. */
+  /** Returns the viewer's speed over the last frame, in units per second. */
   double speed() {
     return speed;
   }

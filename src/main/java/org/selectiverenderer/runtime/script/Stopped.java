@@ -1,15 +1,15 @@
 package org.selectiverenderer.runtime.script;
 
 /**
- * Ends a call that does not end by itself. An error, since a script can catch exceptions but not
- * this.
+ * Stops a script call that exceeds a limit. It is an Error, because a script can catch exceptions
+ * but not errors.
  */
 @SuppressWarnings("serial") // Never written to files.
 final class Stopped extends Error {
   private final int line;
 
   /**
-   * @param line of the script, from 1; 0 if unknown
+   * @param line the line of the script, from 1; 0 if unknown
    */
   Stopped(String reason, int line) {
     super(reason, null, false, false);

@@ -1,8 +1,8 @@
 package org.selectiverenderer.runtime.script;
 
 /**
- * How long scripts have run at one time stamp, all of them together: each call has a limit of its
- * own, but scripts that call each other make many.
+ * The time budget of all scripts together at one time stamp. Each call has a limit of its own, but
+ * scripts that trigger each other make many calls.
  */
 final class TimeTogether {
   static final int MOST_SECONDS = 10;
@@ -11,11 +11,11 @@ final class TimeTogether {
   private double seconds;
 
   /**
-   * A call has ended.
+   * Adds the time of a call that has ended.
    *
    * @param at the time stamp
-   * @param took how long it ran, in seconds
-   * @return whether it is the one that takes them beyond the limit
+   * @param took the duration of the call in seconds
+   * @return whether this call exceeds the budget
    */
   boolean add(double at, double took) {
     boolean before = over(at);
@@ -23,7 +23,7 @@ final class TimeTogether {
     return !before && over(at);
   }
 
-  /** Whether nothing more may run at a time stamp. */
+  /** Returns whether the budget of a time stamp is used up. */
   boolean over(double at) {
     if (at != stamp) {
       stamp = at;

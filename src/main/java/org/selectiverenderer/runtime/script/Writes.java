@@ -13,10 +13,10 @@ import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
 /**
- * What a script's function has given to fields of nodes, until the function has ended. Of several
- * values of one field the last counts; what goes to a field without a value, such as addChildren,
- * all goes there. Each is an event of its own that begins a cascade, so that none is taken for the
- * echo of another.
+ * Buffers the values that a script's function writes to fields of other nodes, until the function
+ * has ended. Of several values for one field the last counts; of values for an inputOnly field,
+ * such as addChildren, all are sent. Each is an event of its own that begins a cascade, so that
+ * none is suppressed as part of an event loop.
  */
 final class Writes {
   private record Key(Node node, int field) {
@@ -58,7 +58,7 @@ final class Writes {
     }
   }
 
-  /** The value of a field: the one that waits, or else the node's. */
+  /** Returns the value of a field: the buffered one, or else the node's. */
   @Nullable Object read(Node node, FieldDefinition field) {
     Write waiting = latest.isEmpty() ? null : latest.get(new Key(node, field.index()));
     return waiting != null ? waiting.value : InstanceFace.value(node, field.index());

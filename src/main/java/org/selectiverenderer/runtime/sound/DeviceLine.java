@@ -6,11 +6,11 @@ import javax.sound.sampled.AudioSystem;
 import javax.sound.sampled.LineUnavailableException;
 import javax.sound.sampled.SourceDataLine;
 
-/** The machine's sound device. */
+/** The output line of the machine's sound device. */
 public final class DeviceLine implements SoundLine {
   private static final AudioFormat FORMAT = new AudioFormat(RATE, 16, 2, true, false);
 
-  /** Bytes that wait for the device: a tenth of a second, which is how late sounds are heard. */
+  /** Size of the output buffer in bytes: a tenth of a second, which is the latency of sounds. */
   private static final int BUFFER = 4096 * FORMAT.getFrameSize();
 
   private final SourceDataLine line;
@@ -20,9 +20,10 @@ public final class DeviceLine implements SoundLine {
   }
 
   /**
-   * Opens the device that the user has chosen for sounds.
+   * Opens the default sound device.
    *
-   * @throws IOException with a clause, when there is none or another program has it to itself
+   * @throws IOException with a clause as message if there is none or another program uses it
+   *     exclusively
    */
   public static DeviceLine open() throws IOException {
     try {
@@ -32,7 +33,7 @@ public final class DeviceLine implements SoundLine {
       return new DeviceLine(line);
     } catch (LineUnavailableException e) {
       throw new IOException("the sound device is in use", e);
-    } catch (IllegalArgumentException e) { // Java's word for there being none.
+    } catch (IllegalArgumentException e) { // Thrown if there is no device.
       throw new IOException("this machine has no sound device", e);
     }
   }

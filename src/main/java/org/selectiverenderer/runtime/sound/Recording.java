@@ -1,27 +1,28 @@
 package org.selectiverenderer.runtime.sound;
 
 /**
- * A sound as samples. Nobody changes them.
+ * A decoded sound file: 16-bit PCM samples. Immutable.
  *
- * @param samples frame after frame, in each one for every channel: left, right
- * @param channels 1 or 2
- * @param rate frames per second
+ * @param samples the samples, interleaved by channel: left, right
+ * @param channels the number of channels, 1 or 2
+ * @param rate the sample rate: frames per second
  */
 public record Recording(short[] samples, int channels, double rate) {
-  /** How many samples each channel has. */
+  /** Returns the number of samples of each channel. */
   public int frames() {
     return samples.length / channels;
   }
 
-  /** How long it takes at its own rate. */
+  /** Returns the duration in seconds at the recording's own rate. */
   public double seconds() {
     return frames() / rate;
   }
 
   /**
-   * A channel's sample between two frames.
+   * Returns a channel's sample, interpolated between two frames.
    *
-   * @param at a frame, 0 to {@link #frames()} without it; behind the last one lies the first
+   * @param at the position in frames, from 0 to below {@link #frames()}; the last frame is followed
+   *     by the first
    */
   double sample(int channel, double at) {
     int before = (int) at;

@@ -14,12 +14,12 @@ import javax.sound.sampled.AudioSystem;
 import javax.sound.sampled.UnsupportedAudioFileException;
 import org.selectiverenderer.x3d.files.Content;
 
-/** Reads WAV, AIFF and AU files, as far as Java's own library does. */
+/** Reads WAV, AIFF and AU files, as far as the Java Sound API supports them. */
 public final class RecordingReader {
-  /** Bytes of a file, and of what it is unpacked to. */
+  /** Largest size in bytes of a file, and of its decoded samples. */
   public static final int MAX_BYTES = 32 << 20;
 
-  /** More than anybody has ears or loudspeakers for. */
+  /** Largest number of channels; a damaged header may claim more. */
   private static final int MAX_CHANNELS = 64;
 
   private static final int SOME_FRAMES = 4096;
@@ -30,9 +30,9 @@ public final class RecordingReader {
   /**
    * Reads a file.
    *
-   * @param budget bytes left for all recordings of a load; those of this one are taken from it
-   * @return empty when the file is of another format
-   * @throws IOException with a clause that reads after the file's name
+   * @param budget the bytes left for all recordings of a load; reduced by this one
+   * @return the recording; empty if the file is of another format
+   * @throws IOException with a clause as message that follows the file's name
    */
   public static Optional<Recording> read(Content file, AtomicLong budget) throws IOException {
     byte[] bytes = file.bytes(MAX_BYTES);
@@ -43,12 +43,15 @@ public final class RecordingReader {
       return Optional.of(decode(in, budget));
     } catch (UnsupportedAudioFileException e) {
       return Optional.empty();
-    } catch (RuntimeException e) { // Java's readers trust the numbers in a file.
-      throw new IOException("is broken: " + e.getMessage(), e);
+    } catch (RuntimeException e) { // Java's readers do not validate numbers in a file.
+      throw new IOException("is damaged: " + e.getMessage(), e);
     }
   }
 
-  /** Java would also read MIDI, and play it into a stream without bounds. */
+  /**
+   * Returns whether a file is WAV, AIFF or AU by its signature. Java would also read MIDI, and
+   * render it to an unbounded stream.
+   */
   private static boolean known(byte[] bytes) {
     return has(bytes, 0, "RIFF") && has(bytes, 8, "WAVE")
         || has(bytes, 0, "FORM") && (has(bytes, 8, "AIFF") || has(bytes, 8, "AIFC"))
@@ -66,7 +69,9 @@ public final class RecordingReader {
     float rate = given.getSampleRate();
     int channels = given.getChannels();
     if (!(rate >= 1 && rate <= MAX_RATE) || channels < 1 || channels > MAX_CHANNELS) {
-      throw new IOException("has %s channels at %s samples per second".formatted(channels, rate));
+      throw new IOException(
+          "has an unsupported format: %s channels at %s samples per second"
+              .formatted(channels, rate));
     }
     AudioFormat pcm =
         new AudioFormat(
@@ -90,7 +95,10 @@ public final class RecordingReader {
     }
   }
 
-  /** Java's streams of broken files may give nothing for ever: that is taken for their end. */
+  /**
+   * Reads a stream to its end. For a damaged file Java's stream may return 0 bytes for ever, which
+   * is treated as the end.
+   */
   private static byte[] read(AudioInputStream in) throws IOException {
     ByteArrayOutputStream read = new ByteArrayOutputStream();
     byte[] some = new byte[SOME_FRAMES * in.getFormat().getFrameSize()];
@@ -100,7 +108,10 @@ public final class RecordingReader {
     return read.toByteArray();
   }
 
-  /** Of more than two channels the first two are the left and right ones in front. */
+  /**
+   * Converts bytes to samples; of more than two channels the first two, front left and right, are
+   * kept.
+   */
   private static short[] samples(byte[] bytes, int frames, int channels, int kept) {
     ByteBuffer from = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     short[] samples = new short[frames * kept];

@@ -7,13 +7,13 @@ import javax.sound.sampled.Line;
 import javax.sound.sampled.Mixer;
 import javax.sound.sampled.SourceDataLine;
 
-/** The sound devices that a machine has. */
+/** Lists the sound devices of the machine. */
 public final class SoundDevices {
   private static final Line.Info PLAYS = new Line.Info(SourceDataLine.class);
 
   private SoundDevices() {}
 
-  /** The names of those that play sounds, the one that is used first. */
+  /** Returns the names of the playback devices, the default one first. */
   public static List<String> names() {
     return Arrays.stream(AudioSystem.getMixerInfo())
         .filter(device -> AudioSystem.getMixer(device).isLineSupported(PLAYS))

@@ -2,30 +2,34 @@ package org.selectiverenderer.runtime.sound;
 
 import java.io.IOException;
 
-/** Where samples go. */
+/** An output line for samples. */
 public interface SoundLine {
-  /** Frames per second that it takes. */
+  /** The sample rate of the line: frames per second. */
   float RATE = 44_100;
 
-  /** Opens one. */
+  /** Opens a line. */
   @FunctionalInterface
   interface Opening {
     /**
      * Opens the line.
      *
-     * @throws IOException with a clause, when there is none
+     * @throws IOException with a clause as message if there is none
      */
     SoundLine open() throws IOException;
   }
 
   /**
-   * Takes samples: 16 bits, the lower byte first, left before right. Waits while it has enough.
+   * Writes samples: 16-bit little-endian stereo, left before right. Waits while the line's buffer
+   * is full.
    *
-   * @param length bytes, whole frames
-   * @return whether it has taken them: false when it is closed, or the device has gone
+   * @param length the number of bytes, in whole frames
+   * @return whether the samples were written: false if the line is closed or the device was removed
    */
   boolean write(byte[] samples, int length);
 
-  /** Ends it, and a {@link #write} that waits. From any thread, and more than once. */
+  /**
+   * Closes the line and ends a {@link #write} that waits. May be called from any thread, and more
+   * than once.
+   */
   void close();
 }

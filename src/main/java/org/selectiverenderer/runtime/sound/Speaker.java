@@ -6,11 +6,11 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Plays the voices of a scene, on a thread {@code sound} of its own that begins with the first one.
+ * Plays the voices of a scene on its own thread {@code sound}, which starts with the first voice.
  * {@link #play} and {@link #fault} are called by one thread; neither waits for the device.
  */
 public final class Speaker implements AutoCloseable {
-  /** Frames that are mixed at a time. */
+  /** Number of audio frames that are mixed at a time. */
   static final int BLOCK = 1024;
 
   private final SoundLine.Opening device;
@@ -24,17 +24,17 @@ public final class Speaker implements AutoCloseable {
   private boolean closed;
 
   /**
-   * @param device opened with the first voice
+   * @param device opens the device, with the first voice
    */
   public Speaker(SoundLine.Opening device) {
     this.device = device;
   }
 
   /**
-   * Has these voices heard until the next call, and those before no longer. What is not called
-   * again within half a second falls silent.
+   * Plays these voices until the next call and stops those of the last call. Without another call
+   * within half a second it falls silent.
    *
-   * @param voices of a frame
+   * @param voices the voices of a frame
    */
   public void play(List<Voice> voices) {
     if (thread == null) {
@@ -50,7 +50,7 @@ public final class Speaker implements AutoCloseable {
     }
   }
 
-  /** Why nothing is heard, in a clause; told once. */
+  /** Returns why nothing is played, as a clause; reported once. */
   public synchronized Optional<String> fault() {
     Optional<String> told = Optional.ofNullable(fault);
     fault = null;
@@ -97,11 +97,11 @@ public final class Speaker implements AutoCloseable {
 
   private synchronized void gone() {
     if (!closed) {
-      fault = "the sound device takes no more";
+      fault = "the sound device has stopped accepting sound";
     }
   }
 
-  /** Waits until there is something to be heard; returns false at the end. */
+  /** Waits until there are voices to play; returns false if this was closed. */
   private synchronized boolean awaitVoices() throws InterruptedException {
     while (!closed) {
       if (latest != null) {
@@ -116,7 +116,7 @@ public final class Speaker implements AutoCloseable {
     return false;
   }
 
-  /** Falls silent; the thread has ended when this returns. */
+  /** Stops playing; the thread has ended when this returns. */
   @Override
   public void close() {
     SoundLine open;

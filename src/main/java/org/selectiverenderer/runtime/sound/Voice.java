@@ -1,16 +1,17 @@
 package org.selectiverenderer.runtime.sound;
 
 /**
- * A sound that is heard in a frame.
+ * A sound that is audible in a frame.
  *
- * @param source tells sounds apart, by identity: the same in every frame
- * @param position seconds from the beginning of the recording, at the recording's own rate
- * @param pitch how much faster than at its own rate it is played
- * @param loop whether it begins again at its end
- * @param left gain of the left ear
- * @param right gain of the right ear
- * @param apart whether the recording's channels go to an ear each; else both go to both
- * @param rank of two sounds the one with the higher rank is heard where not all can be
+ * @param source the identity of the sound: the same object in every frame
+ * @param position the playback position in seconds from the beginning of the recording, at its own
+ *     rate
+ * @param pitch the factor of the playback rate
+ * @param loop whether the recording is repeated
+ * @param left the gain of the left ear
+ * @param right the gain of the right ear
+ * @param apart whether each of the recording's channels goes to one ear; otherwise both go to both
+ * @param rank the rank, which decides what is played if there are too many sounds
  */
 public record Voice(
     Object source,
@@ -24,16 +25,17 @@ public record Voice(
     Rank rank) {
 
   /**
-   * Which sounds are heard where not all can be (X3D 4.0, 16.2.2).
+   * The rank of a sound, by which sounds are selected if not all can be played (X3D 4.0, 16.2.2).
    *
-   * @param priority 0 to 1
-   * @param age seconds since it began; of sounds of a priority above 0.5 the newer comes first
-   * @param intensity at the viewer
+   * @param priority the priority, 0 to 1
+   * @param age the seconds since the start; among sounds with a priority above 0.5 the newer comes
+   *     first
+   * @param intensity the intensity at the viewer
    */
   public record Rank(double priority, double age, double intensity) implements Comparable<Rank> {
     private static final double CUE = 0.5;
 
-    /** The first to be heard is the smallest. */
+    /** Orders ranks by importance; the most important is the smallest. */
     @Override
     public int compareTo(Rank other) {
       int order = Double.compare(other.priority, priority);

@@ -10,18 +10,22 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Mixes the voices of the last frame to stereo. Each goes on by itself from where it began: what a
- * frame says of its position counts only when it is far from there, so that uneven frames are not
- * heard. Gains change gradually, within a block. Belongs to one thread.
+ * Mixes the voices of the last frame to stereo. Each voice plays on by itself from where it
+ * started; the position given by a frame only counts if it differs much from that, so that
+ * irregular frame times are not audible. Gains change gradually within a block. Belongs to one
+ * thread.
  */
 final class VoiceMixer {
-  /** Voices that are heard at once. */
+  /** Largest number of simultaneous voices. */
   static final int MAX_VOICES = 32;
 
-  /** Seconds between a voice and the scene above which it is set to where the scene is. */
+  /**
+   * Difference in seconds between the positions of a voice and of the scene above which the voice
+   * is moved to the latter.
+   */
   private static final double APART = 0.25;
 
-  /** Seconds without a word from the scene after which nothing is heard of it. */
+  /** Seconds without a frame after which the mixer falls silent. */
   private static final double SILENT = 0.5;
 
   private final double rate;
@@ -29,13 +33,13 @@ final class VoiceMixer {
   private long sinceHeard;
 
   /**
-   * @param rate frames per second of what comes out
+   * @param rate the sample rate of the output
    */
   VoiceMixer(double rate) {
     this.rate = rate;
   }
 
-  /** What is to be heard from now on. */
+  /** Sets the voices to be played from now on. */
   void voices(List<Voice> voices) {
     sinceHeard = 0;
     List<Voice> first = voices;
@@ -57,7 +61,7 @@ final class VoiceMixer {
     playing.forEach((source, voice) -> voice.leaving = !wanted.contains(source));
   }
 
-  /** Whether nothing is heard. */
+  /** Returns whether nothing is being played. */
   boolean idle() {
     return playing.isEmpty();
   }
@@ -65,7 +69,8 @@ final class VoiceMixer {
   /**
    * Mixes a block.
    *
-   * @param out left, right, left, right ...; -1 to 1, more where it is too loud
+   * @param out receives the samples, interleaved left and right; -1 to 1, or beyond if the sum is
+   *     too loud
    */
   void mix(double[] out) {
     Arrays.fill(out, 0);
@@ -76,7 +81,7 @@ final class VoiceMixer {
     playing.values().removeIf(voice -> !voice.add(out));
   }
 
-  /** A voice and how far it is. */
+  /** A voice with its playback position. */
   private final class Playing {
     private Voice voice;
     private double at;
@@ -104,7 +109,7 @@ final class VoiceMixer {
       }
     }
 
-    /** Adds a block; returns whether there is more to come. */
+    /** Adds a block of the voice; returns whether it continues. */
     boolean add(double[] out) {
       Recording recording = voice.recording();
       double step = recording.rate() * voice.pitch() / rate;
@@ -115,7 +120,7 @@ final class VoiceMixer {
       for (int i = 0; i < frames; i++) {
         if (at >= recording.frames()) {
           if (!voice.loop()) {
-            // It stays until the scene ends it, lest it began again meanwhile.
+            // Stays until the scene ends it, or it would restart.
             return !leaving;
           }
           at %= recording.frames();

@@ -5,15 +5,16 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * A recorded path of the viewer: positions in the world at times, and orientations where they were
- * recorded too; linear in between, angles the short way round. Immutable. {@link CameraPathReader}
+ * A recorded path of the viewer: positions in the world by time, with orientations if these were
+ * recorded. It is interpolated linearly, angles the short way. Immutable. {@link CameraPathReader}
  * reads one.
  */
 public final class CameraPath {
   /**
-   * Where the viewer is on the path.
+   * The viewer's pose at a point of the path.
    *
-   * @param orientation takes the viewer's frame to the world's; empty when the path has none
+   * @param orientation the rotation from the viewer's frame to the world; empty if the path has
+   *     none
    */
   public record Place(Vector3d position, Optional<Quaterniond> orientation) {}
 
@@ -33,32 +34,35 @@ public final class CameraPath {
     oriented = rows[0].length == 7;
   }
 
-  /** The time of the first row in seconds. */
+  /** Returns the time of the first row in seconds. */
   public double start() {
     return rows[0][0];
   }
 
-  /** The time of the last row in seconds. */
+  /** Returns the time of the last row in seconds. */
   public double end() {
     return rows[rows.length - 1][0];
   }
 
-  /** How many rows it has. */
+  /** Returns the number of rows. */
   public int rows() {
     return rows.length;
   }
 
-  /** The time of a row, counted from 0, in seconds. */
+  /** Returns the time of a row, counted from 0, in seconds. */
   public double time(int row) {
     return rows[row][0];
   }
 
-  /** From the first row to the last, in seconds. */
+  /** Returns the duration from the first row to the last, in seconds. */
   public double duration() {
     return end() - start();
   }
 
-  /** Where the viewer is at a time; before the first row and after the last it stands there. */
+  /**
+   * Returns the viewer's pose at a time; before the first row that of the first, after the last row
+   * that of the last.
+   */
   public Place at(double time) {
     int next = after(time);
     double[] b = rows[Math.min(next, rows.length - 1)];
@@ -70,7 +74,7 @@ public final class CameraPath {
     return new Place(position, oriented ? Optional.of(orientation(a, b, share)) : Optional.empty());
   }
 
-  /** The first row whose time is later, or the number of rows. */
+  /** Returns the index of the first row with a later time, or the number of rows. */
   private int after(double time) {
     int low = 0;
     int high = rows.length;
@@ -96,7 +100,7 @@ public final class CameraPath {
         Math.toRadians(angle(a[6], b[6], share)));
   }
 
-  /** Between two angles in degrees, over whichever side is shorter. */
+  /** Interpolates between two angles in degrees, the short way. */
   private static double angle(double a, double b, double share) {
     return a + share * Math.IEEEremainder(b - a, 360);
   }

@@ -10,10 +10,10 @@ import org.selectiverenderer.base.problem.Problems;
 
 /**
  * Reads a {@link CameraPath} from CSV: a header {@code t,x,y,z} or {@code t,x,y,z,yaw,pitch,roll}
- * in any order, then one row per time; seconds, metres, degrees. Other columns are passed over. See
+ * in any order, then one row per time; seconds, metres, degrees. Other columns are ignored. See
  * {@link NumberTable}.
  *
- * <p>A path with any fault is not played: the faults are reported, each with its place.
+ * <p>A path with errors is not played: the errors are reported, each with its location.
  */
 public final class CameraPathReader {
   private static final TableForm FORM =
@@ -31,7 +31,7 @@ public final class CameraPathReader {
   /**
    * Reads a file.
    *
-   * @return empty when it has faults, which are then in {@code problems}
+   * @return the path; empty if it has errors, which are then in {@code problems}
    * @throws IOException if the file cannot be read at all
    */
   public static Optional<CameraPath> read(Path path, Problems problems) throws IOException {
@@ -41,7 +41,7 @@ public final class CameraPathReader {
   /**
    * Reads a text.
    *
-   * @param file its name, for messages
+   * @param file the file's name, for messages
    */
   public static Optional<CameraPath> parse(String file, String text, Problems problems) {
     return NumberTable.parse(FORM, file, text, problems).map(CameraPath::new);

@@ -1,15 +1,17 @@
 package org.selectiverenderer.runtime.viewer;
 
 /**
- * What a parallel view shows at least, in the viewer's coordinates: the {@code fieldOfView} of an
- * OrthoViewpoint (X3D 4.0, 23.4.5).
+ * The rectangle that an orthographic view shows at least, in the viewer's coordinates: the {@code
+ * fieldOfView} of an OrthoViewpoint (X3D 4.0, 23.4.5). Also the cross-section of a view frustum at
+ * distance 1.
  */
 public record Extent(double left, double bottom, double right, double top) {
   /** The default of OrthoViewpoint. */
   public static final Extent DEFAULT = new Extent(-1, -1, 1, 1);
 
   /**
-   * The extent of the four numbers of a field; the default when they are too few or span nothing.
+   * Returns the extent given by the four numbers of a field; the default if they are too few or
+   * span no area.
    */
   public static Extent of(float[] field) {
     return field.length < 4 || !(field[0] < field[2]) || !(field[1] < field[3])
@@ -17,7 +19,9 @@ public record Extent(double left, double bottom, double right, double top) {
         : new Extent(field[0], field[1], field[2], field[3]);
   }
 
-  /** The same grown to both sides until it fills a picture of that width to height. */
+  /**
+   * Returns the extent widened on both sides until it has a given aspect ratio (width to height).
+   */
   public Extent filling(double aspect) {
     double width = Math.max(right - left, (top - bottom) * aspect);
     double height = Math.max(top - bottom, (right - left) / aspect);
@@ -26,7 +30,7 @@ public record Extent(double left, double bottom, double right, double top) {
     return new Extent(x - width / 2, y - height / 2, x + width / 2, y + height / 2);
   }
 
-  /** The same in a unit so many times as large. */
+  /** Returns the extent multiplied by a factor. */
   public Extent times(double scale) {
     return new Extent(left * scale, bottom * scale, right * scale, top * scale);
   }

@@ -6,26 +6,27 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.Bounds;
 
 /**
- * Where to stand so that a whole box is seen (X3D 4.0, 23.3.5 {@code viewAll}, 23.4.4 {@code
- * LOOKAT}): on the line from its middle to the eye, looking at the middle.
+ * The viewer pose from which a whole bounding box is in view (X3D 4.0, 23.3.5 {@code viewAll},
+ * 23.4.4 {@code LOOKAT}): on the line from the box's centre to the present eye, looking at the
+ * centre.
  *
- * @param centre the middle of the box, in the world
+ * @param centre the centre of the box, in the world
  * @param pose upright, aimed at the centre
- * @param extent what a parallel view shows from there, the box within
+ * @param extent the extent of an orthographic view from there that contains the box
  */
 public record Framing(Vector3d centre, Pose pose, Extent extent) {
-  /** How much farther off than where the box just fills the picture. */
+  /** Factor of the distance, relative to that at which the box just fills the picture. */
   private static final double ROOM = 1.1;
 
-  /** The nearest that one stands to anything, however small. */
+  /** Smallest distance from a box, however small it is. */
   private static final double NEAREST = 1e-3;
 
   /**
-   * The view of a box.
+   * Computes the pose for a box.
    *
-   * @param box not empty
-   * @param from the pose before; its field of view stays
-   * @param upright takes directions of coordinates whose +Y is up to the world
+   * @param box the bounding box, not empty
+   * @param from the present pose; its field of view is kept
+   * @param upright the rotation from coordinates whose +Y is up to the world
    */
   public static Framing of(Bounds box, Pose from, Quaterniondc upright) {
     Vector3d centre = box.min().add(box.max()).mul(0.5);
@@ -39,7 +40,10 @@ public record Framing(Vector3d centre, Pose pose, Extent extent) {
         new Extent(-half.x, -half.y, half.x, half.y));
   }
 
-  /** Looks in a direction, upright; as before where it is none. */
+  /**
+   * Returns the upright orientation that looks in a direction; the present one if the direction has
+   * no length.
+   */
   private static Quaterniond aim(Vector3d to, Pose from, Quaterniondc upright) {
     Vector3d front = upright.transformInverse(to.normalize(new Vector3d()));
     if (!(to.length() > NEAREST) || !front.isFinite()) {
@@ -53,9 +57,9 @@ public record Framing(Vector3d centre, Pose pose, Extent extent) {
   }
 
   /**
-   * How far off its middle a box is seen as a whole.
+   * Returns the distance from a box's centre at which the whole box is in view.
    *
-   * @param orientation takes the viewer's frame, looking along -Z, to the world's
+   * @param orientation the rotation from the viewer's frame, looking along -Z, to the world
    * @param fieldOfView the smaller viewing angle in radians
    */
   public static double distance(Bounds box, Quaterniondc orientation, double fieldOfView) {
@@ -68,7 +72,7 @@ public record Framing(Vector3d centre, Pose pose, Extent extent) {
     return ROOM * distance;
   }
 
-  /** Half of what the box takes to the right, up and towards the eye. */
+  /** Returns half the extent of the box to the right, up and towards the eye. */
   private static Vector3d half(Bounds box, Quaterniondc orientation) {
     Vector3d half = new Vector3d();
     for (int corner = 0; corner < 8; corner++) {
@@ -77,7 +81,7 @@ public record Framing(Vector3d centre, Pose pose, Extent extent) {
     return half;
   }
 
-  /** A corner from the middle of the box, in the viewer's frame. */
+  /** Returns a corner relative to the centre of the box, in the viewer's frame. */
   private static Vector3d corner(Bounds box, int corner, Quaterniondc orientation) {
     Vector3d middle = box.min().add(box.max()).mul(0.5);
     return orientation.transformInverse(box.corner(corner).sub(middle));

@@ -5,14 +5,18 @@ import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 
 /**
- * Where an upright viewer looks: yaw about the up axis, positive to the left, and pitch, positive
- * up, at most 90 degrees either way (thesis 6.1.1: 360 degrees about, 180 vertically). Radians.
+ * The viewing direction of an upright viewer: yaw about the up axis, positive to the left, and
+ * pitch, positive up, at most 90 degrees either way (thesis 6.1.1: 360 degrees about, 180
+ * vertically). Radians.
  */
 public record Heading(double yaw, double pitch) {
-  /** Beyond it, looking nearly straight up or down, the right side tells the yaw better. */
+  /**
+   * Vertical component of the viewing direction beyond which the viewer looks nearly straight up or
+   * down, so that the yaw is taken from the right vector.
+   */
   private static final double STEEP = 0.99999;
 
-  /** That of an orientation; its roll is left out. */
+  /** Returns the heading of an orientation; its roll is dropped. */
   public static Heading of(Quaterniondc orientation) {
     Vector3d front = orientation.transform(new Vector3d(0, 0, -1));
     double pitch = Math.asin(Math.max(-1, Math.min(1, front.y)));
@@ -32,7 +36,7 @@ public record Heading(double yaw, double pitch) {
     return Viewer.orientation(yaw, pitch, 0);
   }
 
-  /** Forward and to the right in the horizontal plane. */
+  /** Returns the horizontal vector with the given components forward and to the right. */
   public Vector3d level(double forward, double right) {
     double sin = Math.sin(yaw);
     double cos = Math.cos(yaw);

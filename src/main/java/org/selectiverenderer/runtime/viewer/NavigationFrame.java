@@ -5,21 +5,21 @@ import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 
 /**
- * How the bound viewpoint's coordinates lie in the world: they say which way is up and how large
- * the viewer is, not where it is (X3D 4.0, 23.2.4 and 23.4.4).
+ * The orientation and scale of the bound viewpoint's coordinate system in the world. They define
+ * the up direction and the size of the viewer (X3D 4.0, 23.2.4 and 23.4.4).
  *
- * @param upright takes directions of the viewpoint's coordinates, +Y up, to the world
- * @param scale the world's units per unit of the viewpoint, above 0
+ * @param upright the rotation from the viewpoint's coordinates, +Y up, to the world
+ * @param scale the world units per unit of the viewpoint, above 0
  */
 public record NavigationFrame(Quaterniondc upright, double scale) {
-  /** That of the world itself. */
+  /** The frame of the world itself. */
   public static final NavigationFrame WORLD = new NavigationFrame(new Quaterniond(), 1);
 
   /**
-   * The frame of a viewpoint's place.
+   * Returns the frame of a viewpoint's coordinates.
    *
-   * @param viewpoint from the coordinates in which its fields are given to the world; the
-   *     viewpoint's own orientation is no part of it
+   * @param viewpoint the matrix from the coordinates of the viewpoint's fields to the world,
+   *     without the viewpoint's own orientation
    */
   public static NavigationFrame of(Matrix4dc viewpoint) {
     double scale = Math.cbrt(Math.abs(viewpoint.determinant3x3()));

@@ -1,8 +1,8 @@
 package org.selectiverenderer.runtime.viewer;
 
 /**
- * Plays a recorded path: no collisions, no gravity. A path without orientations leaves the viewer's
- * as it is.
+ * Moves the viewer along a recorded path, without collisions and gravity. A path without
+ * orientations does not turn the viewer.
  */
 public final class PathMotion implements ViewerMotion {
   private final CameraPath path;

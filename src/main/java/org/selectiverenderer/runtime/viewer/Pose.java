@@ -9,9 +9,9 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Where a viewer is and looks, in the world.
+ * The pose of a viewer in the world: position, orientation and field of view.
  *
- * @param orientation takes the viewer's frame, looking along -Z, to the world's
+ * @param orientation the rotation from the viewer's frame, looking along -Z, to the world
  * @param fieldOfView the smaller viewing angle in radians
  */
 public record Pose(Vector3dc position, Quaterniondc orientation, double fieldOfView) {
@@ -24,7 +24,7 @@ public record Pose(Vector3dc position, Quaterniondc orientation, double fieldOfV
     return new Pose(viewer.position(), viewer.orientation(), viewer.fieldOfView());
   }
 
-  /** The viewer is there and sees in perspective. */
+  /** Moves a viewer to this pose, with a perspective view. */
   public void applyTo(Viewer viewer) {
     viewer.moveTo(position);
     viewer.turnTo(orientation);
@@ -32,15 +32,15 @@ public record Pose(Vector3dc position, Quaterniondc orientation, double fieldOfV
     viewer.extent(Optional.empty());
   }
 
-  /** Takes this viewer's frame to the world. */
+  /** Returns the matrix from the viewer's frame to the world. */
   public Matrix4d matrix() {
     return new Matrix4d().translationRotate(position, orientation);
   }
 
   /**
-   * Likewise elsewhere.
+   * Returns a pose with the same field of view elsewhere.
    *
-   * @param matrix takes the viewer's frame to the world; a rigid transformation
+   * @param matrix the matrix from the viewer's frame to the world; a rigid transformation
    */
   public Pose at(Matrix4dc matrix) {
     return new Pose(
@@ -49,7 +49,10 @@ public record Pose(Vector3dc position, Quaterniondc orientation, double fieldOfV
         fieldOfView);
   }
 
-  /** Between this pose (0) and another (1): straight ahead, turning the short way round. */
+  /**
+   * Interpolates between this pose (0) and another (1): linearly in position, the short way in
+   * rotation.
+   */
   public Pose towards(Pose other, double share) {
     return new Pose(
         position.lerp(other.position, share, new Vector3d()),

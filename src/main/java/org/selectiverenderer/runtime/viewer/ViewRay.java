@@ -5,19 +5,19 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * A line of sight, in the world.
+ * A line of sight in world coordinates.
  *
- * @param direction of any length
+ * @param direction the direction, of any length
  */
 public record ViewRay(Vector3dc origin, Vector3dc direction) {
 
   /**
-   * The line of sight through a place in the picture: from the eye, or in a parallel view from
-   * beside it.
+   * Returns the line of sight through a point of the picture: from the eye, or, in an orthographic
+   * view, from the corresponding point beside it.
    *
-   * @param direction in the viewer's frame, where a viewer with the same field of view who sees in
-   *     perspective finds that place
-   * @param aspect width of the picture to its height
+   * @param direction the direction of that point in the viewer's frame, for a perspective view with
+   *     the same field of view
+   * @param aspect the aspect ratio of the picture, width to height
    */
   public static ViewRay of(Viewer viewer, Vector3dc direction, double aspect) {
     Optional<Extent> parallel = viewer.extent();
@@ -27,7 +27,7 @@ public record ViewRay(Vector3dc origin, Vector3dc direction) {
           viewer.orientation().transform(direction, new Vector3d()));
     }
     Extent shown = parallel.get().filling(aspect);
-    // Of the smaller half of the picture, from its middle.
+    // In units of half the smaller side of the picture, from its centre.
     double unit = Math.tan(viewer.fieldOfView() / 2) * -direction.z();
     double half = Math.min(shown.right() - shown.left(), shown.top() - shown.bottom()) / 2;
     Vector3d beside =

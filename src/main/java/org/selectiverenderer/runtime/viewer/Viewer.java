@@ -22,27 +22,27 @@ public final class Viewer {
     return position;
   }
 
-  /** Takes the viewer's frame to the world's. */
+  /** Returns the rotation from the viewer's frame to the world. */
   public Quaterniondc orientation() {
     return orientation;
   }
 
-  /** The smaller of the two viewing angles, in radians (X3D 4.0, 23.3.5). */
+  /** Returns the smaller of the two viewing angles, in radians (X3D 4.0, 23.3.5). */
   public double fieldOfView() {
     return fieldOfView;
   }
 
-  /** What is shown if the view is parallel; empty for one in perspective. */
+  /** Returns the extent of an orthographic view; empty for a perspective view. */
   public Optional<Extent> extent() {
     return Optional.ofNullable(extent);
   }
 
-  /** Sees in parallel from now on, or in perspective. */
+  /** Sets an orthographic view, or a perspective one if empty. */
   public void extent(Optional<Extent> parallel) {
     extent = parallel.orElse(null);
   }
 
-  /** Stands and sees as another does. */
+  /** Copies pose and projection of another viewer. */
   public void become(Viewer other) {
     moveTo(other.position);
     turnTo(other.orientation);
@@ -62,7 +62,7 @@ public final class Viewer {
     fieldOfView = radians;
   }
 
-  /** From the world to the viewer's frame. */
+  /** Returns the view matrix: from the world to the viewer's frame. */
   public Matrix4d view() {
     return new Matrix4d()
         .rotation(orientation.conjugate(new Quaterniond()))
@@ -70,8 +70,8 @@ public final class Viewer {
   }
 
   /**
-   * The orientation of yaw about Y, then pitch about X, then roll about Z (order YXZ); radians;
-   * zero looks along -Z, positive yaw turns left, positive pitch looks up.
+   * Returns the orientation of yaw about Y, then pitch about X, then roll about Z (order YXZ);
+   * radians; zero looks along -Z, positive yaw turns left, positive pitch looks up.
    */
   public static Quaterniond orientation(double yaw, double pitch, double roll) {
     return new Quaterniond().rotationYXZ(yaw, pitch, roll);

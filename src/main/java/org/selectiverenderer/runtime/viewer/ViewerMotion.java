@@ -4,10 +4,10 @@ package org.selectiverenderer.runtime.viewer;
 @FunctionalInterface
 public interface ViewerMotion {
   /**
-   * Moves the viewer to where it is in a frame.
+   * Moves the viewer for a frame.
    *
    * @param time the frame's time in seconds
-   * @param dt seconds since the frame before; 0 in the first
+   * @param dt the seconds since the frame before; 0 in the first frame
    */
   void move(Viewer viewer, double time, double dt);
 }

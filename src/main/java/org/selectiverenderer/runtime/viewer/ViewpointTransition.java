@@ -1,20 +1,23 @@
 package org.selectiverenderer.runtime.viewer;
 
 /**
- * The viewer's way to another viewpoint (X3D 4.0, 23.4.4: transitionType and transitionTime). It
- * passes through everything.
+ * The animated transition of the viewer to another viewpoint (X3D 4.0, 23.4.4: transitionType and
+ * transitionTime), without collisions.
  */
 public final class ViewpointTransition implements ViewerMotion {
-  /** How to get there. */
+  /** The type of a transition. */
   public enum Type {
-    /** At once. */
+    /** The viewer jumps to the viewpoint. */
     TELEPORT,
-    /** In a straight line at a constant pace. */
+    /** The viewer moves in a straight line at a constant speed. */
     LINEAR,
-    /** In a straight line, gently beginning and ending: this browser's own animation. */
+    /**
+     * The viewer moves in a straight line with ease-in and ease-out; this is the browser's own
+     * animation.
+     */
     ANIMATE;
 
-    /** The first of the names that is known; LINEAR, the standard's default, when none is. */
+    /** Returns the first known type; LINEAR, the standard's default, if none is known. */
     public static Type of(String... transitionType) {
       for (String name : transitionType) {
         for (Type type : values()) {
@@ -34,8 +37,8 @@ public final class ViewpointTransition implements ViewerMotion {
   private final double duration;
 
   /**
-   * @param start the time at which it begins, in seconds
-   * @param duration in seconds; a transition that takes no time teleports
+   * @param start the start time in seconds
+   * @param duration the duration in seconds; with 0 the viewer jumps
    */
   public ViewpointTransition(Pose from, Pose to, Type type, double start, double duration) {
     this.from = from;
@@ -45,22 +48,22 @@ public final class ViewpointTransition implements ViewerMotion {
     this.duration = duration > 0 ? duration : 0;
   }
 
-  /** The same way to another end: to a viewpoint that moves meanwhile. */
+  /** Returns the same transition with another end, for a viewpoint that moves meanwhile. */
   public ViewpointTransition to(Pose end) {
     return new ViewpointTransition(from, end, type, start, duration);
   }
 
-  /** Where it ends. */
+  /** Returns the end pose. */
   public Pose end() {
     return to;
   }
 
-  /** Whether the viewer has arrived by that time: then transitionComplete is to be sent. */
+  /** Returns whether the viewer has arrived by a time, so that transitionComplete must be sent. */
   public boolean done(double time) {
     return type == Type.TELEPORT || time >= start + duration;
   }
 
-  /** Where the viewer is at a time. */
+  /** Returns the viewer's pose at a time. */
   public Pose at(double time) {
     if (done(time)) {
       return to;

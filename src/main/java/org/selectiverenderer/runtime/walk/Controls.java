@@ -9,37 +9,37 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Keys and mouse as motion.
+ * Converts keys and mouse to motion.
  *
  * <ul>
  *   <li>Up/Down or W/S: forward and backward. Left/Right: turn. A/D: sideways. E/Q: up and down
  *       when flying. Shift: faster.
  *   <li>A mouse button of the {@link MouseMapping} that is held still for {@value #HOLD} s walks
  *       until it is released; moving the mouse meanwhile steers. If the mouse moves before that,
- *       the press only looks around, so that one can look without walking and a click on something
- *       is no step. Dragging with the middle button always only looks.
- *   <li>A click with the left button goes to what it points at, where one may ({@link
- *       NavigationCommand#LOOK_AT}).
- *   <li>Wheel: changes the speed for good, by a quarter per notch.
- *   <li>With {@link #looking} off, as under a head tracker, the mouse turns nothing, and a button
- *       walks at once whatever the hand that holds the mouse does.
+ *       dragging only turns the view, so that the user can look without walking and a click does
+ *       not cause a step. Dragging with the middle button always only turns the view.
+ *   <li>A click with the left button moves the viewer to the shape under the pointer, if the
+ *       navigation type allows it ({@link NavigationCommand#LOOK_AT}).
+ *   <li>Wheel: changes the speed permanently, by a quarter per notch.
+ *   <li>With {@link #looking} off, as under a head tracker, the mouse does not turn the view, and a
+ *       button walks at once even if the mouse moves.
  *   <li>The other keys are {@link NavigationCommand}s.
  * </ul>
  *
- * <p>Toolkits repeat a key that is held: only the first press counts. Not thread-safe: feed it from
- * the thread that asks it.
+ * <p>Key repeats of the toolkit are ignored. Not thread-safe: input must come from the thread that
+ * queries the motion.
  */
 public final class Controls implements MotionSource {
-  /** Seconds that a button is held still before it walks. */
+  /** Seconds for which a button must be held still before it walks. */
   static final double HOLD = 0.15;
 
-  /** Pixels that a hand moves without meaning to. */
+  /** Largest unintended motion of the hand in pixels. */
   static final double STILL = 4;
 
-  /** Radians that the view turns per pixel dragged: a quarter of a degree. */
+  /** Rotation of the view per pixel dragged, in radians: a quarter of a degree. */
   static final double LOOK = Math.toRadians(0.25);
 
-  /** Radians per second that an arrow key turns. */
+  /** Turning speed of an arrow key in radians per second. */
   static final double TURN = Math.toRadians(60);
 
   private static final double FASTER = 3;
@@ -53,7 +53,7 @@ public final class Controls implements MotionSource {
     private boolean looksOnly;
     private boolean walks;
 
-    /** Whether it was neither held nor dragged. */
+    /** Returns whether the press was a click: neither held nor dragged. */
     boolean clicks() {
       return !walks && !looksOnly;
     }
@@ -75,7 +75,7 @@ public final class Controls implements MotionSource {
     this.mapping = mapping;
   }
 
-  /** Whether moving the mouse turns the view; it does at first. */
+  /** Sets whether moving the mouse turns the view; initially it does. */
   public void looking(boolean on) {
     looking = on;
   }
@@ -90,7 +90,7 @@ public final class Controls implements MotionSource {
     keys.remove(key);
   }
 
-  /** Does what a key commands, if it does, without anybody's holding it down. */
+  /** Executes the command of a key, if it has one, without the key being pressed. */
   public void command(WalkKey key) {
     commandOf(key).ifPresent(commands::add);
   }
@@ -127,10 +127,10 @@ public final class Controls implements MotionSource {
   }
 
   /**
-   * The mouse moved; without a button down it means nothing.
+   * Reports motion of the mouse; without a button down it has no effect.
    *
-   * @param dx pixels to the right
-   * @param dy pixels down
+   * @param dx the motion to the right in pixels
+   * @param dy the motion down in pixels
    */
   public void drag(double dx, double dy) {
     if (presses.isEmpty() || !looking) {
@@ -147,9 +147,9 @@ public final class Controls implements MotionSource {
   }
 
   /**
-   * The wheel turned.
+   * Reports that the wheel turned.
    *
-   * @param notches positive away from the user: faster
+   * @param notches the number of notches; positive, away from the user, for faster
    */
   public void wheel(double notches) {
     if (mapping != MouseMapping.OFF) {
@@ -158,11 +158,11 @@ public final class Controls implements MotionSource {
   }
 
   /**
-   * What the sticks of controllers ask for, until the next call.
+   * Sets the motion that controller thumbsticks request, until the next call.
    *
-   * @param forward -1 backward to 1 forward
-   * @param right -1 left to 1 right
-   * @param turn -1 right to 1 left
+   * @param forward the forward motion, -1 (backward) to 1
+   * @param right the sideways motion, -1 (left) to 1 (right)
+   * @param turn the rotation, -1 (right) to 1 (left)
    */
   public void stick(double forward, double right, double turn) {
     stickForward = clamp(forward);
@@ -171,21 +171,21 @@ public final class Controls implements MotionSource {
   }
 
   /**
-   * Turns at once.
+   * Turns the viewer at once.
    *
-   * @param radians to the left
+   * @param radians the angle to the left
    */
   public void turnBy(double radians) {
     lookYaw += radians;
   }
 
-  /** Lets go of everything, as when the window loses the keyboard. */
+  /** Releases all keys and buttons, as when the window loses the keyboard focus. */
   public void releaseAll() {
     keys.clear();
     presses.clear();
   }
 
-  /** The commands since the last call, in order. */
+  /** Returns the commands since the last call, in order. */
   public List<NavigationCommand> takeCommands() {
     List<NavigationCommand> taken = List.copyOf(commands);
     commands.clear();

@@ -1,15 +1,15 @@
 package org.selectiverenderer.runtime.walk;
 
 /**
- * What the user wants in a frame.
+ * The motion that the user requests in a frame.
  *
- * @param forward -1 backward .. 1 forward, times the speed
- * @param strafe -1 left .. 1 right, times the speed
- * @param rise -1 down .. 1 up, times the speed; a walker does not rise
- * @param turn radians per second about the up axis, positive to the left
- * @param lookYaw radians to turn in this frame, positive to the left
- * @param lookPitch radians to turn in this frame, positive up
- * @param speedFactor times the speed of the NavigationInfo, not negative
+ * @param forward the forward motion, -1 (backward) to 1, times the speed
+ * @param strafe the sideways motion, -1 (left) to 1 (right), times the speed
+ * @param rise the vertical motion, -1 (down) to 1 (up), times the speed; ignored in WALK
+ * @param turn the rotation about the up axis in radians per second, positive to the left
+ * @param lookYaw the yaw in this frame in radians, positive to the left
+ * @param lookPitch the pitch in this frame in radians, positive up
+ * @param speedFactor the factor of the NavigationInfo's speed, not negative
  */
 public record Motion(
     double forward,
@@ -20,10 +20,10 @@ public record Motion(
     double lookPitch,
     double speedFactor) {
 
-  /** Stands still. */
+  /** No motion. */
   public static final Motion NONE = new Motion(0, 0, 0, 0, 0, 0, 1);
 
-  /** Straight ahead at the usual speed, -1..1. */
+  /** Returns motion straight ahead at a share of the normal speed, -1..1. */
   public static Motion ahead(double forward) {
     return new Motion(forward, 0, 0, 0, 0, 0, 1);
   }

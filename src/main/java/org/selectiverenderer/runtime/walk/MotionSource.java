@@ -1,12 +1,12 @@
 package org.selectiverenderer.runtime.walk;
 
-/** Where the user's wishes come from: keys and mouse, a script, a test. */
+/** A source of motion requests: keys and mouse, a script, a test. */
 @FunctionalInterface
 public interface MotionSource {
   /**
-   * What the user wants in the coming frame; asked once per frame.
+   * Returns the motion requested for the coming frame; called once per frame.
    *
-   * @param dt the frame's length in seconds
+   * @param dt the duration of the frame in seconds
    */
   Motion next(double dt);
 }

@@ -1,12 +1,12 @@
 package org.selectiverenderer.runtime.walk;
 
-/** Which mouse button walks which way. */
+/** The walking direction of each mouse button. */
 public enum MouseMapping {
   /** Left forward, right backward (thesis 4.3). */
   WALK(1, -1),
   /** Right forward, left backward (thesis 6.1.1). */
   EXPERIMENT(-1, 1),
-  /** The mouse moves nothing, for a head tracker alone. */
+  /** No button walks, for use of a head tracker alone. */
   OFF(0, 0);
 
   private final int left;
@@ -17,7 +17,7 @@ public enum MouseMapping {
     this.right = right;
   }
 
-  /** 1 forward, -1 backward, 0 not at all. */
+  /** Returns the direction of a button: 1 forward, -1 backward, 0 none. */
   int forward(MouseButton button) {
     return switch (button) {
       case LEFT -> left;

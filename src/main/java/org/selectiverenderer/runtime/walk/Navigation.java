@@ -5,31 +5,35 @@ import java.util.List;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * What a NavigationInfo says of the viewer (X3D 4.0, 23.4.4), in the bound viewpoint's unit.
+ * The navigation parameters of a NavigationInfo node (X3D 4.0, 23.4.4), in the bound viewpoint's
+ * unit of length.
  *
- * @param modes in the author's order of preference, at least one
- * @param radius how near the viewer comes to anything; above 0
- * @param height of the eye above the ground; above 0
- * @param step the tallest thing that is walked over; not negative, below {@code height}
- * @param speed per second, not negative
+ * @param modes the navigation types in the author's order of preference, at least one
+ * @param radius the collision distance; above 0
+ * @param height the height of the eye above the ground; above 0
+ * @param step the height of the tallest obstacle that is stepped over; not negative, below {@code
+ *     height}
+ * @param speed the speed per second, not negative
  */
 public record Navigation(
     List<NavigationMode> modes, double radius, double height, double step, double speed) {
 
-  /** A walker of the standard's default size: what this program uses where a scene says nothing. */
+  /**
+   * The default for scenes without a NavigationInfo: WALK with the standard's default avatar size.
+   */
   public static final Navigation WALKING =
       new Navigation(List.of(NavigationMode.WALK, NavigationMode.ANY), 0.25, 1.6, 0.75, 1);
 
   public Navigation {
     modes = modes.isEmpty() ? List.of(NavigationMode.ANY) : List.copyOf(modes);
     height = height > 0 && height < Double.POSITIVE_INFINITY ? height : 1.6;
-    // A viewer without any extent would see through the walls it touches.
+    // A viewer without extent would see through walls that it touches.
     radius = Math.max(radius > 0 && radius < Double.POSITIVE_INFINITY ? radius : 0, height / 100);
     step = step > 0 ? Math.min(step, 0.95 * height) : 0;
     speed = speed > 0 && speed < Double.POSITIVE_INFINITY ? speed : 0;
   }
 
-  /** Reads a NavigationInfo node. Numbers missing in avatarSize have the standard's defaults. */
+  /** Reads a NavigationInfo node. Values missing in avatarSize get the standard's defaults. */
   public static Navigation of(NodeView navigationInfo) {
     float[] size = navigationInfo.floats("avatarSize");
     List<NavigationMode> modes = new ArrayList<>();
@@ -48,15 +52,12 @@ public record Navigation(
         navigationInfo.number("speed"));
   }
 
-  /**
-   * The mode to begin with: the first that the author names, and where that is ANY, walking, which
-   * is what this program is for.
-   */
+  /** Returns the initial mode: the author's first one, or WALK if that is ANY. */
   public NavigationMode initial() {
     return modes.get(0) == NavigationMode.ANY ? NavigationMode.WALK : modes.get(0);
   }
 
-  /** Whether the user may change to a mode. */
+  /** Returns whether the user may change to a mode. */
   public boolean allows(NavigationMode mode) {
     return modes.contains(mode) || modes.contains(NavigationMode.ANY);
   }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.runtime.walk;
 
-/** What the user asks for that is not a motion; whoever owns the world does it. */
+/** A command of the user that is not a motion; the owner of the world executes it. */
 public enum NavigationCommand {
   /** Home: back to the bound viewpoint. */
   RESET_VIEWPOINT,
@@ -10,17 +10,17 @@ public enum NavigationCommand {
   NEXT_VIEWPOINT,
   /** End: to the last viewpoint. */
   LAST_VIEWPOINT,
-  /** F1: frames per second, polygons, areas, schemas. */
+  /** F1: shows or hides frames per second, polygons, areas and schemas. */
   TOGGLE_OVERLAY,
   /** F2: to the next navigation type that the scene allows. */
   NEXT_MODE,
   /** F3: collisions on and off. */
   TOGGLE_COLLISIONS,
-  /** F4: where the head looks now is straight ahead. */
+  /** F4: makes the present head direction the forward direction. */
   RESET_HEADING,
-  /** F5: where all of the scene is seen. */
+  /** F5: moves the viewer to where the whole scene is in view. */
   VIEW_ALL,
-  /** A click: to what is pointed at, where the navigation type is LOOKAT. */
+  /** Click: moves the viewer to the shape under the pointer, if the navigation type is LOOKAT. */
   LOOK_AT,
   /** F11. */
   TOGGLE_FULL_SCREEN,

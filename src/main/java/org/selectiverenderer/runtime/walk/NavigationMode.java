@@ -2,17 +2,17 @@ package org.selectiverenderer.runtime.walk;
 
 /** The navigation types of X3D 4.0, 23.4.4. ANY leaves the choice to the user. */
 public enum NavigationMode {
-  /** On the ground, with gravity and collisions. */
+  /** Moves on the ground, with gravity and collisions. */
   WALK,
-  /** Free of the ground, with collisions. */
+  /** Moves freely, with collisions. */
   FLY,
-  /** About an object. */
+  /** Orbits about an object. */
   EXAMINE,
-  /** Towards what is pointed at; moves as EXAMINE does in between. */
+  /** Moves to the shape that is clicked; otherwise orbits like EXAMINE. */
   LOOKAT,
-  /** Examines or flies as the user likes; here it moves as FLY. */
+  /** Leaves the choice between EXAMINE and FLY to the browser, which moves as FLY. */
   EXPLORE,
-  /** The user moves nothing; the scene may. */
+  /** The user cannot move; the scene may move the viewer. */
   NONE,
   ANY
 }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.runtime.walk;
 
-/** The keys that mean something to navigation, whatever toolkit reads them. */
+/** The keys used in navigation, independent of the window toolkit. */
 public enum WalkKey {
   UP,
   DOWN,

@@ -12,15 +12,15 @@ import org.selectiverenderer.runtime.collide.Slide;
 import org.selectiverenderer.runtime.collide.WallBarrier;
 
 /**
- * A body on the ground (X3D 4.0, 23.2.4): walls hold it up, it goes up steps, falls under gravity,
- * and stands where nothing is below it. All lengths are the world's; all coordinates those of a
- * frame whose +Y is up.
+ * The character controller of WALK (X3D 4.0, 23.2.4): moves a body that is stopped by walls, climbs
+ * steps and falls under gravity; over a void without ground it does not fall. All lengths are in
+ * world units; all coordinates are those of a frame whose +Y is up.
  */
 final class WalkStep {
-  /** Metres per second squared. */
+  /** Gravitational acceleration in metres per second squared. */
   static final double GRAVITY = 9.81;
 
-  /** Height gained or lost per distance on the steepest ground that can be walked on. */
+  /** Slope (height per distance) of the steepest walkable ground. */
   private static final double SLOPE = Math.tan(Math.acos(WallBarrier.WALKABLE));
 
   private final Colliders colliders;
@@ -32,38 +32,41 @@ final class WalkStep {
     this.colliders = colliders;
   }
 
-  /** It was put somewhere: it neither stands nor falls yet. */
+  /** Resets the state after the body was placed elsewhere: it neither stands nor falls. */
   void landAnew() {
     fallSpeed = 0;
     grounded = false;
   }
 
   /**
-   * A body's measures.
+   * The dimensions of a body.
    *
-   * @param up takes the frame's directions to the world
-   * @param gravity the world's units per second squared
+   * @param up the rotation from the frame to the world
+   * @param gravity the gravitational acceleration in world units per second squared
    */
   record Body(Quaterniondc up, double radius, double height, double step, double gravity) {
-    /** What is this little higher than the step still counts as a step. */
+    /** Returns the tolerance above the step height. */
     double ledge() {
       return step + 1e-4 * height;
     }
 
-    /** How far it reaches above the eye: half the radius, where the near plane is (23.4.4). */
+    /**
+     * Returns the height of the body above the eye: half the radius, which is the distance of the
+     * near plane (23.4.4).
+     */
     double crown() {
       return radius / 2;
     }
   }
 
   /**
-   * Makes one step.
+   * Moves the body by one step.
    *
-   * @param eye is moved
-   * @param by level, shorter than the radius
-   * @param dt seconds
-   * @param walls whether anything holds it up
-   * @param bumped is told what did
+   * @param eye the eye position, changed in place
+   * @param by the horizontal step, shorter than the radius
+   * @param dt the duration in seconds
+   * @param walls whether walls stop the body
+   * @param bumped receives the meshes that stopped the body
    */
   void step(
       Body body, Vector3d eye, Vector3dc by, double dt, boolean walls, Set<PlacedMesh> bumped) {
@@ -89,11 +92,13 @@ final class WalkStep {
     return Slide.step(eye, by, body.radius, distance / 2, barrier);
   }
 
-  /** Puts the body onto the ground or lets it fall; false when there is no room to step up. */
+  /**
+   * Puts the body onto the ground or lets it fall; returns false if there is no room to step up.
+   */
   private boolean settle(Body body, Vector3d eye, double distance, double dt, boolean walls) {
     double feet = eye.y - body.height;
     double climb = body.ledge() + SLOPE * distance;
-    // One who was just put here may stand up to the eyes in the ground.
+    // A body that was just placed here may be in the ground up to its eyes.
     double from = grounded ? Math.min(body.height, climb) : body.height;
     OptionalDouble below =
         ray(body, new Vector3d(eye.x, feet + from, eye.z), -1, Double.POSITIVE_INFINITY);
@@ -130,7 +135,7 @@ final class WalkStep {
     return true;
   }
 
-  /** How far the next surface is straight up (1) or down (-1). */
+  /** Returns the distance to the next surface straight up (1) or down (-1). */
   private OptionalDouble ray(Body body, Vector3dc from, int up, double limit) {
     return colliders.distance(
         body.up.transform(from, new Vector3d()), body.up.transform(new Vector3d(0, up, 0)), limit);

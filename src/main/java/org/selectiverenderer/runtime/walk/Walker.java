@@ -19,22 +19,22 @@ import org.selectiverenderer.runtime.viewer.Viewer;
 import org.selectiverenderer.runtime.viewer.ViewerMotion;
 
 /**
- * Moves the viewer as the user wants and the navigation type says (X3D 4.0, 23.2.2 and 23.4.4).
+ * Moves the viewer by the user's input and the navigation type (X3D 4.0, 23.2.2 and 23.4.4).
  *
- * <p>WALK: level, on the ground, held up by walls. FLY, EXPLORE: where the viewer looks, held up by
- * everything. EXAMINE, LOOKAT: about {@link #pivot(Vector3dc)}, through everything. NONE: not at
- * all. In each of them the view stays upright, pitched at most 90 degrees either way.
+ * <p>WALK moves horizontally on the ground and is stopped by walls. FLY and EXPLORE move in the
+ * viewing direction and are stopped by every surface. EXAMINE and LOOKAT orbit about {@link
+ * #pivot(Vector3dc)} without collisions. NONE does not move. In all modes the view stays upright,
+ * pitched at most 90 degrees either way.
  *
- * <p>A frame is cut into parts no longer than a 60th of a second and no farther than half the
- * collision distance, so that neither a slow frame nor a fast viewer gets through a wall, and the
- * path hardly depends on the frame rate. The same input gives the same path. Belongs to the thread
- * that steps the world.
+ * <p>A frame is divided into substeps of at most 1/60 s and half the collision distance, so that
+ * neither a slow frame nor a fast viewer passes through a wall, and the path hardly depends on the
+ * frame rate. The same input gives the same path. Belongs to the thread that steps the world.
  */
 public final class Walker implements ViewerMotion {
-  /** Longest part of a frame, in seconds. */
+  /** Largest duration of a substep in seconds. */
   private static final double PART = 1.0 / 60;
 
-  /** Parts of a frame at most: beyond them the viewer moves less far than it wants. */
+  /** Largest number of substeps in a frame; beyond it the viewer moves less far than requested. */
   private static final int MAX_PARTS = 2000;
 
   private final Colliders colliders;
@@ -55,14 +55,17 @@ public final class Walker implements ViewerMotion {
     walking = new WalkStep(colliders);
   }
 
-  /** Follows another NavigationInfo, in its initial mode, as a viewpoint's place scales it. */
+  /**
+   * Uses the parameters of another NavigationInfo in its initial mode, scaled by a viewpoint's
+   * coordinates.
+   */
   public void use(Navigation newNavigation, NavigationFrame newFrame) {
     navigation = newNavigation;
     frame = newFrame;
     mode(newNavigation.initial());
   }
 
-  /** Follows what has changed in the NavigationInfo or the viewpoint, in the mode that it is in. */
+  /** Uses changed parameters of the NavigationInfo or viewpoint and keeps the mode. */
   public void adapt(Navigation newNavigation, NavigationFrame newFrame) {
     navigation = newNavigation;
     frame = newFrame;
@@ -76,13 +79,13 @@ public final class Walker implements ViewerMotion {
     return mode;
   }
 
-  /** Changes the mode; ANY means WALK. Whether the author allows it is the caller's to ask. */
+  /** Changes the mode; ANY means WALK. The caller checks that the author allows it. */
   public void mode(NavigationMode newMode) {
     mode = newMode == NavigationMode.ANY ? NavigationMode.WALK : newMode;
     walking.landAnew();
   }
 
-  /** Whether walls hold the viewer up. A walker stays on the ground all the same. */
+  /** Sets whether walls stop the viewer. In WALK the viewer stays on the ground in any case. */
   public void collisions(boolean on) {
     collisions = on;
   }
@@ -91,12 +94,17 @@ public final class Walker implements ViewerMotion {
     return collisions;
   }
 
-  /** What EXAMINE turns about, in the world: the viewpoint's centerOfRotation or what it sees. */
+  /**
+   * Sets the point that EXAMINE orbits about, in the world: the viewpoint's centerOfRotation or the
+   * centre of the framed box.
+   */
   public void pivot(Vector3dc point) {
     pivot.set(point);
   }
 
-  /** The Collision nodes that the viewer bumped into in the last move, for their events. */
+  /**
+   * Returns the Collision nodes with which the viewer collided in the last move, for their events.
+   */
   public Set<CollisionNode> bumped() {
     Set<CollisionNode> nodes = new LinkedHashSet<>();
     bumped.forEach(placed -> nodes.addAll(placed.collisions()));
@@ -130,11 +138,10 @@ public final class Walker implements ViewerMotion {
   }
 
   /**
-   * Moves the viewer by what its user went himself, as far as walls let it; the time does not go
-   * on.
+   * Moves the viewer by the physical walking of the user, as far as walls allow; no time passes.
    *
-   * @param way in the world
-   * @return whether the mode lets it: one that walks or flies
+   * @param way the displacement in the world
+   * @return whether the mode allows it: WALK, FLY and EXPLORE do
    */
   public boolean push(Viewer viewer, Vector3dc way) {
     bumped.clear();
@@ -173,7 +180,10 @@ public final class Walker implements ViewerMotion {
     return navigation.radius() * frame.scale();
   }
 
-  /** Units of the world per second; forward and sideways together are no faster than either. */
+  /**
+   * Returns the speed in world units per second; diagonal motion is no faster than motion along one
+   * axis.
+   */
   private double speed(Motion motion) {
     double wish = new Vector3d(motion.forward(), motion.strafe(), motion.rise()).length();
     return navigation.speed() * frame.scale() * motion.speedFactor() / Math.max(1, wish);
@@ -184,7 +194,7 @@ public final class Walker implements ViewerMotion {
     return (int) Math.max(1, Math.min(MAX_PARTS, Math.ceil(parts)));
   }
 
-  /** The way of one part, never so far that a wall could be passed. */
+  /** Returns the displacement of one substep, limited such that no wall can be passed. */
   private Vector3d limited(Vector3d way) {
     double most = radius() / 2;
     double length = way.length();
@@ -241,7 +251,10 @@ public final class Walker implements ViewerMotion {
     return Slide.step(eye, way, radius(), distance / 2, new TriangleBarrier(triangles, bumped));
   }
 
-  /** Turns about the pivot; forward comes nearer by a share of the distance, never reaching it. */
+  /**
+   * Orbits about the pivot; forward motion approaches it by a share of the distance, so that it is
+   * never reached.
+   */
   private Heading orbit(
       Vector3d eye, Heading start, Motion motion, Quaterniond toFrame, double dt) {
     Vector3d about = toFrame.transform(pivot, new Vector3d());

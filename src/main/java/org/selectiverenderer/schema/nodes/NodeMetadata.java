@@ -8,12 +8,12 @@ import org.selectiverenderer.schema.MetadataSource;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * A metadata node of a file or of the embedded browser's scene.
+ * Adapts a metadata node of a file or of the embedded browser's scene.
  *
- * @param node a node of a type that is an X3DMetadataObject
+ * @param node a node whose type is an X3DMetadataObject
  */
 public record NodeMetadata(NodeView node) implements MetadataSource {
-  /** The metadata of a node, if it has any. */
+  /** Returns the metadata of a node, if it has any. */
   public static Optional<NodeMetadata> of(NodeView owner) {
     return Optional.ofNullable(owner.node("metadata"))
         .filter(metadata -> metadata.type().is("X3DMetadataObject"))

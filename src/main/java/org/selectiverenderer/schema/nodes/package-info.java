@@ -1,9 +1,9 @@
 /**
- * The vocabulary in nodes of files and of the embedded browser's scene.
+ * Access to schema metadata in nodes of files and of the embedded browser's scene.
  *
- * <p>In: nodes, seen through {@link org.selectiverenderer.x3d.catalogue.NodeView}. Out: {@link
- * org.selectiverenderer.schema.nodes.NodeMetadata}, for the readers of {@code schema}. Apart from
- * it, so that the controller, which sees nodes through the SAI, needs no catalogue of X3D's nodes.
+ * <p>In: nodes as {@link org.selectiverenderer.x3d.catalogue.NodeView}s. Out: {@link
+ * org.selectiverenderer.schema.nodes.NodeMetadata}, for the readers of {@code schema}. A package of
+ * its own, so that the controller, which accesses nodes through the SAI, needs no node catalogue.
  * Uses {@code schema} and {@code x3d.catalogue}.
  */
 @NullMarked

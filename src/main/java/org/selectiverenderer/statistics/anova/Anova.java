@@ -4,12 +4,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * An analysis of variance and all that stands beside it.
+ * An analysis of variance: tests of effects, descriptive statistics, estimated marginal means, and
+ * comparisons.
  *
- * @param intercept the mean of all against 0
- * @param effects those of the between factors, then of the within ones and of both
- * @param descriptives of the cells, and over the groups
- * @param bound of TOST, in the measure's units
+ * @param intercept the test of the grand mean against 0
+ * @param effects the effects of the between factors, then those of the within factors and their
+ *     interactions
+ * @param descriptives means and standard deviations of the cells, and over all groups
+ * @param bound the equivalence bound of TOST, in the measure's units
  */
 public record Anova(
     Design design,
@@ -20,7 +22,7 @@ public record Anova(
     List<MarginalMean> means,
     List<Comparison> comparisons,
     double bound) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Anova {
     effects = List.copyOf(effects);
     descriptives = List.copyOf(descriptives);
@@ -29,7 +31,7 @@ public record Anova(
   }
 
   /**
-   * Analyses a design. Sums of squares are of type III.
+   * Analyses a design with type III sums of squares.
    *
    * @throws IllegalArgumentException if the design has an {@link Design#obstacle}
    */
@@ -53,12 +55,12 @@ public record Anova(
         contrasts.bound());
   }
 
-  /** The first effect of that kind, if the design has one. */
+  /** Returns the first effect of that kind, if the design has one. */
   public Optional<Effect> effect(EffectKind kind) {
     return effects.stream().filter(effect -> effect.kind() == kind).findFirst();
   }
 
-  /** What the model leaves of the scores. */
+  /** Returns the residuals of the model. */
   public Residuals residuals() {
     return Residuals.of(CellStatistics.of(design));
   }

@@ -1,18 +1,18 @@
 package org.selectiverenderer.statistics.anova;
 
 /**
- * Choices of an analysis. Every report states them.
+ * The options of an analysis of variance. Every report states them.
  *
- * @param alpha level of significance, and of equivalence
- * @param confidence of intervals around means and differences
- * @param etaConfidence of intervals around eta squared
- * @param differenceBound of TOST, in standard deviations or, if {@code rawBound}, in the measure's
- *     own units
+ * @param alpha significance level of the tests of difference and of equivalence
+ * @param confidence confidence level of intervals of means and differences, 0 to 1
+ * @param etaConfidence confidence level of intervals of eta squared, 0 to 1
+ * @param differenceBound equivalence bound of TOST, in standard deviations or, if {@code rawBound},
+ *     in the measure's own units
  * @param rawBound whether the bound is in the measure's units
  * @param etaBound smallest partial eta squared that would matter
- * @param priorScale of the JZS Bayes factor of a comparison
- * @param sphericity what is done where it is lacking
- * @param prior of the Bayes factors of effects
+ * @param priorScale scale of the Cauchy prior of the JZS Bayes factor of a comparison
+ * @param sphericity how degrees of freedom are corrected where sphericity is violated
+ * @param prior prior of the Bayes factors of effects
  */
 public record AnovaOptions(
     double alpha,
@@ -40,27 +40,27 @@ public record AnovaOptions(
           SphericityChoice.AUTO,
           EffectPrior.MEDIUM);
 
-  /** With TOST's bound in the measure's own units. */
+  /** Returns the options with TOST's equivalence bound in the measure's own units. */
   public AnovaOptions withRawBound(double bound) {
     return with(bound, true, etaBound, sphericity, prior);
   }
 
-  /** With TOST's bound in standard deviations. */
+  /** Returns the options with TOST's equivalence bound in standard deviations. */
   public AnovaOptions withStandardBound(double bound) {
     return with(bound, false, etaBound, sphericity, prior);
   }
 
-  /** With another bound of partial eta squared. */
+  /** Returns the options with another equivalence bound of partial eta squared. */
   public AnovaOptions withEtaBound(double bound) {
     return with(differenceBound, rawBound, bound, sphericity, prior);
   }
 
-  /** With another answer to a lack of sphericity. */
+  /** Returns the options with another correction for violated sphericity. */
   public AnovaOptions withSphericity(SphericityChoice choice) {
     return with(differenceBound, rawBound, etaBound, choice, prior);
   }
 
-  /** With another prior of the Bayes factors of effects. */
+  /** Returns the options with another prior of the Bayes factors of effects. */
   public AnovaOptions withPrior(EffectPrior effects) {
     return with(differenceBound, rawBound, etaBound, sphericity, effects);
   }

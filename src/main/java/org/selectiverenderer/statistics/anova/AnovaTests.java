@@ -4,15 +4,15 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The decisions of an {@link Anova} without its intervals and tables: the same p, in a small part
- * of the time. For simulations, which analyse thousands of studies.
+ * The p values of an {@link Anova} without its intervals and tables, computed in a fraction of the
+ * time: for simulations, which analyse thousands of studies.
  *
- * @param effects in the order of {@link Anova#effects}
- * @param groups all pairs of levels of the first between factor, over all else; none if it has one
- *     level
+ * @param effects F tests of the effects, in the order of {@link Anova#effects}
+ * @param groups comparisons of all pairs of levels of the first between factor, averaged over the
+ *     other factors; empty if that factor has one level
  */
 public record AnovaTests(List<EffectTest> effects, List<Comparison> groups) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public AnovaTests {
     effects = List.copyOf(effects);
     groups = List.copyOf(groups);

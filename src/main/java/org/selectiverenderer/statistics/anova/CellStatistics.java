@@ -10,13 +10,17 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 
 /**
- * The multivariate linear model of a design, of which all its tests are made: y = X B + e, a row
- * for each subject, a column for each combination of within levels. X has an indicator of each
- * group and the covariates, less their means over all subjects; B holds the groups' means at those
- * means of the covariates (without covariates simply their means), and the covariates' slopes.
+ * The multivariate linear model Y = X B + E of a design, from which all its tests are computed. Y
+ * has a row for each subject and a column for each combination of within levels. X holds an
+ * indicator of each group and the covariates, centred at their means over all subjects; B holds the
+ * groups' means at those means of the covariates (without covariates the plain means), and the
+ * slopes of the covariates.
  */
 final class CellStatistics {
-  /** A covariate with a smaller share of its sum of squares left over is told by the others. */
+  /**
+   * A covariate is redundant if the groups and the other covariates leave less than this share of
+   * its sum of squares unexplained.
+   */
   private static final double REDUNDANT = 1e-10;
 
   private final int[] sizes;
@@ -58,7 +62,10 @@ final class CellStatistics {
     return design.covariates().isEmpty() ? cells : cells.adjusted(design);
   }
 
-  /** With slopes from the deviations within groups, and means at the covariates' means. */
+  /**
+   * Returns the model adjusted for the covariates: slopes are estimated from the deviations within
+   * groups, and group means are taken at the covariates' means.
+   */
   private CellStatistics adjusted(Design design) {
     int groups = sizes.length;
     double[][] x = covariates(design);
@@ -98,7 +105,10 @@ final class CellStatistics {
         .toArray(double[][]::new);
   }
 
-  /** The first covariate that is constant within all groups, or told by those before it. */
+  /**
+   * Returns the first covariate that is constant within all groups, or a linear combination of the
+   * covariates before it.
+   */
   static Optional<String> redundantCovariate(Design design) {
     if (design.covariates().isEmpty()) {
       return Optional.empty();
@@ -124,7 +134,7 @@ final class CellStatistics {
     return Optional.empty();
   }
 
-  /** A row for each subject: the covariates less their means over all subjects. */
+  /** Returns a row for each subject: the covariates, centred at their means over all subjects. */
   private static double[][] covariates(Design design) {
     double[][] x =
         design.subjects().stream()
@@ -153,7 +163,7 @@ final class CellStatistics {
     return means;
   }
 
-  /** Deviations from the groups' means. */
+  /** Returns the deviations from the groups' means. */
   private static double[][] inside(Design design, double[][] rows, double[][] means) {
     List<double[]> inside = new ArrayList<>();
     for (int i = 0; i < rows.length; i++) {
@@ -187,42 +197,45 @@ final class CellStatistics {
     return Arrays.stream(sizes).sum();
   }
 
-  /** Means of a group at the combinations of within levels, at the means of the covariates. */
+  /**
+   * Returns the means of a group at each combination of within levels, at the means of the
+   * covariates.
+   */
   double[] means(int group) {
     return coefficients.getRow(group);
   }
 
-  /** B: the groups' means, then the covariates' slopes. */
+  /** Returns B: the groups' means, then the covariates' slopes. */
   RealMatrix coefficients() {
     return coefficients;
   }
 
-  /** (X'X)^-1; without covariates it has 1 / n of the groups on its diagonal. */
+  /** Returns (X'X)^-1; without covariates, this is diagonal with 1 / n of each group. */
   RealMatrix inverse() {
     return inverse;
   }
 
-  /** Sums of squares and products of the residuals. */
+  /** Returns the sums of squares and cross products (SSCP) of the residuals. */
   RealMatrix error() {
     return residuals.transpose().multiply(residuals);
   }
 
-  /** A row for each subject. */
+  /** Returns the residuals, a row for each subject. */
   double[][] residuals() {
     return residuals.getData();
   }
 
-  /** Of the subjects. */
+  /** Returns the leverage of each subject. */
   double[] leverages() {
     return leverages.clone();
   }
 
-  /** Subjects less groups and covariates. */
+  /** Returns the number of subjects less that of groups and covariates. */
   int errorDf() {
     return subjects() - coefficients.getRowDimension();
   }
 
-  /** The pooled covariance of the within levels. */
+  /** Returns the pooled covariance matrix of the within levels. */
   RealMatrix covariance() {
     return error().scalarMultiply(1.0 / errorDf());
   }

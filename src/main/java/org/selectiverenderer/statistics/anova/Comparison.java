@@ -6,19 +6,21 @@ import org.selectiverenderer.statistics.distribution.NoncentralT;
 import org.selectiverenderer.statistics.distribution.StudentizedRange;
 
 /**
- * Two levels of a factor compared, with the design's pooled error.
+ * A comparison of two levels of a factor with the pooled error of the design.
  *
- * @param factor whose levels are compared; {@code within x between} for differences of differences
- * @param at the level of another factor at which they are; empty: over all, with equal weight
- * @param difference first less second, in the measure's units
- * @param low of the confidence interval of the difference, not adjusted
- * @param p not adjusted
- * @param family that it is one of, with p after Holm in it
- * @param deviation pooled standard deviation of the scores of a cell
- * @param confidence of the intervals
+ * @param factor name of the factor whose levels are compared; {@code within x between} for
+ *     interaction contrasts (differences of differences)
+ * @param at the level of another factor at which the levels are compared; empty: over all its
+ *     levels, with equal weights
+ * @param difference mean of the first level less that of the second, in the measure's units
+ * @param low lower bound of the confidence interval of the difference, not adjusted
+ * @param p two-sided p, not adjusted for multiple comparisons
+ * @param family the family of comparisons that this one belongs to, with its p after Holm
+ * @param deviation pooled standard deviation of the scores within a cell
+ * @param confidence confidence level of the intervals, 0 to 1
  * @param size effective number of subjects: n1 n2 / (n1 + n2) for two groups, the number of pairs
  *     for pairs
- * @param priorScale of the Bayes factor
+ * @param priorScale scale of the Cauchy prior of the Bayes factor
  */
 public record Comparison(
     String factor,
@@ -39,11 +41,11 @@ public record Comparison(
     double size,
     double priorScale) {
   /**
-   * The comparisons that are held to one level of error together.
+   * A family of comparisons whose familywise error rate is controlled.
    *
-   * @param size how many
-   * @param means how many levels they are all pairs of; 0 if they are no such pairs
-   * @param holm p after Holm (1979)
+   * @param size number of comparisons
+   * @param means number of levels if the family is all pairs of levels; 0 otherwise
+   * @param holm p of this comparison after Holm (1979)
    */
   public record Family(int size, int means, double holm) {}
 
@@ -68,24 +70,24 @@ public record Comparison(
         priorScale);
   }
 
-  /** BF01 of Jeffreys, Zellner and Siow; not a number where t is none. */
+  /** Returns BF01 with the prior of Jeffreys, Zellner and Siow (JZS); NaN where t is NaN. */
   public double bayesFactor() {
     return Double.isFinite(t) ? JzsT.nullFactor(t, df, size, priorScale) : Double.NaN;
   }
 
-  /** p after Holm. */
+  /** Returns p after Holm. */
   public double holm() {
     return family.holm();
   }
 
-  /** p times the family's size, at most 1. */
+  /** Returns p times the family's size (Bonferroni), at most 1. */
   public double bonferroni() {
     return Math.min(1, p * family.size());
   }
 
   /**
-   * p of Tukey's test for all pairs of means (Tukey 1953; Kramer 1956), exact for independent means
-   * of equal error; empty for differences of differences.
+   * Returns p of Tukey's test for all pairs of means (Tukey 1953; Kramer 1956), exact for
+   * independent means of equal error; empty for differences of differences.
    */
   public OptionalDouble tukey() {
     return family.means() < 2 || !Double.isFinite(t)
@@ -95,12 +97,12 @@ public record Comparison(
   }
 
   /**
-   * The difference in pooled standard deviations of the cells (Cohen 1988), which for within levels
-   * is d_av (Lakens 2013, Frontiers in Psychology 4).
+   * Returns the difference in units of the pooled standard deviation of the cells (Cohen 1988),
+   * which for within levels is d_av (Lakens 2013, Frontiers in Psychology 4).
    *
    * <p>The interval is that of the noncentrality of t, in these units (Steiger and Fouladi 1997):
-   * exact for groups measured once, otherwise an approximation that takes the ratio of the standard
-   * error to the standard deviation for known.
+   * exact for groups measured once, otherwise an approximation that treats the ratio of the
+   * standard error to the standard deviation as known.
    */
   public EffectSize d() {
     if (!Double.isFinite(t)) {

@@ -1,11 +1,11 @@
 package org.selectiverenderer.statistics.anova;
 
 /**
- * Degrees of freedom corrected for a lack of sphericity.
+ * Degrees of freedom corrected for violated sphericity.
  *
  * @param by Greenhouse and Geisser's or Huynh and Feldt's epsilon
- * @param df1 of the effect, times epsilon
- * @param df2 of the error, times epsilon
+ * @param df1 degrees of freedom of the effect, times epsilon
+ * @param df2 degrees of freedom of the error, times epsilon
  */
 public record CorrectedDf(SphericityChoice by, double epsilon, double df1, double df2) {
   static CorrectedDf of(SphericityChoice by, double epsilon, double df1, double df2) {

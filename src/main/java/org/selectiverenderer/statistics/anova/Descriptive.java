@@ -6,16 +6,18 @@ import java.util.Optional;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 
 /**
- * Mean and standard deviation of scores, as in Figs 92 and 96 of the thesis.
+ * The mean and standard deviation of the scores of a cell, as in Figs 92 and 96 of the thesis.
  *
  * @param within the level; empty when the design has one only
  * @param between the group; empty for all groups together ("Total")
- * @param sd with n - 1; not a number for one participant
- * @param n participants
+ * @param sd standard deviation with n - 1 degrees of freedom; NaN for one participant
+ * @param n number of participants
  */
 public record Descriptive(
     Optional<String> within, Optional<String> between, double mean, double sd, int n) {
-  /** Level by level, the groups and then all together. */
+  /**
+   * Returns for each within level the statistics of each group, then those of all groups together.
+   */
   public static List<Descriptive> of(Design design) {
     List<Descriptive> all = new ArrayList<>();
     for (int level = 0; level < design.within().levels().size(); level++) {

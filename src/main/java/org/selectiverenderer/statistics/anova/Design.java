@@ -6,15 +6,16 @@ import java.util.stream.Stream;
 import org.selectiverenderer.base.decimal.Counted;
 
 /**
- * What was measured on whom: each subject belongs to one combination of levels of the between
- * factors (a group) and was measured once at every combination of levels of the within factors.
- * Combinations are numbered with the last factor's level changing fastest.
+ * The data of a factorial experiment. Each subject belongs to one combination of levels of the
+ * between factors (a group) and was measured once at every combination of levels of the within
+ * factors. Combinations are numbered with the last factor's level changing fastest.
  *
  * @param measure the dependent variable's name
- * @param withinFactors one or more; a design without has one of one level
- * @param betweenFactors one or more; a design without has one of one level
- * @param covariates names of what was measured once on each subject and is held constant
- * @param subjects of any number per group
+ * @param withinFactors one or more; a design without within factors has one with one level
+ * @param betweenFactors one or more; a design without between factors has one with one level
+ * @param covariates names of variables measured once on each subject, whose influence is held
+ *     constant
+ * @param subjects all subjects; groups may differ in size
  */
 public record Design(
     String measure,
@@ -22,7 +23,7 @@ public record Design(
     List<Factor> betweenFactors,
     List<String> covariates,
     List<Subject> subjects) {
-  /** Refuses subjects whose values do not fit the factors, or are not finite. */
+  /** Checks that the values of each subject are finite and fit the factors. */
   public Design {
     withinFactors = List.copyOf(withinFactors);
     betweenFactors = List.copyOf(betweenFactors);
@@ -47,29 +48,32 @@ public record Design(
     this(measure, List.of(within), List.of(between), List.of(), subjects);
   }
 
-  /** The within factors as one. */
+  /** Returns the within factors crossed to one factor. */
   public Factor within() {
     return Factor.crossed(withinFactors);
   }
 
-  /** The between factors as one; its levels are the groups. */
+  /** Returns the between factors crossed to one factor; its levels are the groups. */
   public Factor between() {
     return Factor.crossed(betweenFactors);
   }
 
-  /** The factors that have something to compare, those within first. */
+  /** Returns the factors with two or more levels, within factors first. */
   public List<Factor> factors() {
     return Stream.concat(withinFactors.stream(), betweenFactors.stream())
         .filter(Factor::varies)
         .toList();
   }
 
-  /** The subjects of a group. */
+  /** Returns the subjects of a group. */
   public List<Subject> group(int level) {
     return subjects.stream().filter(subject -> subject.group() == level).toList();
   }
 
-  /** Why these data cannot be analysed, empty when they can: a sentence without its full stop. */
+  /**
+   * Returns why these data cannot be analysed, as a sentence without its full stop; empty when they
+   * can.
+   */
   public Optional<String> obstacle() {
     Factor groups = between();
     for (int level = 0; level < groups.levels().size(); level++) {
@@ -95,7 +99,7 @@ public record Design(
     return CellStatistics.redundantCovariate(this)
         .map(
             name ->
-                "the covariate %s says nothing that the groups%s do not: leave it out"
+                "the covariate %s is redundant: the groups%s predict it exactly; leave it out"
                     .formatted(name, covariates.size() > 1 ? " and the other covariates" : ""));
   }
 }

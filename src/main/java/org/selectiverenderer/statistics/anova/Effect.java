@@ -12,19 +12,21 @@ import org.selectiverenderer.statistics.distribution.NoncentralF;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * A row of a table of F. What is not defined is not a number; {@link #flaw} says why.
+ * A row of the ANOVA table. A value that is not defined is NaN; {@link #flaw} says why.
  *
- * @param df1 of the effect, as designed
- * @param df2 of the error, as designed
- * @param f mean square of the effect over that of its error
- * @param correction of the degrees of freedom, where there is one: then p, the intervals and the
- *     equivalence test are of the corrected ones
+ * @param df1 degrees of freedom of the effect, uncorrected
+ * @param df2 degrees of freedom of the error, uncorrected
+ * @param f mean square of the effect divided by that of its error
+ * @param correction the sphericity correction of the degrees of freedom, if any: p, the intervals
+ *     and the equivalence test then use the corrected degrees of freedom
  * @param p of F with {@link #testDf1} and {@link #testDf2} degrees of freedom
- * @param partialEta partial eta squared; no interval for the intercept, whose size means nothing
+ * @param partialEta partial eta squared; without an interval for the intercept, whose effect size
+ *     has no meaning
  * @param omega partial omega squared
- * @param sphericity of effects on three or more within levels
- * @param multivariate of effects on within levels, in the order of {@link MultivariateStatistic}
- * @param flaw why something is not defined: a sentence without its full stop
+ * @param sphericity Mauchly's test and epsilons, for effects on three or more within levels
+ * @param multivariate multivariate tests, for effects on within levels, in the order of {@link
+ *     MultivariateStatistic}
+ * @param flaw why a value is not defined, as a sentence without its full stop
  */
 public record Effect(
     Term term,
@@ -42,47 +44,47 @@ public record Effect(
     List<MultivariateTest> multivariate,
     OmnibusEquivalence equivalence,
     Optional<String> flaw) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Effect {
     multivariate = List.copyOf(multivariate);
   }
 
-  /** The factors', joined by {@code x}; those within come first. */
+  /** Returns the names of the factors, joined by {@code x}, within factors first. */
   public String name() {
     return term.name();
   }
 
-  /** What sort of effect it is. */
+  /** Returns the kind of effect. */
   public EffectKind kind() {
     return term.kind();
   }
 
-  /** Mean square. */
+  /** Returns the mean square of the effect. */
   public double ms() {
     return ss / df1;
   }
 
-  /** Mean square of the error. */
+  /** Returns the mean square of the error. */
   public double errorMs() {
     return errorSs / df2;
   }
 
-  /** The effect's degrees of freedom of the test, corrected where they are. */
+  /** Returns the effect's degrees of freedom in the test, after any sphericity correction. */
   public double testDf1() {
     return correction.map(CorrectedDf::df1).orElse(df1);
   }
 
-  /** The error's degrees of freedom of the test, corrected where they are. */
+  /** Returns the error's degrees of freedom in the test, after any sphericity correction. */
   public double testDf2() {
     return correction.map(CorrectedDf::df2).orElse(df2);
   }
 
-  /** p with degrees of freedom multiplied by an epsilon of {@link Sphericity}. */
+  /** Returns p with the degrees of freedom multiplied by an epsilon of {@link Sphericity}. */
   public double correctedP(double epsilon) {
     return Double.isFinite(f) ? Tails.f(f, df1 * epsilon, df2 * epsilon) : Double.NaN;
   }
 
-  /** p as if there were sphericity. */
+  /** Returns p without a sphericity correction. */
   public double uncorrectedP() {
     return correctedP(1);
   }
@@ -133,7 +135,7 @@ public record Effect(
     return new EffectSize(Double.NaN, Double.NaN, Double.NaN, options.etaConfidence());
   }
 
-  /** Empty when the error's matrix cannot be inverted. */
+  /** Returns the multivariate tests; empty when the error matrix is singular. */
   private static List<MultivariateTest> multivariate(Hypothesis h) {
     Optional<double[]> roots = roots(h);
     List<MultivariateTest> tests = new ArrayList<>();
@@ -145,7 +147,10 @@ public record Effect(
     return tests;
   }
 
-  /** Eigenvalues of E^-1 H, as those of the symmetric L^-1 H L^-T with E = L L^T. */
+  /**
+   * Returns the eigenvalues of E^-1 H, computed as those of the symmetric L^-1 H L^-T with E = L
+   * L^T.
+   */
   private static Optional<double[]> roots(Hypothesis h) {
     double[] spread = new EigenDecomposition(h.error()).getRealEigenvalues();
     double largest = Arrays.stream(spread).max().orElse(0);

@@ -1,15 +1,15 @@
 package org.selectiverenderer.statistics.anova;
 
-/** The sorts of effects. */
+/** The kinds of effects in an analysis of variance. */
 public enum EffectKind {
-  /** That the mean of all is not 0. */
+  /** The difference of the grand mean from 0. */
   INTERCEPT,
-  /** Of between factors. */
+  /** An effect of between factors. */
   BETWEEN,
-  /** Of within factors. */
+  /** An effect of within factors. */
   WITHIN,
-  /** Of both on each other. */
+  /** An interaction of between and within factors. */
   INTERACTION,
-  /** Of a covariate, alone or on the effect of within factors. */
+  /** An effect of a covariate, alone or in interaction with within factors. */
   COVARIATE
 }

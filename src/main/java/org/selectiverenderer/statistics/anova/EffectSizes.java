@@ -4,20 +4,22 @@ import org.selectiverenderer.statistics.distribution.NoncentralF;
 import org.selectiverenderer.statistics.distribution.NoncentralF.Interval;
 
 /**
- * Eta and omega squared of an effect, with intervals from those of the noncentrality l of its F.
+ * Computes eta squared and omega squared of an effect, with confidence intervals that follow from
+ * the interval of the noncentrality l of its F.
  *
  * <p>Partial eta squared: SS / (SS + SS error) (Cohen 1973); bounds l / (l + df1 + df2 + 1)
  * (Steiger 2004; Smithson 2003).
  *
  * <p>Partial omega squared: df1 (F - 1) / (df1 F + df2 + 1), at least 0 (Hays 1963; Olejnik and
- * Algina 2003): the same share of the population, less what chance adds to eta squared. The bounds
- * are of the population's share and hence the same.
+ * Algina 2003): an estimate of the same share in the population, without the upward bias of eta
+ * squared. Its bounds are those of the population share and hence the same.
  *
- * <p>Generalised eta squared: SS / (SS + all error sums), so that designs with and without within
- * factors can be compared (Olejnik and Algina 2003, Psychological Methods 8; Bakeman 2005); all
- * factors are manipulated, not measured. Its bounds have no standard form: the same l gives the
- * effect's population sum l MS error, which is set against the population's error sum of all
- * scores, N (MS subjects + (levels - 1) MS within). For one-way designs that is Steiger's interval.
+ * <p>Generalised eta squared: SS / (SS + all error sums), so that effects of designs with and
+ * without within factors can be compared (Olejnik and Algina 2003, Psychological Methods 8; Bakeman
+ * 2005); all factors are taken as manipulated, none as measured. Its bounds have no standard form:
+ * the same l gives the effect's population sum of squares l MS error, which is divided by the sum
+ * of itself and the population's error sum of squares of all scores, N (MS subjects + (levels - 1)
+ * MS within). For one-way designs that is Steiger's interval.
  */
 final class EffectSizes {
   private final Hypothesis hypothesis;
@@ -29,12 +31,12 @@ final class EffectSizes {
   private final double populationErrorSum;
 
   /**
-   * For one effect.
+   * Creates the estimator of one effect.
    *
-   * @param df1 of the test, corrected for sphericity where that is done
-   * @param df2 as df1
-   * @param confidence of the intervals; 0.90 matches a test at 0.05, as eta squared has one side
-   *     only
+   * @param df1 degrees of freedom of the effect, after any sphericity correction
+   * @param df2 degrees of freedom of the error, after any sphericity correction
+   * @param confidence confidence level of the intervals; 0.90 matches a test at 0.05, since F tests
+   *     of eta squared are one-sided
    */
   EffectSizes(
       Hypothesis hypothesis,
@@ -70,7 +72,8 @@ final class EffectSizes {
   EffectSize generalisedEta(Interval l) {
     double value = hypothesis.sum() / (hypothesis.sum() + errorSums);
     double ms = hypothesis.errorSum() / hypothesis.df2();
-    // A corrected test has l on corrected degrees of freedom: the same share of the error.
+    // The l of a corrected test refers to the corrected degrees of freedom; rescaled, it is the
+    // same share of the error.
     double scale = ms * hypothesis.df2() / df2;
     return new EffectSize(
         value,
@@ -79,7 +82,7 @@ final class EffectSizes {
         confidence);
   }
 
-  /** Of the effect's F. */
+  /** Returns the confidence interval of the noncentrality of the effect's F. */
   Interval noncentrality() {
     return new NoncentralF(df1, df2).interval(f, confidence);
   }

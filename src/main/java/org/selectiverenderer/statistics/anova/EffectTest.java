@@ -4,14 +4,14 @@ import java.util.Optional;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * The F of an effect and its p. What is not defined is not a number.
+ * The F test of an effect. A value that is not defined is NaN.
  *
- * @param f mean square of the effect over that of its error
- * @param df1 of the test: corrected for a lack of sphericity where that is done
- * @param df2 as df1
- * @param p of F with those
- * @param sphericity of effects on three or more within levels
- * @param correction of the degrees of freedom, where there is one
+ * @param f mean square of the effect divided by that of its error
+ * @param df1 degrees of freedom of the effect, after any sphericity correction
+ * @param df2 degrees of freedom of the error, after any sphericity correction
+ * @param p of F with these degrees of freedom
+ * @param sphericity Mauchly's test and epsilons, for effects on three or more within levels
+ * @param correction the sphericity correction, if any
  */
 public record EffectTest(
     Term term,
@@ -21,7 +21,9 @@ public record EffectTest(
     double p,
     Optional<Sphericity> sphericity,
     Optional<CorrectedDf> correction) {
-  /** Below these shares of the scores' size and spread an error's sum of squares is rounding. */
+  /**
+   * An error sum of squares below these shares of the scores' size and spread is rounding error.
+   */
   private static final double SIZE_ROUNDING = 1e-20;
 
   private static final double SPREAD_ROUNDING = 1e-13;
@@ -49,7 +51,7 @@ public record EffectTest(
         term, f, df1, df2, constant ? Double.NaN : Tails.f(f, df1, df2), sphericity, correction);
   }
 
-  /** Whether the error has no variance, so that there is no F. */
+  /** Returns whether the error has no variance, so that F is undefined. */
   boolean constant() {
     return Double.isNaN(f);
   }

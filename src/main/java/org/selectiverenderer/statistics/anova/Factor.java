@@ -7,25 +7,26 @@ import java.util.stream.Collectors;
 /**
  * An independent variable.
  *
- * @param name as its column or the study calls it
- * @param levels in the order of reports; one level means that the design lacks the factor
+ * @param name the name of its column, or that in the study
+ * @param levels names of the levels in the order of reports; one level means that the design lacks
+ *     the factor
  */
 public record Factor(String name, List<String> levels) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Factor {
     levels = List.copyOf(levels);
   }
 
-  /** Whether there is anything to compare. */
+  /** Returns whether the factor has two or more levels. */
   public boolean varies() {
     return levels.size() > 1;
   }
 
   /**
-   * One factor whose levels are the combinations of those of several, {@code a, b}, the last
-   * factor's changing fastest.
+   * Returns one factor whose levels are the combinations of those of several, such as {@code a, b};
+   * the last factor's level changes fastest.
    *
-   * @param factors one or more; one alone is itself
+   * @param factors one or more; a single factor is returned as it is
    */
   public static Factor crossed(List<Factor> factors) {
     if (factors.size() == 1) {

@@ -5,12 +5,16 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Holm 1979, Scandinavian Journal of Statistics 6: p of several tests, so that one error in all.
+ * Holm's correction of p values for multiple testing, which controls the familywise error rate
+ * (Holm 1979, Scandinavian Journal of Statistics 6).
  */
 public final class Holm {
   private Holm() {}
 
-  /** Adjusted p, in the order given: the largest so far of (m - rank) p, at most 1. */
+  /**
+   * Returns the adjusted p values in the order given: in ascending order of p, the running maximum
+   * of (m - rank) p with ranks from 0, at most 1.
+   */
   public static double[] adjusted(List<Double> p) {
     int[] order =
         IntStream.range(0, p.size())

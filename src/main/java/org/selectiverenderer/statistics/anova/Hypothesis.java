@@ -4,17 +4,19 @@ import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 
 /**
- * Sums of squares and products of an effect and of its error, in transformed within levels.
+ * The hypothesis that an effect is absent, with the matrices of sums of squares and cross products
+ * (SSCP) of the effect and of its error.
  *
  * <p>The effect is the hypothesis L B M = 0 about the model's coefficients: the rows of L compare
  * groups, or take their mean with equal weights, or pick a covariate's slope; the columns of M
- * compare or average within levels. Its sums are (L B M)' (L (X'X)^-1 L')^-1 (L B M), those of type
- * III where every combination of levels has a subject (Searle 1987, Linear Models for Unbalanced
- * Data, chapter 9; Maxwell and Delaney 2004, chapters 7 and 14; SPSS GLM, SSTYPE(3)).
+ * compare or average within levels. The SSCP matrix of the effect is (L B M)' (L (X'X)^-1 L')^-1 (L
+ * B M), which is of type III where every combination of levels has a subject (Searle 1987, Linear
+ * Models for Unbalanced Data, chapter 9; Maxwell and Delaney 2004, chapters 7 and 14; SPSS GLM,
+ * SSTYPE(3)).
  *
- * @param effect dimensions x dimensions
- * @param error dimensions x dimensions
- * @param effectDf rows of L
+ * @param effect SSCP matrix H of the effect, dimensions x dimensions
+ * @param error SSCP matrix E of the error, dimensions x dimensions
+ * @param effectDf number of rows of L
  * @param errorDf subjects - groups - covariates
  */
 record Hypothesis(RealMatrix effect, RealMatrix error, int effectDf, int errorDf) {
@@ -44,7 +46,7 @@ record Hypothesis(RealMatrix effect, RealMatrix error, int effectDf, int errorDf
     return rows;
   }
 
-  /** 1 for the average, as many as contrasts for those. */
+  /** Returns the number of columns of M: 1 for the average, else the number of contrasts. */
   int dimensions() {
     return effect.getColumnDimension();
   }

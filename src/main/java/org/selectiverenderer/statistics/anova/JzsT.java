@@ -1,9 +1,6 @@
 package org.selectiverenderer.statistics.anova;
 
-/**
- * The Bayes factor of a comparison: evidence of the data for the null hypothesis. BF01 above 1
- * speaks for no difference.
- */
+/** Computes the JZS Bayes factor of a t test. BF01 above 1 is evidence for the null hypothesis. */
 final class JzsT {
   private static final double FIRST = -30;
   private static final double STEP = 0.04;
@@ -12,16 +9,16 @@ final class JzsT {
   private JzsT() {}
 
   /**
-   * BF01 of a t by Jeffreys, Zellner and Siow: the standardised difference is Cauchy distributed
-   * with a scale (Rouder, Speckman, Sun, Morey and Iverson 2009, Psychonomic Bulletin and Review
-   * 16, equation 1; the scale as in their appendix).
+   * Returns BF01 of a t statistic with the prior of Jeffreys, Zellner and Siow: the standardised
+   * difference has a Cauchy distribution with the given scale (Rouder, Speckman, Sun, Morey and
+   * Iverson 2009, Psychonomic Bulletin and Review 16, equation 1; the scale as in their appendix).
    *
    * <p>The integral over g is taken with g = 1/u², u = e^s, in equal steps of s: the integrand
    * decays at both ends faster than any exponential, where that rule converges to machine
    * precision.
    *
    * @param n effective size: n1 n2 / (n1 + n2) for two groups, the number of pairs for pairs
-   * @param scale of the prior, 0.707 as a rule
+   * @param scale scale of the Cauchy prior, by default 0.707
    */
   static double nullFactor(double t, double df, double n, double scale) {
     double power = -(df + 1) / 2;

@@ -8,13 +8,15 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * An estimated marginal mean: of a combination of levels of some factors with equal weight for each
- * combination of the others (Searle, Speed and Milliken 1980, The American Statistician 34), at the
- * means of the covariates. Its error is the pooled one, as in SPSS.
+ * An estimated marginal mean: the mean at a combination of levels of some factors, with equal
+ * weights for all combinations of the other factors (Searle, Speed and Milliken 1980, The American
+ * Statistician 34), at the means of the covariates. Its standard error uses the pooled error, as in
+ * SPSS.
  *
- * @param term whose combinations of levels it is one of; the intercept's is the mean of all
- * @param levels for each of the term's factors, by its name
- * @param df of the error
+ * @param term the term whose combination of levels this is; the mean of the intercept is the grand
+ *     mean
+ * @param levels the level of each of the term's factors, by the factor's name
+ * @param df degrees of freedom of the error
  */
 public record MarginalMean(
     Term term,
@@ -24,23 +26,23 @@ public record MarginalMean(
     double df,
     double low,
     double high) {
-  /** Keeps the order of the levels. */
+  /** Makes a defensive copy that keeps the order of the levels. */
   public MarginalMean {
     levels = new LinkedHashMap<>(levels); // Map.copyOf forgets their order
   }
 
-  /** The level of each factor, in the order of the factors. */
+  /** Returns the level of each factor, in the order of the factors. */
   @Override
   public Map<String, String> levels() {
     return new LinkedHashMap<>(levels);
   }
 
-  /** The levels of within factors; empty: over all. */
+  /** Returns the levels of the within factors; empty for a mean over all of them. */
   public Optional<String> within() {
     return joined(term.within());
   }
 
-  /** The levels of between factors; empty: over all. */
+  /** Returns the levels of the between factors; empty for a mean over all of them. */
   public Optional<String> between() {
     return joined(term.between());
   }

@@ -13,10 +13,10 @@ import org.apache.commons.math3.linear.RealVector;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * Weighted sums of cell means, with the error of the multivariate model: u' B w has the variance u'
- * (X'X)^-1 u times w' S w, u the weights of the groups, w those of the within levels, S their
- * pooled covariance. No sphericity is assumed (Maxwell and Delaney 2004, 14.6; Searle, Speed and
- * Milliken 1980).
+ * Estimates marginal means and contrasts: weighted sums u' B w of the coefficients, whose variance
+ * is u' (X'X)^-1 u times w' S w. The vector u holds the weights of the groups, w those of the
+ * within levels, and S is their pooled covariance. No sphericity is assumed (Maxwell and Delaney
+ * 2004, 14.6; Searle, Speed and Milliken 1980).
  */
 final class MeanContrasts {
   private final Design design;
@@ -27,7 +27,7 @@ final class MeanContrasts {
   /** Pooled standard deviation of a score in its cell. */
   private final double deviation;
 
-  /** Half an interval's width, in standard errors. */
+  /** Half the width of a confidence interval, in standard errors. */
   private final double half;
 
   MeanContrasts(Design design, CellStatistics cells, AnovaOptions options) {
@@ -39,12 +39,12 @@ final class MeanContrasts {
     half = Tails.tQuantile(options.confidence(), cells.errorDf());
   }
 
-  /** TOST's bound in the measure's units. */
+  /** Returns the equivalence bound of TOST in the measure's units. */
   double bound() {
     return options.rawBound() ? options.differenceBound() : options.differenceBound() * deviation;
   }
 
-  /** The mean of all, then those of every term's combinations of levels. */
+  /** Returns the grand mean, then the means of every term's combinations of levels. */
   List<MarginalMean> means() {
     List<MarginalMean> means = new ArrayList<>();
     for (Term term : Stream.concat(Stream.of(Term.INTERCEPT), Term.of(design).stream()).toList()) {
@@ -55,7 +55,7 @@ final class MeanContrasts {
     return means;
   }
 
-  /** The last factor's level changes fastest. */
+  /** Returns all combinations of levels of a term; the last factor's level changes fastest. */
   private static List<Map<Factor, Integer>> combinations(Term term) {
     List<Map<Factor, Integer>> all = List.of(Map.of());
     for (Factor factor : Stream.concat(term.within().stream(), term.between().stream()).toList()) {
@@ -89,8 +89,9 @@ final class MeanContrasts {
   }
 
   /**
-   * All pairs of levels, in families: of each factor over all; then for each two factors of either
-   * at each level of the other, and differences of differences.
+   * Returns comparisons of all pairs of levels, in families: pairs of each factor over all other
+   * factors; then for each two factors, pairs of one at each level of the other, and the
+   * interaction contrasts (differences of differences).
    */
   List<Comparison> comparisons() {
     List<Factor> factors =
@@ -111,7 +112,7 @@ final class MeanContrasts {
     return all;
   }
 
-  /** All pairs of levels of a factor, over all levels of the others. */
+  /** Returns comparisons of all pairs of levels of a factor, over all levels of the others. */
   List<Comparison> pairs(Factor factor) {
     return pairs(factor, Map.of(), Optional.empty());
   }
@@ -139,7 +140,10 @@ final class MeanContrasts {
     return adjusted(family);
   }
 
-  /** The difference of two levels of the other factor at one level less that at another. */
+  /**
+   * Returns the interaction contrasts: the difference of two levels of the other factor at one
+   * level, less that difference at another level.
+   */
   private List<Comparison> interactions(Factor one, Factor other) {
     boolean swapped = design.withinFactors().contains(other);
     boolean alike = design.withinFactors().contains(one) == swapped;
@@ -178,7 +182,7 @@ final class MeanContrasts {
     double difference = estimate(groups, within);
     double error = standardError(groups, within);
     double df = cells.errorDf();
-    // A difference of equal scores, as rounding leaves it, has no t.
+    // Where all scores are equal, the difference is rounding error and t is undefined.
     boolean constant = error <= 1e-10 * Math.max(Math.abs(difference), deviation);
     double t = constant ? Double.NaN : difference / error;
     double none = Double.NaN;
@@ -222,7 +226,10 @@ final class MeanContrasts {
     return weights;
   }
 
-  /** Over the combinations of levels; a factor that is not mentioned has equal weights. */
+  /**
+   * Returns weights over the combinations of levels; a factor that is not mentioned has equal
+   * weights.
+   */
   private static RealVector weights(List<Factor> factors, Map<Factor, double[]> mentioned) {
     double[] all = {1};
     for (Factor factor : factors) {
@@ -250,7 +257,7 @@ final class MeanContrasts {
     return sum;
   }
 
-  /** u' (X'X)^-1 u: one over the number of subjects that such a mean is worth. */
+  /** Returns u' (X'X)^-1 u, the reciprocal of the effective number of subjects of such a mean. */
   private double spread(RealVector groups) {
     RealMatrix inverse = cells.inverse().getSubMatrix(0, cells.groups() - 1, 0, cells.groups() - 1);
     return groups.dotProduct(inverse.operate(groups));

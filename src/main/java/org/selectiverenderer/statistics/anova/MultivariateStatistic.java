@@ -3,11 +3,11 @@ package org.selectiverenderer.statistics.anova;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * The four statistics that SPSS prints (thesis Figs 93 and 97), of the eigenvalues l of E^-1 H,
- * with SPSS's approximations by F (IBM SPSS Statistics Algorithms, GLM, "Multivariate tests";
- * Rencher 2002, Methods of Multivariate Analysis, 6.1). p is the number of dimensions, q the
- * effect's degrees of freedom, v the error's, s = min(p, q), m = (|p - q| - 1) / 2, n = (v - p - 1)
- * / 2.
+ * The four multivariate test statistics that SPSS prints (thesis Figs 93 and 97), computed from the
+ * eigenvalues l of E^-1 H, with SPSS's approximations by F (IBM SPSS Statistics Algorithms, GLM,
+ * "Multivariate tests"; Rencher 2002, Methods of Multivariate Analysis, 6.1). p is the number of
+ * dimensions, q the effect's degrees of freedom, v the error's, s = min(p, q), m = (|p - q| - 1) /
+ * 2, n = (v - p - 1) / 2.
  */
 public enum MultivariateStatistic {
   /** Sum of l / (1 + l). Pillai 1955, Annals of Mathematical Statistics 26. */
@@ -75,13 +75,13 @@ public enum MultivariateStatistic {
     this.title = title;
   }
 
-  /** As tables name it. */
+  /** Returns the name used in tables. */
   public String title() {
     return title;
   }
 
   /**
-   * The test.
+   * Returns the test of the hypothesis with these eigenvalues.
    *
    * @param l eigenvalues of E^-1 H, at least 0
    * @param p dimensions

@@ -1,11 +1,11 @@
 package org.selectiverenderer.statistics.anova;
 
 /**
- * A multivariate test of an effect on the contrasts between within levels: no sphericity is
- * assumed.
+ * A multivariate test of an effect on the contrasts between within levels, which assumes no
+ * sphericity.
  *
- * @param df1 of the effect
- * @param df2 of the error
+ * @param df1 degrees of freedom of the effect
+ * @param df2 degrees of freedom of the error
  * @param exact whether F is F-distributed exactly (SPSS's footnote "Exact statistic"); Roy's F is
  *     an upper bound otherwise
  */

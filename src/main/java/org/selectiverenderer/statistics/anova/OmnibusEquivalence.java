@@ -3,14 +3,14 @@ package org.selectiverenderer.statistics.anova;
 import org.selectiverenderer.statistics.distribution.NoncentralF;
 
 /**
- * Whether an effect is smaller than one that would matter: the hypothesis that its partial eta
- * squared is at least the bound is rejected when F is too small for it, p = P(F &le; f) with
- * noncentrality bound / (1 - bound) (df1 + df2 + 1) (Campbell and Lakens 2021, British Journal of
- * Mathematical and Statistical Psychology 74; Wellek 2010, Testing Statistical Hypotheses of
- * Equivalence and Noninferiority, 9.2).
+ * The equivalence test of an effect: the hypothesis that its partial eta squared is at least the
+ * bound is rejected when F is small enough, p = P(F &le; f) with noncentrality bound / (1 - bound)
+ * (df1 + df2 + 1) (Campbell and Lakens 2021, British Journal of Mathematical and Statistical
+ * Psychology 74; Wellek 2010, Testing Statistical Hypotheses of Equivalence and Noninferiority,
+ * 9.2).
  *
- * @param bound of the partial eta squared
- * @param p small: the effect is smaller than the bound
+ * @param bound equivalence bound of the partial eta squared
+ * @param p below alpha, the effect is smaller than the bound
  */
 public record OmnibusEquivalence(double bound, double p) {
   static OmnibusEquivalence of(double f, double df1, double df2, double bound) {

@@ -4,26 +4,28 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * What the model of a design leaves of its scores.
+ * The residuals of the linear model of a design.
  *
  * @param values a row for each subject, a column for each combination of within levels
- * @param leverages of the subjects, 0 to 1: how much a score draws its own estimate
- * @param df of each column
+ * @param leverages leverages of the subjects, 0 to 1: how strongly a score influences its own
+ *     fitted value
+ * @param df degrees of freedom of each column
  */
 public record Residuals(double[][] values, double[] leverages, int df) {
   static Residuals of(CellStatistics cells) {
     return new Residuals(cells.residuals(), cells.leverages(), cells.errorDf());
   }
 
-  /** The residuals at a combination of within levels, subject by subject. */
+  /** Returns the residuals at a combination of within levels, subject by subject. */
   public double[] column(int level) {
     return Arrays.stream(values).mapToDouble(row -> row[level]).toArray();
   }
 
   /**
-   * A column in standard errors, each residual's from the other subjects: t with df - 1 degrees of
-   * freedom (Belsley, Kuh and Welsch 1980, Regression Diagnostics); not a number for a subject
-   * whose score alone decides its estimate.
+   * Returns the externally studentised residuals of a column: each is divided by its standard error
+   * as estimated from the other subjects, and is distributed as t with df - 1 degrees of freedom
+   * (Belsley, Kuh and Welsch 1980, Regression Diagnostics); NaN for a subject whose score alone
+   * determines its fitted value.
    */
   public double[] studentised(int level) {
     double[] e = column(level);

@@ -5,12 +5,13 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * How far the contrasts between three or more within levels are from having equal variances and no
- * covariances, which their F assumes, and what to multiply degrees of freedom with.
+ * Mauchly's test of sphericity of the contrasts between three or more within levels (that they have
+ * equal variances and no covariances, as F assumes), and the epsilons that correct the degrees of
+ * freedom.
  *
  * @param mauchlyW Mauchly 1940, Annals of Mathematical Statistics 11; 0 to 1, 1 is sphericity
- * @param mauchlyP by chi-squared to the second order (Anderson 2003, Multivariate Statistical
- *     Analysis, 10.7.4); not a number when there are too few subjects for the contrasts
+ * @param mauchlyP p of W by the second-order chi-squared approximation (Anderson 2003, Multivariate
+ *     Statistical Analysis, 10.7.4); NaN when there are too few subjects for the contrasts
  * @param greenhouseGeisser epsilon: Box 1954; Greenhouse and Geisser 1959, Psychometrika 24
  * @param huynhFeldt epsilon: Huynh and Feldt 1976, Journal of Educational Statistics 1, with
  *     Lecoutre's 1991 correction for several groups; at most 1

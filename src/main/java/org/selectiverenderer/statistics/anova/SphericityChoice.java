@@ -2,12 +2,15 @@ package org.selectiverenderer.statistics.anova;
 
 import java.util.Optional;
 
-/** What the degrees of freedom of an effect on three or more within levels are multiplied with. */
+/**
+ * How the degrees of freedom of effects on three or more within levels are corrected for violated
+ * sphericity.
+ */
 public enum SphericityChoice {
   /**
-   * Corrected where Mauchly's test or epsilon says so, see {@link #corrected}: by Huynh and Feldt
-   * where Greenhouse and Geisser's epsilon is above 0.75, else by the latter (Girden 1992, ANOVA:
-   * Repeated Measures).
+   * Corrected where Mauchly's test or epsilon indicates a violation, see {@link #corrected}: by
+   * Huynh and Feldt where Greenhouse and Geisser's epsilon is above 0.75, else by the latter
+   * (Girden 1992, ANOVA: Repeated Measures).
    */
   AUTO("auto"),
   /** Always Greenhouse and Geisser's epsilon. */
@@ -25,23 +28,23 @@ public enum SphericityChoice {
     this.word = word;
   }
 
-  /** As the command line and JSON write it. */
+  /** Returns the name on the command line and in JSON. */
   public String word() {
     return word;
   }
 
-  /** What is done about an effect; {@link #AUTO} is never the answer. */
+  /** Returns the correction to apply to an effect; never {@link #AUTO}. */
   SphericityChoice of(Sphericity found, double alpha) {
     if (this != AUTO) {
       return this;
     }
-    // Too few subjects for Mauchly's test are too few to trust sphericity.
+    // With too few subjects for Mauchly's test, sphericity is not assumed.
     boolean violated = !(found.mauchlyP() >= alpha);
     boolean small = found.greenhouseGeisser() <= CONSERVATIVE;
     return small ? GREENHOUSE_GEISSER : violated ? HUYNH_FELDT : NONE;
   }
 
-  /** The correction of an effect, empty if there is none. */
+  /** Returns the corrected degrees of freedom of an effect; empty if they are not corrected. */
   Optional<CorrectedDf> corrected(Sphericity found, double df1, double df2, double alpha) {
     return switch (of(found, alpha)) {
       case GREENHOUSE_GEISSER ->

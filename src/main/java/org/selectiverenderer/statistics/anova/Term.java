@@ -6,25 +6,26 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What an effect is of.
+ * A term of the linear model: the factors, or the covariate, that an effect is about.
  *
- * @param within the within factors that it compares, in the design's order
- * @param between the between factors
- * @param covariate a covariate, which is in no term with between factors: slopes are equal
+ * @param within the within factors of the term, in the design's order
+ * @param between the between factors of the term
+ * @param covariate a covariate, which is in no term with between factors, because slopes are
+ *     assumed equal in all groups
  */
 public record Term(List<Factor> within, List<Factor> between, Optional<String> covariate) {
-  /** The mean of all. */
+  /** The intercept: the grand mean. */
   static final Term INTERCEPT = new Term(List.of(), List.of(), Optional.empty());
 
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Term {
     within = List.copyOf(within);
     between = List.copyOf(between);
   }
 
   /**
-   * All of a design but the intercept: for each set of within factors, smaller ones first, the
-   * effects of between factors, then those of covariates.
+   * Returns all terms of a design except the intercept: for each set of within factors, smaller
+   * sets first, the terms with between factors, then those with covariates.
    */
   static List<Term> of(Design design) {
     List<Term> terms = new ArrayList<>();
@@ -41,7 +42,10 @@ public record Term(List<Factor> within, List<Factor> between, Optional<String> c
     return terms;
   }
 
-  /** All sets of the factors that vary, by size, then in the order of the factors. */
+  /**
+   * Returns all sets of the factors that have two or more levels, by size, then in the order of the
+   * factors.
+   */
   private static List<List<Factor>> subsets(List<Factor> factors) {
     List<Factor> varying = factors.stream().filter(Factor::varies).toList();
     List<List<Factor>> subsets = new ArrayList<>();
@@ -62,7 +66,7 @@ public record Term(List<Factor> within, List<Factor> between, Optional<String> c
     return subsets;
   }
 
-  /** The factors' and the covariate's names. */
+  /** Returns the names of the factors and of the covariate. */
   public List<String> names() {
     return Stream.of(
             within.stream().map(Factor::name),
@@ -72,19 +76,19 @@ public record Term(List<Factor> within, List<Factor> between, Optional<String> c
         .toList();
   }
 
-  /** {@code within x between x covariate}. */
+  /** Returns the name {@code within x between x covariate}. */
   public String name() {
     return names().isEmpty() ? "intercept" : String.join(" x ", names());
   }
 
-  /** Whether all that this compares is compared by another term too. */
+  /** Returns whether another term contains this one (all its factors and its covariate). */
   public boolean isIn(Term other) {
     return other.within.containsAll(within)
         && other.between.containsAll(between)
         && (covariate.isEmpty() || covariate.equals(other.covariate));
   }
 
-  /** What sort of effect it is. */
+  /** Returns the kind of effect. */
   public EffectKind kind() {
     if (covariate.isPresent()) {
       return EffectKind.COVARIATE;

@@ -7,10 +7,11 @@ import org.selectiverenderer.statistics.distribution.Tails;
  * Biopharmaceutics 15; Lakens 2017, Social Psychological and Personality Science 8): a difference
  * is shown to lie within bounds when it is both above the lower and below the upper one.
  *
- * @param bound the difference is to lie between -bound and bound, in the measure's units
- * @param lowerT against the lower bound
- * @param upperT against the upper bound
- * @param p the larger of the two tests'
+ * @param bound equivalence bound: the difference is tested to lie between -bound and bound, in the
+ *     measure's units
+ * @param lowerT t against the lower bound
+ * @param upperT t against the upper bound
+ * @param p the larger p of the two tests
  */
 public record Tost(double bound, double lowerT, double upperT, double p) {
   static Tost of(double difference, double standardError, double df, double bound) {

@@ -7,20 +7,23 @@ import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 
 /**
- * Orthonormal columns over the levels of a factor, and over the combinations of several: their
- * average, and the contrasts between them (Helmert's, of unit length; which ones makes no
- * difference to any test here). Maxwell and Delaney 2004, Designing Experiments and Analyzing Data,
+ * Matrices of orthonormal columns over the levels of a factor, or over the combinations of levels
+ * of several: the average, and contrasts (Helmert contrasts of unit length; no test here depends on
+ * which contrasts are chosen). Maxwell and Delaney 2004, Designing Experiments and Analyzing Data,
  * chapters 13 and 14.
  */
 public final class Transformation {
   private Transformation() {}
 
-  /** One column. Sums of squares of it are those that SPSS prints for "Average" (thesis Fig 94). */
+  /**
+   * Returns one column, the average. Its sums of squares are those that SPSS prints for "Average"
+   * (thesis Fig 94).
+   */
   static RealMatrix average(int levels) {
     return new Array2DRowRealMatrix(levels, 1).scalarAdd(1 / Math.sqrt(levels));
   }
 
-  /** levels - 1 columns, each orthogonal to the average and to the others. */
+  /** Returns levels - 1 columns, each orthogonal to the average and to the others. */
   static RealMatrix contrasts(int levels) {
     RealMatrix columns = new Array2DRowRealMatrix(levels, levels - 1);
     for (int column = 0; column < levels - 1; column++) {
@@ -34,10 +37,10 @@ public final class Transformation {
   }
 
   /**
-   * Orthonormal columns over the combinations of the factors' levels, the last factor's changing
-   * fastest: contrasts of some factors, averages of the others.
+   * Returns orthonormal columns over the combinations of the factors' levels (the last factor's
+   * level changes fastest): contrasts of some factors, averages of the others.
    *
-   * @param compared whether a factor's contrasts are taken, not its average
+   * @param compared whether the contrasts of a factor are taken instead of its average
    */
   public static RealMatrix of(List<Factor> factors, Predicate<Factor> compared) {
     RealMatrix all = MatrixUtils.createRealIdentityMatrix(1);
@@ -48,7 +51,7 @@ public final class Transformation {
     return all;
   }
 
-  /** Kronecker's product. */
+  /** Returns the Kronecker product. */
   private static RealMatrix product(RealMatrix a, RealMatrix b) {
     int rows = b.getRowDimension();
     int columns = b.getColumnDimension();

@@ -3,16 +3,16 @@ package org.selectiverenderer.statistics.apa;
 import java.util.Locale;
 
 /**
- * Numbers as the Publication Manual writes them (7th edition, 6.36): no zero before the point of
- * what cannot exceed 1, such as p and proportions; a minus sign, not a hyphen.
+ * Formats numbers as the APA Publication Manual does (7th edition, 6.36): no zero before the point
+ * of what cannot exceed 1, such as p and proportions; a minus sign, not a hyphen.
  */
 final class ApaNumber {
-  /** What is not defined. */
+  /** Stands for a value that is not defined. */
   public static final String NONE = "–";
 
   private ApaNumber() {}
 
-  /** With so many decimals. */
+  /** Returns the number with that many decimals. */
   public static String of(double value, int decimals) {
     if (!Double.isFinite(value)) {
       return NONE;
@@ -21,17 +21,17 @@ final class ApaNumber {
     return (text.matches("-0(\\.0+)?") ? text.substring(1) : text).replace('-', '\u2212');
   }
 
-  /** Of a quantity from -1 to 1. */
+  /** Returns a quantity from -1 to 1, without a zero before the point. */
   public static String share(double value, int decimals) {
     return of(value, decimals).replaceFirst("^(\u2212?)0\\.", "$1.");
   }
 
-  /** {@code .109}; below a thousandth {@code < .001}. */
+  /** Returns p, such as {@code .109}; below a thousandth {@code < .001}. */
   public static String p(double p) {
     return p < 0.001 ? "< .001" : p > 0.999 && p <= 1 ? "> .999" : share(p, 3);
   }
 
-  /** {@code p = .109}, {@code p < .001}. */
+  /** Returns the symbol with p, such as {@code p = .109} or {@code p < .001}. */
   static String withP(String symbol, double p) {
     String text = p(p);
     return text.startsWith("<") || text.startsWith(">")
@@ -39,17 +39,17 @@ final class ApaNumber {
         : symbol + " = " + text;
   }
 
-  /** Degrees of freedom: whole where they are. */
+  /** Returns degrees of freedom, without decimals where they are whole. */
   public static String df(double df) {
     return of(df, df == Math.rint(df) ? 0 : 2);
   }
 
-  /** {@code [.00, .19]}. */
+  /** Returns an interval, such as {@code [.00, .19]}. */
   static String interval(double low, double high, int decimals) {
     return "[" + share(low, decimals) + ", " + share(high, decimals) + "]";
   }
 
-  /** A Bayes factor, which may span magnitudes. */
+  /** Returns a Bayes factor, in scientific notation where it is very large or small. */
   public static String bayes(double value) {
     if (!Double.isFinite(value)) {
       return NONE;

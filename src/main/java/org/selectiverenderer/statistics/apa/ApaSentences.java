@@ -9,11 +9,14 @@ import org.selectiverenderer.statistics.study.AreaAnalysis;
 import org.selectiverenderer.statistics.study.FamilyCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
-/** Results of tests as sentences. They say what was found, not what it means. */
+/**
+ * Writes the results of tests as sentences for a manuscript. They report results and do not
+ * interpret them.
+ */
 public final class ApaSentences {
   private ApaSentences() {}
 
-  /** {@code F(2, 51) = 2.32, p = .109, ηp² = .08, 90% CI [.00, .19]}. */
+  /** Returns {@code F(2, 51) = 2.32, p = .109, ηp² = .08, 90% CI [.00, .19]}. */
   public static String test(Effect effect) {
     if (!Double.isFinite(effect.f())) {
       return "no F is defined" + effect.flaw().map(flaw -> " (" + flaw + ")").orElse("");
@@ -35,7 +38,7 @@ public final class ApaSentences {
             size);
   }
 
-  /** One for each effect of an area at a level of confidence. */
+  /** Returns a sentence for each effect of an area at a level of confidence. */
   public static List<String> of(StudyAnalysis study, String area, ConfidenceLevel level) {
     List<String> sentences = new ArrayList<>();
     study

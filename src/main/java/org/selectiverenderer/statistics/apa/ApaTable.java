@@ -7,14 +7,14 @@ import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.base.markup.Markup;
 
 /**
- * A table with lines above and below the header and below the last row, and none between columns
- * (Publication Manual, 7.17).
+ * A table in APA style: lines above and below the header and below the last row, and none between
+ * columns (Publication Manual, 7.17).
  *
- * @param name for its files, such as {@code effects}
- * @param title in italics above it
- * @param words how many columns from the left hold words; the others hold figures
+ * @param name the ending of its file names, such as {@code effects}
+ * @param title the title, in italics above the table
+ * @param words how many columns from the left hold words; the others hold numbers
  * @param rows as long as the header
- * @param note below it, empty for none
+ * @param note the note below the table, empty for none
  */
 public record ApaTable(
     String name,
@@ -23,16 +23,16 @@ public record ApaTable(
     int words,
     List<List<String>> rows,
     String note) {
-  /** Set in italics, as the Publication Manual has statistics. */
+  /** The statistics that the Publication Manual sets in italics. */
   private static final Set<String> ITALIC = Set.of("F", "p", "M", "SD", "SE", "n", "df", "t", "d");
 
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public ApaTable {
     header = List.copyOf(header);
     rows = List.copyOf(rows);
   }
 
-  /** A page with this table alone, as word processors open and paste it. */
+  /** Returns an HTML page with this table alone, which word processors can open and paste. */
   public String html() {
     StringBuilder out = new StringBuilder();
     out.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>");
@@ -65,7 +65,8 @@ public record ApaTable(
   }
 
   /**
-   * A {@code table} with booktabs rules: {@code \input} it below {@code \\usepackage{booktabs}}.
+   * Returns a LaTeX {@code table} with booktabs rules: {@code \input} it below {@code
+   * \\usepackage{booktabs}}.
    */
   public String latex() {
     StringBuilder out = new StringBuilder();
@@ -87,7 +88,7 @@ public record ApaTable(
     return out.append("\\end{table}\n").toString();
   }
 
-  /** Cells alone, without title and note; a minus is a hyphen, as programs read it. */
+  /** Returns the cells as CSV, without title and note, and with hyphens for minus signs. */
   public String csv() {
     CsvText table = new CsvText().row(header);
     rows.forEach(row -> table.row(row.stream().map(cell -> cell.replace('−', '-')).toList()));

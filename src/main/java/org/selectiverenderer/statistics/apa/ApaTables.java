@@ -16,7 +16,7 @@ import org.selectiverenderer.statistics.study.FamilyCorrection;
 import org.selectiverenderer.statistics.study.RatingScore;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
-/** The tables of one area. */
+/** Builds the APA tables of one area. */
 public final class ApaTables {
   private final StudyAnalysis study;
   private final String area;
@@ -26,7 +26,7 @@ public final class ApaTables {
     this.area = area;
   }
 
-  /** Means, effects, comparisons and ratings. */
+  /** Returns the tables of means, effects, comparisons and ratings. */
   public static List<ApaTable> of(StudyAnalysis study, String area) {
     ApaTables tables = new ApaTables(study, area);
     return List.of(tables.means(), tables.effects(), tables.comparisons(), tables.ratings());
@@ -34,7 +34,10 @@ public final class ApaTables {
 
   private record Cell(ConfidenceLevel level, String type, String condition, int n) {}
 
-  /** Measures side by side where they are of as many participants, which is as a rule. */
+  /**
+   * Returns the table of means. Measures stand in one row where they have the same number of
+   * participants, which is the normal case.
+   */
   private ApaTable means() {
     Map<Cell, Map<Measure, Descriptive>> cells = new LinkedHashMap<>();
     study

@@ -2,9 +2,9 @@ package org.selectiverenderer.statistics.apa;
 
 import java.util.Map;
 
-/** Text as LaTeX writes it, in the letters that any of its fonts have. */
+/** Escapes text for LaTeX, with commands for letters that not all LaTeX fonts have. */
 final class LatexText {
-  /** Statistics of several letters, which are formulas. */
+  /** Statistics with several letters, which are written as formulas. */
   private static final Map<String, String> FORMULAS =
       Map.of(
           "ηp²", "$\\eta_p^2$",

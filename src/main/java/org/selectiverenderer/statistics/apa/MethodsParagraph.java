@@ -9,7 +9,7 @@ import org.selectiverenderer.statistics.study.FamilyCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
- * What was done, as a paragraph for a manuscript with its references. It names only what was
+ * Writes the methods paragraph of a manuscript with its references. It names only what was
  * computed.
  */
 public final class MethodsParagraph {
@@ -22,14 +22,14 @@ public final class MethodsParagraph {
   private final TreeSet<String> references = new TreeSet<>();
 
   /**
-   * @param program with its version
+   * @param program the program's name with its version
    */
   public MethodsParagraph(StudyAnalysis study, String program) {
     this.study = study;
     this.program = program;
   }
 
-  /** The paragraph. */
+  /** Returns the paragraph. */
   public String text() {
     List<String> sentences = new ArrayList<>();
     sentences.add(
@@ -47,7 +47,7 @@ public final class MethodsParagraph {
     return String.join(" ", sentences);
   }
 
-  /** The sources that the paragraph names, in the order of the alphabet. */
+  /** Returns the references that the paragraph cites, in alphabetical order. */
   public List<String> references() {
     references.clear();
     text();

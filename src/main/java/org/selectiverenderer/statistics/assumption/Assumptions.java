@@ -12,15 +12,16 @@ import org.selectiverenderer.statistics.anova.Subject;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * The checks of an analysis; all but Box's M and Welch's F are of its model's residuals at each
- * within level.
+ * The checks of the assumptions of an analysis of variance; all but Box's M and Welch's F use the
+ * residuals of its model at each within level.
  *
- * @param levene of designs with groups
- * @param box of designs with groups and within levels, if each group has enough participants
- * @param shapiro of each within level, if there are 3 to 5000 participants
- * @param outliers whose p after Bonferroni is below the level of significance
- * @param welch of the groups' averages, in designs with groups and no covariate
- * @param consequences of the checks: sentences
+ * @param levene Levene's tests, for designs with groups
+ * @param box Box's M, for designs with groups and within levels if each group has enough
+ *     participants
+ * @param shapiro Shapiro-Wilk test of each within level, if there are 3 to 5000 participants
+ * @param outliers scores whose Bonferroni-corrected p is below the significance level
+ * @param welch Welch's F of the groups' averages, for designs with groups and without covariates
+ * @param consequences what the results imply for the analysis, as sentences
  */
 public record Assumptions(
     List<Levene> levene,
@@ -29,7 +30,7 @@ public record Assumptions(
     List<Outlier> outliers,
     Optional<Welch> welch,
     List<String> consequences) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Assumptions {
     levene = List.copyOf(levene);
     shapiro = List.copyOf(shapiro);
@@ -37,7 +38,7 @@ public record Assumptions(
     consequences = List.copyOf(consequences);
   }
 
-  /** The checks of an analysis. */
+  /** Checks the assumptions of an analysis. */
   public static Assumptions of(Anova anova) {
     Design design = anova.design();
     Residuals residuals = anova.residuals();
@@ -77,7 +78,7 @@ public record Assumptions(
         Consequences.of(anova, found));
   }
 
-  /** Whether residuals are more than rounding. */
+  /** Returns whether residuals exceed rounding error. */
   private static boolean varies(Anova anova, int level, double[] residuals) {
     double size = 0;
     for (Subject subject : anova.design().subjects()) {

@@ -8,16 +8,16 @@ import org.apache.commons.math3.stat.correlation.Covariance;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * Box's test of equal covariances of the within levels in the groups, by chi-squared (Box 1949,
- * Biometrika 36; Rencher 2002, Methods of Multivariate Analysis, 7.3.2). It is sensitive: its level
- * is 0.001 as a rule.
+ * Box's M test of equal covariance matrices of the within levels in the groups, with the
+ * chi-squared approximation (Box 1949, Biometrika 36; Rencher 2002, Methods of Multivariate
+ * Analysis, 7.3.2). The test is very sensitive, so 0.001 is its customary significance level.
  */
 public record BoxM(double m, double chiSquared, double df, double p) {
   /**
-   * The test.
+   * Runs the test.
    *
-   * @param groups rows of subjects, columns of within levels
-   * @return empty if a group has too few subjects for its covariances
+   * @param groups for each group, a row for each subject and a column for each within level
+   * @return empty if a group has too few subjects to estimate its covariances
    */
   static Optional<BoxM> of(List<double[][]> groups) {
     int p = groups.get(0)[0].length;
@@ -49,7 +49,7 @@ public record BoxM(double m, double chiSquared, double df, double p) {
     return Optional.of(new BoxM(m, chiSquared, df, Tails.chiSquared(chiSquared, df)));
   }
 
-  /** Minus infinity for a matrix that cannot be inverted. */
+  /** Returns the logarithm of the determinant; minus infinity for a singular matrix. */
   private static double logDeterminant(RealMatrix matrix) {
     double[] roots = new EigenDecomposition(matrix).getRealEigenvalues();
     double largest = 0;

@@ -11,15 +11,18 @@ import org.selectiverenderer.statistics.anova.CorrectedDf;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.SphericityChoice;
 
-/** What follows from the checks, in sentences. */
+/** Words the consequences of the assumption checks for the analysis. */
 final class Consequences {
-  /** Box's M finds any difference in large samples; this level is its custom. */
+  /**
+   * The customary significance level of Box's M, which detects even trivial differences in large
+   * samples.
+   */
   private static final double BOX_LEVEL = 0.001;
 
-  /** Groups that differ less in size are as good as equal. */
+  /** Group sizes whose ratio is below this count as nearly equal. */
   private static final double NEARLY_EQUAL = 1.5;
 
-  /** With as many degrees of freedom for the error, F hardly depends on the scores' shape. */
+  /** With this many error degrees of freedom, F is robust to non-normal scores. */
   private static final double ENOUGH = 30;
 
   private final Anova anova;
@@ -41,7 +44,7 @@ final class Consequences {
     made.normality();
     made.outliers();
     if (made.sentences.isEmpty()) {
-      made.sentences.add("Nothing in these checks speaks against the tests.");
+      made.sentences.add("No check indicates a violated assumption.");
     }
     return made.sentences;
   }
@@ -65,7 +68,8 @@ final class Consequences {
             .filter(test -> Double.isFinite(test.p()))
             .map(
                 test ->
-                    " Welch's F of the groups, which does without equal variances: F(%s, %s) = %s, p %s."
+                    (" Welch's F of the groups, which does not assume equal variances:"
+                            + " F(%s, %s) = %s, p %s.")
                         .formatted(
                             number(test.df1(), 0),
                             number(test.df2(), 2),
@@ -77,7 +81,7 @@ final class Consequences {
             .formatted(
                 where,
                 alike()
-                    ? "Groups of nearly equal size, as here, leave F nearly right."
+                    ? "With groups of nearly equal size, as here, F is robust."
                     : "The groups' sizes differ too, so p of between effects may be too small or"
                         + " too large.",
                 welch));
@@ -88,7 +92,7 @@ final class Consequences {
       sentences.add(
           "The groups' covariances differ (Box's M). "
               + (alike()
-                  ? "Groups of nearly equal size leave Pillai's trace nearly right: prefer it among"
+                  ? "With groups of nearly equal size, Pillai's trace is robust: prefer it among"
                       + " the multivariate tests."
                   : "With groups of such different size neither the multivariate tests nor F of"
                       + " interactions with the groups can be trusted near the level of"
@@ -127,8 +131,8 @@ final class Consequences {
                   anova.intercept().df2() >= ENOUGH
                       ? "With this many participants F depends little on it; look for outliers and"
                           + " skew."
-                      : "With few participants p is then a rough guide: look at the plots, consider"
-                          + " another scale of the measure or a test by ranks."));
+                      : "With few participants, p is only approximate: look at the plots, and"
+                          + " consider a transformation of the measure or a rank-based test."));
     }
   }
 
@@ -141,7 +145,7 @@ final class Consequences {
                       outlier.participant() + outlier.at().map(level -> " at " + level).orElse(""))
               .collect(Collectors.joining(", "));
       sentences.add(
-          "Unusual scores: %s. Check their records, and report the analysis with and without them."
+          "Outliers: %s. Check their records, and report the analysis with and without them."
               .formatted(who));
     }
   }

@@ -6,12 +6,12 @@ import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * Levene's test of equal variances in the groups with Brown and Forsythe's median (1974, Journal of
- * the American Statistical Association 69): an analysis of variance of the distances from the
- * groups' medians.
+ * Levene's test of equal variances in the groups, with medians as Brown and Forsythe proposed
+ * (1974, Journal of the American Statistical Association 69): a one-way analysis of variance of the
+ * absolute deviations from the groups' medians.
  *
  * @param at the within level; empty when there is one only
- * @param f with df1 and df2 degrees of freedom; not a number where the distances do not vary
+ * @param f F with df1 and df2 degrees of freedom; NaN where the deviations do not vary
  */
 public record Levene(Optional<String> at, double f, double df1, double df2, double p) {
   static Levene of(Optional<String> at, List<double[]> groups) {

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import org.apache.commons.math3.stat.StatUtils;
 
-/** F of the differences of groups' means, nothing more. */
+/** The F of a one-way analysis of variance with its degrees of freedom. */
 record OneWay(double f, double df1, double df2) {
-  /** Below this share of the sum of squares, what is left is rounding. */
+  /** An error sum of squares below this share of the total is rounding error. */
   private static final double ROUNDING = 1e-13;
 
   static OneWay of(List<double[]> groups) {

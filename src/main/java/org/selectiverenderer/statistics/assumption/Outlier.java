@@ -3,12 +3,12 @@ package org.selectiverenderer.statistics.assumption;
 import java.util.Optional;
 
 /**
- * A score that its group's others do not lead to expect.
+ * A score that deviates significantly from the others of its group.
  *
- * @param participant whose it is
+ * @param participant the participant whose score it is
  * @param at the within level; empty when there is one only
- * @param studentised residual in standard errors, from the other scores
- * @param p times the number of scores at that level (Bonferroni)
+ * @param studentised externally studentised residual
+ * @param p Bonferroni-corrected p: multiplied by the number of scores at that level
  */
 public record Outlier(
     String participant, Optional<String> at, double value, double studentised, double p) {}

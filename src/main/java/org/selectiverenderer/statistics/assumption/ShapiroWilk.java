@@ -7,11 +7,12 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * The test of normality by Shapiro and Wilk (1965, Biometrika 52), with Royston's approximations of
- * its coefficients and of p for 3 to 5000 values (1995, Applied Statistics 44, AS R94).
+ * The Shapiro-Wilk test of normality (Shapiro and Wilk 1965, Biometrika 52), with Royston's
+ * approximations of its coefficients and of p for 3 to 5000 values (1995, Applied Statistics 44, AS
+ * R94).
  *
  * @param at the within level; empty when there is one only
- * @param w 1 for values that lie as those of a normal distribution
+ * @param w the test statistic W, 0 to 1; 1 for values spaced as normal order statistics
  */
 public record ShapiroWilk(Optional<String> at, double w, double p) {
   private static final int FEWEST = 3;
@@ -25,7 +26,7 @@ public record ShapiroWilk(Optional<String> at, double w, double p) {
   private static final double[] MANY_LOG_SD = {-0.4803, -0.082676, 0.0030302};
   private static final double[] FEW_SHIFT = {-2.273, 0.459};
 
-  /** Empty if there are too few or too many values, or they do not vary. */
+  /** Runs the test; empty if there are too few or too many values, or they do not vary. */
   static Optional<ShapiroWilk> of(Optional<String> at, double[] values) {
     int n = values.length;
     double[] sorted = values.clone();
@@ -44,7 +45,10 @@ public record ShapiroWilk(Optional<String> at, double w, double p) {
     return Optional.of(new ShapiroWilk(at, w, p(w, n)));
   }
 
-  /** Of the differences between the largest and the smallest, the next, and so on. */
+  /**
+   * Returns the coefficients of the differences between the largest and the smallest value, the
+   * next inner pair, and so on.
+   */
   private static double[] coefficients(int n) {
     if (n == FEWEST) {
       return new double[] {Math.sqrt(0.5)};

@@ -5,12 +5,13 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * F of the groups' means without equal variances (Welch 1951, Biometrika 38).
+ * Welch's one-way analysis of variance, which does not assume equal variances (Welch 1951,
+ * Biometrika 38).
  *
- * @param df2 by Welch's approximation, not whole
+ * @param df2 degrees of freedom of the error by Welch's approximation, not a whole number
  */
 public record Welch(double f, double df1, double df2, double p) {
-  /** Not numbers where a group has one value or no variance. */
+  /** Runs the test; F and p are NaN where a group has one value or no variance. */
   static Welch of(List<double[]> groups) {
     double k = groups.size();
     double weights = 0;

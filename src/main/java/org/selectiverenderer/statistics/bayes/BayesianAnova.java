@@ -13,8 +13,8 @@ import org.selectiverenderer.statistics.anova.EffectPrior;
 import org.selectiverenderer.statistics.anova.Term;
 
 /**
- * Bayes factors of the effects of an analysis: computed when they are asked for, and once, since a
- * report shows them in its tables, its sentences and its details.
+ * The Bayes factors of the effects of an analysis. They are computed on first use and kept, since a
+ * report shows them in several places.
  */
 public final class BayesianAnova {
   private static final EffectEvidence.Ratio NONE = new EffectEvidence.Ratio(Double.NaN, 0);
@@ -25,13 +25,16 @@ public final class BayesianAnova {
   private @Nullable List<EffectEvidence> effects;
   private @Nullable List<EffectEvidence> robust;
 
-  /** The factors of an analysis, none of which is computed yet. */
+  /** Creates the Bayes factors of an analysis; none is computed yet. */
   public BayesianAnova(Anova anova) {
     this.anova = anova;
     terms = anova.effects().stream().map(Effect::term).toList();
   }
 
-  /** Why a design has no Bayes factors of effects, empty when it has: without its full stop. */
+  /**
+   * Returns why a design has no Bayes factors of effects, as a sentence without its full stop;
+   * empty when it has.
+   */
   public static Optional<String> obstacle(Anova anova) {
     return anova.design().covariates().isEmpty()
         ? Optional.empty()
@@ -39,9 +42,9 @@ public final class BayesianAnova {
   }
 
   /**
-   * Of each effect, in order, with the prior of the analysis's options.
+   * Returns the Bayes factors of each effect, in order, with the prior of the analysis's options.
    *
-   * @return not numbers where {@link #obstacle} says why, and where there is no F
+   * @return NaN where the design has an {@link #obstacle} or an effect has no F
    */
   public synchronized List<EffectEvidence> effects() {
     if (effects == null) {
@@ -50,7 +53,10 @@ public final class BayesianAnova {
     return effects;
   }
 
-  /** The same, and with {@link EffectPrior#ROBUSTNESS other widths} of the prior. */
+  /**
+   * Returns the Bayes factors of each effect, also with {@link EffectPrior#ROBUSTNESS other scales}
+   * of the prior.
+   */
   public synchronized List<EffectEvidence> withRobustness() {
     if (robust == null) {
       robust = evidence(EffectPrior.ROBUSTNESS);
@@ -95,7 +101,7 @@ public final class BayesianAnova {
         term, factor(models, others, term, fixed), factor(models, contained, term, fixed), points);
   }
 
-  /** Of a model against the same and a term. */
+  /** Returns the Bayes factor of a model against the same model with one more term. */
   private static EffectEvidence.Ratio factor(
       ModelEvidence models, Set<Term> without, Term term, double scale) {
     Set<Term> with = new HashSet<>(without);

@@ -7,10 +7,11 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 
 /**
- * Terms whose columns are not orthogonal, in the space that they span together.
+ * A block of terms whose design matrices are not orthogonal to each other, with the data projected
+ * onto the space that they span.
  *
- * @param columns of the terms, rows of the space
- * @param data rows of the space x contrasts
+ * @param columns design matrices of the terms, in coordinates of the spanned space
+ * @param data the projected data: dimensions of the space x contrasts
  */
 record Component(List<TermColumns> columns, RealMatrix data) {
   private static final double RANK = 1e-9;
@@ -44,19 +45,19 @@ record Component(List<TermColumns> columns, RealMatrix data) {
         space.multiply(data));
   }
 
-  /** Sum of squares of the data in it. */
+  /** Returns the sum of squares of the projected data. */
   double sum() {
     return Stratum.square(data);
   }
 
-  /** Contrasts. */
+  /** Returns the number of contrasts. */
   int width() {
     return data.getColumnDimension();
   }
 
   /**
-   * Minus the deviance's halves at some g: the log-determinant of I + sum of g_t A_t A_t', and the
-   * sum of squares of the data in units of it.
+   * Returns the two parts of the deviance at given g: the log-determinant of V = I + sum of g_t A_t
+   * A_t', and the generalised sum of squares trace(Y' V^-1 Y) of the data.
    */
   double[] at(List<TermColumns> terms, double[] logG) {
     RealMatrix v = MatrixUtils.createRealIdentityMatrix(data.getRowDimension());

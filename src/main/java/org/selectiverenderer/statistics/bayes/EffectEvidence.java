@@ -6,36 +6,36 @@ import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.anova.Term;
 
 /**
- * What the data say for the null hypothesis about an effect.
+ * The Bayes factors of an effect: the evidence of the data for its absence.
  *
- * @param beside all effects that do not contain it against the same and the effect; what reports
- *     call BF01
- * @param alone those that it contains (an interaction's main effects) against the same and the
- *     effect: where other effects are large, this takes them for error
- * @param robustness {@code beside} with other widths of the prior, in ascending order
+ * @param beside the model of all effects that do not contain this one, against that model with this
+ *     effect; reports call it BF01
+ * @param alone the model of the effects that this one contains (an interaction's main effects)
+ *     only, against that model with this effect; other effects count as error here
+ * @param robustness {@code beside} with other scales of the prior, in ascending order
  */
 public record EffectEvidence(Term term, Ratio beside, Ratio alone, List<Point> robustness) {
   /**
    * A Bayes factor.
    *
-   * @param bf01 above 1 speaks for no effect; not a number where there is none
-   * @param error of bf01, a share of it: 0 where the integral is not by Monte Carlo
+   * @param bf01 above 1 is evidence for the absence of the effect; NaN where it is not defined
+   * @param error relative standard error of bf01; 0 where no Monte Carlo integration is needed
    */
   public record Ratio(double bf01, double error) {}
 
   /**
-   * A Bayes factor with one width of the prior.
+   * A Bayes factor with one scale of the prior.
    *
-   * @param scale of the factors' effects
+   * @param scale prior scale r of the fixed effects
    */
   public record Point(double scale, double bf01) {}
 
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public EffectEvidence {
     robustness = List.copyOf(robustness);
   }
 
-  /** The effect that it is about, of the analysis that it comes from. */
+  /** Returns the effect that these Bayes factors are about, from their analysis. */
   public Effect of(Anova anova) {
     return anova.effects().stream()
         .filter(effect -> effect.term().equals(term))
@@ -43,12 +43,12 @@ public record EffectEvidence(Term term, Ratio beside, Ratio alone, List<Point> r
         .orElseThrow();
   }
 
-  /** Of all effects that do not contain it against the same and the effect. */
+  /** Returns the Bayes factor {@link #beside}. */
   public double bf01() {
     return beside.bf01();
   }
 
-  /** Of {@link #bf01}. */
+  /** Returns the relative standard error of {@link #bf01}. */
   public double error() {
     return beside.error();
   }

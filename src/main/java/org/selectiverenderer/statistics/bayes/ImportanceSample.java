@@ -5,17 +5,21 @@ import java.util.Random;
 import org.apache.commons.math3.random.HaltonSequenceGenerator;
 
 /**
- * Points for the integral over the g of three and more terms: of Halton's sequence, spread by
- * logistic distributions around the integrand's peak, shifted at random for each batch (Owen 1998,
- * Monte Carlo extension of quasi-Monte Carlo), so that batches tell the error.
+ * Importance sampling for the integral over the g of three or more terms. Points of a Halton
+ * sequence are drawn from logistic distributions around the integrand's mode and shifted at random
+ * for each batch (Owen 1998, Monte Carlo extension of quasi-Monte Carlo), so that the spread of the
+ * batches estimates the integration error.
  */
 final class ImportanceSample {
-  /** Batches, whose differences tell the error. */
+  /** Number of batches, whose spread estimates the integration error. */
   static final int BATCHES = 8;
 
   private static final int POINTS = 1000;
 
-  /** The logistic's scale, in standard deviations of the peak: its tails are the wider. */
+  /**
+   * The scale of the logistic proposal, in standard deviations of the mode; above 1 so that its
+   * tails are wider than the integrand's.
+   */
   private static final double WIDER = 1.2;
 
   private final Component component;
@@ -30,7 +34,7 @@ final class ImportanceSample {
     this.r = r;
   }
 
-  /** Of a batch. */
+  /** Returns the points of a batch. */
   Nodes nodes(long seed, int batch) {
     int size = terms.size();
     double[] peak = peak();
@@ -49,13 +53,13 @@ final class ImportanceSample {
       for (int t = 0; t < size; t++) {
         double u = Math.min(1 - 1e-12, Math.max(1e-12, (uniform[t] + shift[t]) % 1));
         points[i][t] = peak[t] + widths[t] * Math.log(u / (1 - u));
-        weights[i] += Math.log(widths[t] / (u * (1 - u))); // one over the logistic's density
+        weights[i] += Math.log(widths[t] / (u * (1 - u))); // reciprocal of the logistic density
       }
     }
     return Nodes.of(component, terms, points, weights);
   }
 
-  /** The integrand with the error's variance at its estimate. */
+  /** Returns the logarithm of the integrand, with the error variance at its estimate. */
   private double log(double[] logG) {
     double[] found = component.at(terms, logG);
     double log =

@@ -3,8 +3,9 @@ package org.selectiverenderer.statistics.bayes;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * The logarithm of the integral over the line of exp(f), f with one peak: a sum in equal steps to
- * both sides of the peak, which converges faster than any power of the step.
+ * Computes the logarithm of the integral of exp(f) over the real line for an f with one maximum, by
+ * the trapezoidal rule from the maximum to both sides, whose error falls faster than any power of
+ * the step.
  */
 final class LogIntegral {
   private static final double NEGLIGIBLE = 26;
@@ -14,7 +15,7 @@ final class LogIntegral {
 
   private final DoubleUnaryOperator f;
 
-  /** Of the argument; where the next search for a peak begins. */
+  /** The argument of the maximum; the next search for it begins there. */
   private double peak;
 
   LogIntegral(DoubleUnaryOperator f, double start) {
@@ -22,7 +23,7 @@ final class LogIntegral {
     peak = start;
   }
 
-  /** Where f was found largest. */
+  /** Returns the argument at which f was found largest. */
   double peak() {
     return peak;
   }
@@ -62,7 +63,9 @@ final class LogIntegral {
     }
   }
 
-  /** 0.8 of the standard deviation of the normal with the peak's curvature. */
+  /**
+   * Returns 0.8 standard deviations of the normal distribution with the curvature of the maximum.
+   */
   private double step(double top) {
     double width = 0.05;
     double curvature =

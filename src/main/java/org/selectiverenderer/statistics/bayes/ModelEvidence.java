@@ -11,7 +11,10 @@ import org.selectiverenderer.statistics.anova.EffectPrior;
 import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Term;
 
-/** The evidence of models of one design's data; what models share is computed once. */
+/**
+ * Computes the evidence (marginal likelihood) of models of one design's data. Intermediate results
+ * that models share are cached.
+ */
 final class ModelEvidence {
   private record NodeKey(Set<Term> terms, int batch) {}
 
@@ -53,7 +56,8 @@ final class ModelEvidence {
   }
 
   /**
-   * The error's variance where it is estimated: within participants if they repeat, else between.
+   * Estimates the error variance from the residuals within participants if there are within
+   * factors, else from those between participants.
    */
   private Scale scale() {
     double rest = 0;
@@ -69,15 +73,18 @@ final class ModelEvidence {
     return new Scale(variance, Math.max(1, average));
   }
 
-  /** How many times {@link #log} has something else to say: 1, if it is exact. */
+  /**
+   * Returns the number of batches that differ in {@link #log}; 1 if no Monte Carlo integration is
+   * needed.
+   */
   int batches() {
     return sampled ? ImportanceSample.BATCHES : 1;
   }
 
   /**
-   * Logarithm of the evidence, up to a constant that all models of the design share.
+   * Returns the logarithm of the evidence, up to a constant that all models of the design share.
    *
-   * @param fixed scale of the prior of the model's terms
+   * @param fixed prior scale r of the model's terms
    */
   double log(Set<Term> model, double fixed, int batch) {
     return found.computeIfAbsent(
@@ -113,7 +120,9 @@ final class ModelEvidence {
         .value();
   }
 
-  /** The averages, given the participants' g. */
+  /**
+   * Returns the log likelihood of the participants' averages times the prior of their g, at one g.
+   */
   private double averages(List<Nodes> tables, double fixed, double variance, double logG) {
     double factor = 1 + levels * Math.exp(logG);
     return InverseGamma.logDensity(logG, prior.random())

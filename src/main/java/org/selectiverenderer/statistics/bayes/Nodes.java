@@ -5,21 +5,22 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The points of the integral over the g of some terms of a component, with what the data say there.
- * g is in units of the variance of the stratum, so that the table holds for any.
+ * A quadrature grid: the points and weights of the integral over the g of some terms of a {@link
+ * Component}, with the likelihood terms of the data at each point. Each g is in units of the
+ * variance of the stratum, so that one grid serves any variance.
  *
- * @param terms how many g a point has
- * @param logWeights of the points, with what the prior has of them for any width: minus half of the
- *     sum of log g
- * @param inverses sums of 1 / g, of each point
- * @param determinants logarithms, of each point, times the number of contrasts
- * @param sums of squares at each point
+ * @param terms number of g, the dimension of a point
+ * @param logWeights logarithms of the quadrature weights, including the factor of the prior that
+ *     does not depend on its scale: minus half of the sum of log g
+ * @param inverses sum of 1 / g at each point
+ * @param determinants log-determinant at each point, times the number of contrasts
+ * @param sums generalised sum of squares of the data at each point
  */
 record Nodes(
     int terms, double[] logWeights, double[] inverses, double[] determinants, double[] sums) {
   private static final double NEGLIGIBLE = 36;
 
-  /** Of no term: one point. */
+  /** Returns the grid of a model without terms in the component: one point. */
   static Nodes none(Component component) {
     double[] zero = {0};
     return new Nodes(0, zero, zero, zero, new double[] {component.sum()});
@@ -43,7 +44,7 @@ record Nodes(
     return new Nodes(terms.size(), weights, inverses, determinants, sums);
   }
 
-  /** All combinations of points in equal steps. */
+  /** Returns the grid of all combinations of equally spaced points of log g. */
   static Nodes grid(Component component, List<TermColumns> terms, Scale scale, double leastPrior) {
     List<double[]> points = List.of(new double[] {});
     double volume = 0;
@@ -66,11 +67,11 @@ record Nodes(
   }
 
   /**
-   * Logarithm of the integral, without what no g changes.
+   * Returns the logarithm of the integral over g, without factors that depend on no g.
    *
-   * @param variance of the error
-   * @param factor of it in this stratum
-   * @param r scale of the prior
+   * @param variance error variance
+   * @param factor variance of this stratum in units of the error variance
+   * @param r scale of the Cauchy prior
    */
   double log(double variance, double factor, double r) {
     double prior = r * r / (2 * factor);
@@ -91,17 +92,17 @@ record Nodes(
   }
 
   /**
-   * Where log g of a term may lie.
+   * The interval of log g of a term outside which the integrand is negligible.
    *
-   * @param step that resolves it
+   * @param step spacing of the points that resolves the integrand
    */
   record Range(double low, double high, double step) {
     private static final double LARGEST_STEP = 0.4;
 
-    /** Of the prior's density below the range: e to minus this. */
+    /** Below the interval, the prior's density is at most e to minus this number. */
     private static final double NEGLIGIBLE = 30;
 
-    /** Beyond it, matrices lose their digits. */
+    /** Beyond this log g, the matrices lose all significant digits. */
     private static final double MOST = 27;
 
     static Range of(Component component, TermColumns term, Scale scale, double leastPrior) {

@@ -1,9 +1,9 @@
 package org.selectiverenderer.statistics.bayes;
 
 /**
- * How large things are in the data of a design, so that integrals look in the right places.
+ * Estimates of the variances in the data of a design, which locate the region of integration.
  *
- * @param variance of the error, from what no term explains
- * @param average how many times larger it is in the participants' averages
+ * @param variance error variance, estimated from the residuals
+ * @param average variance of the participants' averages in units of the error variance, at least 1
  */
 record Scale(double variance, double average) {}

@@ -13,12 +13,14 @@ import org.selectiverenderer.statistics.anova.Term;
 import org.selectiverenderer.statistics.anova.Transformation;
 
 /**
- * The data in the average of the within levels, or in the contrasts of a set of within factors.
+ * An error stratum of the design (as in R's aov): the data projected onto the average of the within
+ * levels, or onto the contrasts of a set of within factors.
  *
- * @param average whether it is the average, from which the mean of all is taken out
- * @param components what hangs together; their spaces are orthogonal
- * @param dimensions of the data
- * @param rest sum of squares outside of the components' spaces
+ * @param average whether this is the stratum of the average, from which the grand mean is removed
+ * @param components blocks of terms that are not orthogonal within a block; the spaces of the
+ *     blocks are orthogonal
+ * @param dimensions number of dimensions of the data
+ * @param rest residual sum of squares, outside of the components' spaces
  */
 record Stratum(boolean average, List<Component> components, int dimensions, double rest) {
   Stratum {
@@ -26,10 +28,10 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
   }
 
   /**
-   * The stratum of a set of within factors.
+   * Returns the stratum of a set of within factors.
    *
-   * @param within none: the average
-   * @param terms of the design with just these within factors
+   * @param within empty for the stratum of the average
+   * @param terms the terms of the design with exactly these within factors
    */
   static Stratum of(Design design, List<Factor> within, List<Term> terms) {
     RealMatrix contrasts = Transformation.of(design.withinFactors(), within::contains);
@@ -91,7 +93,10 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
     return scores.multiply(contrasts);
   }
 
-  /** Contrasts of the term's between factors, and ones for the others: they repeat. */
+  /**
+   * Returns the design matrix of a term over the groups: contrasts of its between factors, repeated
+   * over the levels of the others.
+   */
   private static RealMatrix coding(Design design, Term term) {
     double repeats = 1;
     for (Factor factor : design.betweenFactors()) {
@@ -103,7 +108,7 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
         .scalarMultiply(Math.sqrt(repeats));
   }
 
-  /** Orthonormal rows that are orthogonal to the mean of all. */
+  /** Returns orthonormal rows that are orthogonal to the grand mean. */
   private static RealMatrix complement(RealMatrix roots) {
     int groups = roots.getRowDimension();
     RealMatrix mean = new Array2DRowRealMatrix(groups, 1).scalarAdd(1);
@@ -135,7 +140,7 @@ record Stratum(boolean average, List<Component> components, int dimensions, doub
     return norm * norm;
   }
 
-  /** Sum of squares of all of it but the mean of all. */
+  /** Returns the total sum of squares of the stratum, without the grand mean. */
   double sum() {
     return rest + components.stream().mapToDouble(Component::sum).sum();
   }

@@ -4,7 +4,7 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.selectiverenderer.statistics.anova.Term;
 
 /**
- * The columns of a term in the space of the groups of one stratum.
+ * The design matrix of a term over the groups of one stratum.
  *
  * @param matrix dimensions of the space x degrees of freedom of the term among groups
  */
@@ -17,7 +17,7 @@ record TermColumns(Term term, RealMatrix matrix) {
         <= ORTHOGONAL * matrix.getFrobeniusNorm() * other.matrix.getFrobeniusNorm();
   }
 
-  /** The mean length of a direction. */
+  /** Returns the mean squared length of the columns. */
   double size() {
     double norm = matrix.getFrobeniusNorm();
     return norm * norm / matrix.getColumnDimension();

@@ -3,9 +3,9 @@ package org.selectiverenderer.statistics.data;
 import org.selectiverenderer.base.problem.Location;
 
 /**
- * Something in a file that an analysis does not use, or not fully.
+ * An item of a data file that an analysis does not use, or uses only in part.
  *
- * @param participant whose it is; empty when unknown
- * @param reason what is wrong and what is done about it
+ * @param participant the participant concerned; empty when unknown
+ * @param reason what is wrong and how the analysis handles it
  */
 public record Exclusion(Location location, String participant, String reason) {}

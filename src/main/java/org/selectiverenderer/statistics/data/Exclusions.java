@@ -7,16 +7,16 @@ import org.selectiverenderer.base.csv.CsvFaults;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
-/** Collects exclusions, and tells the user of each. */
+/** Collects the exclusions of a file and reports each as a problem. */
 final class Exclusions implements CsvFaults {
   private final Problems problems;
   private final String row;
   private final List<Exclusion> list = new ArrayList<>();
 
   /**
-   * None yet.
+   * Creates an empty log.
    *
-   * @param row what a row of the file is
+   * @param row what a row of the file is, for messages, such as {@code the answer}
    */
   Exclusions(Problems problems, String row) {
     this.problems = problems;
@@ -33,13 +33,13 @@ final class Exclusions implements CsvFaults {
     error(location, "", message + "; " + row + " is left out");
   }
 
-  /** Data that are wrong. */
+  /** Records invalid data. */
   void error(Location location, String participant, String reason) {
     problems.error(location, named(participant, reason));
     list.add(new Exclusion(location, participant, reason));
   }
 
-  /** Data that are missing. */
+  /** Records missing data. */
   void warning(Location location, String participant, String reason) {
     problems.warning(location, named(participant, reason));
     list.add(new Exclusion(location, participant, reason));
@@ -49,7 +49,7 @@ final class Exclusions implements CsvFaults {
     return participant.isEmpty() ? reason : "participant " + participant + ": " + reason;
   }
 
-  /** In the order of the file. */
+  /** Returns the exclusions in the order of the file. */
   List<Exclusion> list() {
     List<Exclusion> sorted = new ArrayList<>(list);
     sorted.sort(

@@ -13,18 +13,18 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Spelling;
 
 /**
- * Finds names of one kind that are probably one name, spelled in two ways: {@code A} beside {@code
+ * Detects names of one kind that are probably two spellings of one name: {@code A} beside {@code
  * a}, {@code high low} beside {@code high-low}, {@code selectve} beside {@code selective}. Nothing
- * is merged, since only who made the file knows what was meant.
+ * is merged, since only the author of the file knows what was meant.
  */
 final class Lookalikes {
-  /** Names that are shorter may differ by a letter on purpose. */
+  /** Names shorter than this may differ by a letter on purpose. */
   private static final int SHORT = 4;
 
-  /** A slip is in few rows: at most this share of the participants of the name beside it. */
+  /** A misspelling has at most this share of the participants of the correct name. */
   private static final double SLIP_SHARE = 0.25;
 
-  /** Who uses a name, and where it stands first. */
+  /** The participants that use a name, and its first location. */
   private static final class Use {
     final Location first;
     final Set<String> participants = new HashSet<>();
@@ -38,7 +38,7 @@ final class Lookalikes {
   private final Map<String, Use> uses = new LinkedHashMap<>();
 
   /**
-   * None yet.
+   * Creates a detector without names.
    *
    * @param kind what is named, such as {@code condition}
    */
@@ -46,15 +46,15 @@ final class Lookalikes {
     this.kind = kind;
   }
 
-  /** A name in a row of a participant. */
+  /** Adds a name from a row of a participant. */
   void add(String name, String participant, Location place) {
     uses.computeIfAbsent(name, first -> new Use(place)).participants.add(participant);
   }
 
   /**
-   * Tells of names alike, at the first place of the one that fewer participants have.
+   * Reports similar names, each at the first location of the one that fewer participants use.
    *
-   * @param done what becomes of them, such as {@code they are analysed as two conditions}
+   * @param done how the analysis treats them, such as {@code they are analysed as two conditions}
    */
   void tell(Exclusions exclusions, String done) {
     List<String> names = new ArrayList<>(uses.keySet());
@@ -75,7 +75,7 @@ final class Lookalikes {
     }
   }
 
-  /** Tells of names that one participant has, where others have more. */
+  /** Reports names that only one participant uses, where other names have several. */
   void tellLone(Exclusions exclusions) {
     if (uses.values().stream().noneMatch(use -> use.participants.size() > 1)) {
       return;
@@ -86,7 +86,7 @@ final class Lookalikes {
             exclusions.warning(
                 use.first,
                 "",
-                "the %s %s has one participant only, so it has no spread of its own"
+                "the %s %s has one participant only, so its standard deviation is undefined"
                     .formatted(kind, name));
           }
         });
@@ -121,7 +121,9 @@ final class Lookalikes {
     return use;
   }
 
-  /** Without case, forms of letters, space, hyphens and zeros before a number. */
+  /**
+   * Normalises a name: without case, diacritics, white space, hyphens and leading zeros of numbers.
+   */
   private static String folded(String name) {
     return Normalizer.normalize(name, Normalizer.Form.NFKC)
         .toLowerCase(Locale.ROOT)
@@ -129,7 +131,10 @@ final class Lookalikes {
         .replaceAll("(?<!\\d)0+(?=\\d)", "");
   }
 
-  /** Whether a name is rare and one letter away; one that differs by its digits is another. */
+  /**
+   * Returns whether a name is rare and differs from another by one letter; names that differ in
+   * digits only are distinct.
+   */
   private boolean slip(String rare, String common) {
     return rare.length() >= SHORT
         && common.length() >= SHORT

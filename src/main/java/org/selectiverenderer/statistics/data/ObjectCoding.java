@@ -11,9 +11,9 @@ import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.statistics.detection.Response;
 
 /**
- * Finds objects that the rows of different participants describe differently. An object's
- * consistency is a fact of the area, so of two no row can be believed. Whether it is present may
- * differ by design, with lists that change places between participants.
+ * Finds objects that the rows of different participants code differently. The consistency of an
+ * object is a property of the area, so if it is coded in two ways, all answers to the object are
+ * excluded. Its presence may differ by design, when lists are counterbalanced between participants.
  */
 final class ObjectCoding {
   private record Item(String area, String object) {}
@@ -30,10 +30,10 @@ final class ObjectCoding {
   }
 
   /**
-   * Tells of contradictions.
+   * Reports contradictory coding.
    *
-   * @param rows of the answers, each at its index
-   * @return the answers without those to objects of two kinds
+   * @param rows the row of each answer
+   * @return the answers without those to objects that are coded with two consistencies
    */
   List<Response> consistent(List<Response> responses, Map<Response, CsvRow> rows) {
     Map<Item, List<Response>> items = new LinkedHashMap<>();
@@ -55,7 +55,10 @@ final class ObjectCoding {
         .toList();
   }
 
-  /** Tells if answers to an object differ in a column, at the first of the fewest. */
+  /**
+   * Reports answers to an object that differ in a column, at the first answer with the rarest
+   * value; returns whether they differ.
+   */
   private boolean differ(
       List<Response> answers,
       Map<Response, CsvRow> rows,
@@ -97,7 +100,8 @@ final class ObjectCoding {
       exclusions.warning(
           row.location(column),
           odd.participant(),
-          what + "; each answer counts as its row says (--counterbalanced if that is meant)");
+          what
+              + "; each answer counts as its row says (use --counterbalanced if that is intended)");
     }
     return true;
   }

@@ -4,14 +4,15 @@ import java.util.List;
 import org.selectiverenderer.statistics.anova.Design;
 
 /**
- * Measurements of a file as a design.
+ * The measurements of a file as a design.
  *
  * @param source the file
- * @param design of the subjects with complete data; it may still have an {@link Design#obstacle}
- * @param exclusions what is not in it
+ * @param design the design of the subjects with complete data; it may still have an {@link
+ *     Design#obstacle}
+ * @param exclusions rows and subjects that the design leaves out
  */
 public record Observations(DataFile source, Design design, List<Exclusion> exclusions) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Observations {
     exclusions = List.copyOf(exclusions);
   }

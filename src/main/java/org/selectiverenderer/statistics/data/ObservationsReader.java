@@ -22,17 +22,17 @@ import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.Subject;
 
 /**
- * Reads measurements in long form, one row for each subject and combination of levels of the within
- * factors, into a design. Levels are in the order of the file. A subject whose data are not
- * complete is left out.
+ * Reads measurements in long format (one row for each subject and combination of within levels)
+ * into a design. Levels are in the order of the file. A subject whose data are not complete is left
+ * out.
  */
 public final class ObservationsReader {
   /**
-   * The columns of a file.
+   * The names of the columns of a file.
    *
-   * @param within of the within factors, as many as the design has
-   * @param between of the between factors
-   * @param covariates of what was measured once on each subject
+   * @param within columns of the within factors
+   * @param between columns of the between factors
+   * @param covariates columns of variables measured once on each subject
    */
   public record Columns(
       String measure,
@@ -40,14 +40,14 @@ public final class ObservationsReader {
       List<String> within,
       List<String> between,
       List<String> covariates) {
-    /** Keeps copies, so that it stays as it is. */
+    /** Makes defensive copies, so that the record is immutable. */
     public Columns {
       within = List.copyOf(within);
       between = List.copyOf(between);
       covariates = List.copyOf(covariates);
     }
 
-    /** Of a design with at most one factor of each sort. */
+    /** Creates the columns of a design with at most one within and one between factor. */
     public Columns(
         String measure, String subject, Optional<String> within, Optional<String> between) {
       this(
@@ -90,7 +90,7 @@ public final class ObservationsReader {
   /**
    * Reads a file.
    *
-   * @return empty when the file is no such table, which is then in {@code problems}
+   * @return empty when the file is not such a table, which is reported to {@code problems}
    * @throws IOException if the file cannot be read at all
    */
   public static Optional<Observations> read(Path path, Columns columns, Problems problems)
@@ -102,7 +102,7 @@ public final class ObservationsReader {
         .flatMap(table -> reader.observations(source, table));
   }
 
-  /** Reads a text of that file name. */
+  /** Reads a text as if it were a file of that name. */
   public static Optional<Observations> parse(
       String file, String text, Columns columns, Problems problems) {
     ObservationsReader reader = new ObservationsReader(columns, problems);
@@ -139,7 +139,7 @@ public final class ObservationsReader {
     return Optional.of(new Observations(source, design, exclusions.list()));
   }
 
-  /** Names that are probably one name, spelled in two ways. */
+  /** Reports names that are probably two spellings of one name. */
   private void lookAlike() {
     ids.tell(exclusions, "they count as two participants");
     names.forEach(
@@ -209,7 +209,7 @@ public final class ObservationsReader {
     }
     columns.covariates().forEach(name -> covariate(row, id, gathered, name));
     if (row.cell(columns.measure()).isEmpty()) {
-      return; // told of when the subject turns out incomplete
+      return; // reported when the subject turns out incomplete
     }
     OptionalDouble value =
         CsvNumbers.number(
@@ -242,7 +242,7 @@ public final class ObservationsReader {
     }
   }
 
-  /** {@code type one, size small}. */
+  /** Returns a combination of levels with their factors, such as {@code type one, size small}. */
   private String named(List<String> level) {
     List<String> words = new ArrayList<>();
     for (int i = 0; i < level.size(); i++) {
@@ -300,7 +300,7 @@ public final class ObservationsReader {
             columns.covariates().stream().map(gathered.covariates::get).toList()));
   }
 
-  /** All combinations of levels, the last factor's changing fastest. */
+  /** Returns all combinations of levels; the last factor's level changes fastest. */
   private static List<List<String>> cells(List<Factor> factors) {
     List<List<String>> cells = List.of(List.of());
     for (Factor factor : factors) {

@@ -7,7 +7,7 @@ import org.selectiverenderer.base.csv.CsvNumbers;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.statistics.detection.Response;
 
-/** Reads one row of a file of answers, or says why it cannot be used. */
+/** Parses one row of a file of answers, or reports why it cannot be used. */
 final class ResponseRow {
   static final List<String> COLUMNS =
       List.of(
@@ -32,7 +32,7 @@ final class ResponseRow {
     participant = row.cell("participant");
   }
 
-  /** Empty after an exclusion. */
+  /** Returns the answer of the row; empty after an exclusion. */
   Optional<Response> read() {
     for (String column : List.of("participant", "condition", "area", "object")) {
       if (row.cell(column).isEmpty()) {
@@ -90,7 +90,7 @@ final class ResponseRow {
     return Optional.empty();
   }
 
-  /** 0 when it was not given. */
+  /** Returns the confidence, 0 when it was not given; empty after an exclusion. */
   private Optional<Integer> confidence() {
     String text = row.cell("confidence");
     if (text.isEmpty()) {

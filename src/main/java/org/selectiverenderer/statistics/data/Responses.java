@@ -4,14 +4,14 @@ import java.util.List;
 import org.selectiverenderer.statistics.detection.Response;
 
 /**
- * A study's answers.
+ * The answers of a study.
  *
  * @param source the file
- * @param usable answers, in the order of the file
- * @param exclusions what is not among them, and what is wanting
+ * @param usable the answers that analyses use, in the order of the file
+ * @param exclusions the answers left out, and those missing
  */
 public record Responses(DataFile source, List<Response> usable, List<Exclusion> exclusions) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Responses {
     usable = List.copyOf(usable);
     exclusions = List.copyOf(exclusions);

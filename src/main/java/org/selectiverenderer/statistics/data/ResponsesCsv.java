@@ -4,11 +4,11 @@ import java.util.List;
 import org.selectiverenderer.base.csv.CsvText;
 import org.selectiverenderer.statistics.detection.Response;
 
-/** Answers as the file that {@link ResponsesReader} reads. */
+/** Writes answers in the CSV format that {@link ResponsesReader} reads. */
 public final class ResponsesCsv {
   private ResponsesCsv() {}
 
-  /** Lines, the last one ended. */
+  /** Returns the CSV text; its last line is terminated. */
   public static String of(List<Response> responses) {
     CsvText table = new CsvText().row(ResponseRow.COLUMNS);
     for (Response response : responses) {

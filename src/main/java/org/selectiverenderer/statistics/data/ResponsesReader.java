@@ -41,9 +41,10 @@ public final class ResponsesReader {
   /**
    * Reads a file.
    *
-   * @param roster those who took part; without one, whoever answers did
+   * @param roster the list of participants; without one, everyone with answers counts as a
+   *     participant
    * @param counterbalanced whether objects are meant to be present for some participants only
-   * @return empty when the file is no such table, which is then in {@code problems}
+   * @return empty when the file is not such a table, which is reported to {@code problems}
    * @throws IOException if the file cannot be read at all
    */
   public static Optional<Responses> read(
@@ -57,7 +58,7 @@ public final class ResponsesReader {
         .flatMap(table -> reader.responses(source, table));
   }
 
-  /** Reads a text of that file name; objects are not {@code counterbalanced}. */
+  /** Reads a text as if it were a file of that name; objects are not {@code counterbalanced}. */
   public static Optional<Responses> parse(
       String file, String text, Optional<Roster> roster, Problems problems) {
     ResponsesReader reader = new ResponsesReader(problems, roster, false);
@@ -93,7 +94,7 @@ public final class ResponsesReader {
     return Optional.of(new Responses(source, usable, exclusions.list()));
   }
 
-  /** Names that are probably one name, spelled in two ways. */
+  /** Reports names that are probably two spellings of one name. */
   private void lookAlike(List<Response> responses, Map<Response, CsvRow> rows) {
     Lookalikes participants = new Lookalikes("participant");
     Lookalikes conditions = new Lookalikes("condition");
@@ -131,7 +132,7 @@ public final class ResponsesReader {
         exclusions.error(
             response.location(),
             response.participant(),
-            "is not among the study's participants; all answers are left out");
+            "is not in the list of participants; all answers are left out");
       }
     }
     roster
@@ -166,7 +167,10 @@ public final class ResponsesReader {
     return responses.stream().filter(response -> !torn.contains(response.participant())).toList();
   }
 
-  /** Of answers given twice alike one is kept; of those that differ none. */
+  /**
+   * Removes repeated answers to an object: of identical ones the first is kept, of contradictory
+   * ones none.
+   */
   private List<Response> withoutDoubles(List<Response> responses) {
     Map<Question, Response> first = new LinkedHashMap<>();
     Set<Question> contradicted = new HashSet<>();
@@ -196,7 +200,9 @@ public final class ResponsesReader {
     return List.copyOf(first.values());
   }
 
-  /** Participants without a row for objects that others were asked for in the same area. */
+  /**
+   * Reports participants without a row for objects that others were asked about in the same area.
+   */
   private void missing(List<Response> responses, Set<Question> rows) {
     Map<String, Set<String>> asked = new LinkedHashMap<>();
     Map<String, Map<String, Set<String>>> answered = new LinkedHashMap<>();
@@ -224,7 +230,9 @@ public final class ResponsesReader {
 
   private static String lacks(String area, Set<String> wanting, int asked) {
     if (wanting.size() == asked) {
-      return "has no answers about the area " + area + "; it is analysed without them";
+      return "has no answers about the area "
+          + area
+          + "; the area is analysed without this participant";
     }
     List<String> named = wanting.stream().limit(NAMED_OBJECTS).toList();
     return "of the %d objects of the area %s, %d are not in the file (%s%s); the others count"

@@ -12,7 +12,10 @@ import org.selectiverenderer.base.csv.CsvTable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problems;
 
-/** Who took part in a study, and in which condition: {@code participant[,condition]}. */
+/**
+ * The participants of a study with their conditions, read from a CSV file {@code
+ * participant[,condition]}.
+ */
 public final class Roster {
   private record Entry(String condition, Location location) {}
 
@@ -25,7 +28,7 @@ public final class Roster {
   /**
    * Reads a file.
    *
-   * @return empty after a fault, which is then in {@code problems}
+   * @return empty when the file has faults, which are reported to {@code problems}
    * @throws IOException if the file cannot be read at all
    */
   public static Optional<Roster> read(Path path, Problems problems) throws IOException {
@@ -58,14 +61,14 @@ public final class Roster {
     return entries.containsKey(participant);
   }
 
-  /** Empty when the roster does not say. */
+  /** Returns the condition of a participant; empty when the roster does not state it. */
   Optional<String> condition(String participant) {
     return Optional.ofNullable(entries.get(participant))
         .map(Entry::condition)
         .filter(condition -> !condition.isEmpty());
   }
 
-  /** Participants and their places in the roster's file. */
+  /** Returns the participants with their locations in the roster's file. */
   Map<String, Location> places() {
     Map<String, Location> places = new LinkedHashMap<>();
     entries.forEach((id, entry) -> places.put(id, entry.location()));

@@ -1,6 +1,6 @@
 /**
- * Files of answers and of measurements, read into what the analyses take. Nothing is dropped in
- * silence: what cannot be used is a problem with its place, and an {@link
+ * Readers for files of answers and of measurements. Nothing is dropped silently: each row that
+ * cannot be used is reported as a problem with its location, and as an {@link
  * org.selectiverenderer.statistics.data.Exclusion} that reports print.
  *
  * <p>In: CSV files. Out: {@link org.selectiverenderer.statistics.data.Responses} and {@link

@@ -1,15 +1,15 @@
 package org.selectiverenderer.statistics.detection;
 
 /**
- * Which answers count, by their confidence: the thesis's three sets of results (6.4), "corrected"
- * for guessing.
+ * The lowest confidence with which an answer counts: the thesis's three sets of results (6.4),
+ * which are "corrected" for guessing.
  */
 public enum ConfidenceLevel {
   /** All answers. */
   ALL("all", "all", "all answers", 0),
-  /** Those given with a confidence of 3 to 5. */
+  /** Answers with a confidence of 3 to 5. */
   MODERATE("3-5", "conf. 3–5", "confidence 3–5", 3),
-  /** Those given with a confidence of 5. */
+  /** Answers with a confidence of 5. */
   HIGH("5", "conf. 5", "confidence 5", 5);
 
   private final String spelling;
@@ -24,25 +24,25 @@ public enum ConfidenceLevel {
     this.least = least;
   }
 
-  /** The confidences that count, as files name them. */
+  /** Returns the confidences that count, as files name them. */
   public String spelling() {
     return spelling;
   }
 
   /**
-   * Heads the columns of tables. The thesis's Tables 6 to 11 have "un", "mod" and "high", the last
-   * of which names a condition too.
+   * Returns the heading of table columns. The thesis's Tables 6 to 11 have "un", "mod" and "high",
+   * the last of which names a condition too.
    */
   public String heading() {
     return heading;
   }
 
-  /** Names the level in a sentence. */
+  /** Returns the name of the level in sentences. */
   public String title() {
     return title;
   }
 
-  /** Whether an answer counts; one without confidence counts at {@link #ALL} only. */
+  /** Returns whether an answer counts; one without a confidence counts at {@link #ALL} only. */
   public boolean admits(Response response) {
     return response.confidence() >= least;
   }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.statistics.detection;
 
-/** What is done about rates of 0 and 1, whose z is infinite. */
+/** Corrections of extreme rates (0 and 1), whose z is infinite. */
 public enum Correction {
   /**
    * Adds 0.5 to the count and 1 to the number of answers, for all rates alike (Hautus 1995,
@@ -13,7 +13,8 @@ public enum Correction {
     }
   },
   /**
-   * Makes 0 to 1/(2N) and 1 to 1 - 1/(2N) (Macmillan and Kaplan 1985, Psychological Bulletin 98).
+   * Replaces 0 by 1/(2N) and 1 by 1 - 1/(2N) (Macmillan and Kaplan 1985, Psychological Bulletin
+   * 98).
    */
   HALF_TRIAL("1/(2N) for 0, 1 - 1/(2N) for 1 (Macmillan and Kaplan 1985)") {
     @Override
@@ -22,7 +23,7 @@ public enum Correction {
       return Math.min(1 - half, Math.max(half, count / (double) total));
     }
   },
-  /** Nothing: such participants have no d'. */
+  /** No correction: participants with such rates have no d'. */
   NONE("none; rates of 0 and 1 have no z") {
     @Override
     double rate(int count, int total) {
@@ -36,13 +37,13 @@ public enum Correction {
     this.description = description;
   }
 
-  /** For reports. */
+  /** Returns the description used in reports. */
   public String description() {
     return description;
   }
 
   /**
-   * The rate to be transformed.
+   * Returns the corrected rate.
    *
    * @param total at least 1
    */

@@ -4,20 +4,21 @@ import java.util.Optional;
 import org.apache.commons.math3.distribution.NormalDistribution;
 
 /**
- * Sensitivity and bias of the equal-variance model (Wickens 2001, Elementary Signal Detection
- * Theory; Macmillan and Creelman 2005, chapters 1 and 2; thesis 6.4).
+ * Indices of sensitivity and bias: those of the equal-variance signal detection model (Wickens
+ * 2001, Elementary Signal Detection Theory; Macmillan and Creelman 2005, chapters 1 and 2; thesis
+ * 6.4).
  *
- * @param hitRate corrected; not a number without answers to present objects
- * @param falseAlarmRate corrected; not a number without answers to absent objects
+ * @param hitRate corrected hit rate; NaN without answers to present objects
+ * @param falseAlarmRate corrected false-alarm rate; NaN without answers to absent objects
  * @param dPrime z(H) - z(F): how well present and absent objects are told apart
  * @param logBeta ln(phi(z(H)) / phi(z(F))) = (z(F)² - z(H)²) / 2: above 0 a bias towards "no"
  * @param criterion -(z(H) + z(F)) / 2: above 0 a bias towards "no"
- * @param aPrime A': an area under the ROC from one point, of the rates as they are, uncorrected
+ * @param aPrime A': the area under the ROC estimated from one point, from uncorrected rates
  *     (Pollack and Norman 1964, Psychonomic Science 1; below chance as in Snodgrass and Corwin
  *     1988, Journal of Experimental Psychology: General 117); 0.5 is chance
- * @param bDoublePrime B'': bias beside A' (Grier 1971, Psychological Bulletin 75; Snodgrass and
- *     Corwin 1988): above 0 towards "no"; not a number where both rates are 0 or 1
- * @param flaw why d', log beta and c are not numbers: a sentence without its full stop
+ * @param bDoublePrime B'': the index of bias that belongs to A' (Grier 1971, Psychological Bulletin
+ *     75; Snodgrass and Corwin 1988): above 0 a bias towards "no"; NaN where both rates are 0 or 1
+ * @param flaw why d', log beta and c are NaN, as a sentence without its full stop
  */
 public record Detection(
     double hitRate,
@@ -30,7 +31,7 @@ public record Detection(
     Optional<String> flaw) {
   private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
 
-  /** From counts. */
+  /** Computes the indices from counts of answers. */
   public static Detection of(ResponseCounts counts, Correction correction) {
     double hit = rate(counts.hits(), counts.signals(), correction);
     double falseAlarm = rate(counts.falseAlarms(), counts.noise(), correction);
@@ -79,7 +80,7 @@ public record Detection(
         Optional.of(flaw));
   }
 
-  /** Not a number without answers to objects of both kinds. */
+  /** Returns A'; NaN without answers to both present and absent objects. */
   private static double aPrime(ResponseCounts counts) {
     double hit = rate(counts.hits(), counts.signals(), Correction.NONE);
     double falseAlarm = rate(counts.falseAlarms(), counts.noise(), Correction.NONE);

@@ -4,9 +4,9 @@ package org.selectiverenderer.statistics.detection;
 public enum Measure {
   /** Sensitivity: how well present and absent objects are told apart. */
   D_PRIME("d_prime", "d′", "sensitivity"),
-  /** Bias, as the logarithm of the likelihood ratio at the criterion. */
+  /** Bias as the logarithm of the likelihood ratio at the criterion. */
   LOG_BETA("log_beta", "log β", "bias; above 0: towards “no”"),
-  /** Bias, as the place of the criterion. */
+  /** Bias as the location of the criterion. */
   CRITERION("c", "c", "criterion; above 0: towards “no”");
 
   private final String key;
@@ -19,22 +19,22 @@ public enum Measure {
     this.meaning = meaning;
   }
 
-  /** As files name it. */
+  /** Returns the name in files. */
   public String key() {
     return key;
   }
 
-  /** As tables for people name it. */
+  /** Returns the symbol in tables. */
   public String symbol() {
     return symbol;
   }
 
-  /** What it measures, in words. */
+  /** Returns a description in words. */
   public String meaning() {
     return meaning;
   }
 
-  /** Its value; not a number when it is not defined. */
+  /** Returns the value of this measure; NaN when it is not defined. */
   public double of(Detection detection) {
     return switch (this) {
       case D_PRIME -> detection.dPrime();

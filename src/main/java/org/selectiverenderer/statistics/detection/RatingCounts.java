@@ -6,17 +6,17 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * Answers as ratings, from "surely no" (confidence 5) over "no" and "yes" without confidence to
- * "surely yes": the rating design (Macmillan and Creelman 2005, chapter 3).
+ * Counts of answers as confidence ratings, from "surely no" (confidence 5) over "no" and "yes"
+ * without confidence to "surely yes": the rating design (Macmillan and Creelman 2005, chapter 3).
  *
- * @param noise answers to absent objects, in each category
- * @param signal answers to present objects, in as many categories
+ * @param noise number of answers to absent objects in each category
+ * @param signal number of answers to present objects in each category
  */
 public record RatingCounts(List<Integer> noise, List<Integer> signal) {
-  /** Two answers with five confidences each. */
+  /** The number of categories: two answers with five confidences each. */
   public static final int CATEGORIES = 2 * Response.MOST_CONFIDENCE;
 
-  /** Refuses noise and signal of different numbers of categories. */
+  /** Checks that noise and signal have the same number of categories. */
   public RatingCounts {
     noise = List.copyOf(noise);
     signal = List.copyOf(signal);
@@ -25,7 +25,7 @@ public record RatingCounts(List<Integer> noise, List<Integer> signal) {
     }
   }
 
-  /** Counts answers; those without confidence are no ratings. */
+  /** Counts answers; those without a confidence are ignored. */
   public static RatingCounts of(Collection<Response> responses) {
     Integer[] noise = zeros();
     Integer[] signal = zeros();
@@ -43,7 +43,7 @@ public record RatingCounts(List<Integer> noise, List<Integer> signal) {
     return counts;
   }
 
-  /** 0 for "no" with confidence 5, 9 for "yes" with confidence 5. */
+  /** Returns the category: 0 for "no" with confidence 5 to 9 for "yes" with confidence 5. */
   private static int category(Response response) {
     int confidence = response.confidence();
     return response.yes()
@@ -51,7 +51,10 @@ public record RatingCounts(List<Integer> noise, List<Integer> signal) {
         : Response.MOST_CONFIDENCE - confidence;
   }
 
-  /** Without the categories that nobody used, between which no criterion can be told. */
+  /**
+   * Returns the counts without categories that were never used, between which no criterion can be
+   * estimated.
+   */
   RatingCounts used() {
     List<Integer> usedNoise = new ArrayList<>();
     List<Integer> usedSignal = new ArrayList<>();
@@ -64,17 +67,17 @@ public record RatingCounts(List<Integer> noise, List<Integer> signal) {
     return new RatingCounts(usedNoise, usedSignal);
   }
 
-  /** How many. */
+  /** Returns the number of categories. */
   int categories() {
     return noise.size();
   }
 
-  /** Ratings of absent objects. */
+  /** Returns the number of ratings of absent objects. */
   public int noiseTotal() {
     return noise.stream().mapToInt(Integer::intValue).sum();
   }
 
-  /** Ratings of present objects. */
+  /** Returns the number of ratings of present objects. */
   public int signalTotal() {
     return signal.stream().mapToInt(Integer::intValue).sum();
   }

@@ -8,22 +8,25 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.selectiverenderer.statistics.distribution.Tails;
 
 /**
- * Unequal-variance signal detection from ratings, by maximum likelihood (Dorfman and Alf 1969;
- * Macmillan and Creelman 2005, chapter 3). Standard errors are from the expected information, those
- * of functions of parameters by the delta method.
+ * The unequal-variance signal detection model, fitted to ratings by maximum likelihood (Dorfman and
+ * Alf 1969; Macmillan and Creelman 2005, chapter 3). Standard errors are from the expected
+ * information matrix; those of functions of parameters are by the delta method.
  *
- * @param intercept a: z of the hit rate where the false alarm rate is one half
+ * @param intercept a of the ROC in z coordinates: z of the hit rate where the false-alarm rate is
+ *     one half
  * @param slope b of the ROC in z coordinates: the standard deviation of absent objects over that of
  *     present ones
- * @param distance d_a = a sqrt(2 / (1 + b²)): the means' distance in units of the root mean square
- *     of the two standard deviations; d' where the slope is 1
- * @param area A_z = Phi(d_a / sqrt 2): under the fitted ROC
- * @param criteria between the used categories, from lax to strict "no" upwards, in standard
- *     deviations of absent objects from their mean
- * @param g2 likelihood ratio against the observed frequencies
- * @param df of g2: used categories - 3; with 0 every fit is perfect
- * @param equal the slope held at 1; empty where that has no finite estimate
- * @param flaw why there is no fit, then nothing else is a number: a sentence without its full stop
+ * @param distance d_a = a sqrt(2 / (1 + b²)): the distance of the means in units of the root mean
+ *     square of the two standard deviations; d' where the slope is 1
+ * @param area A_z = Phi(d_a / sqrt 2), the area under the fitted ROC
+ * @param criteria criteria between the used categories in ascending order, as distances from the
+ *     mean of absent objects in units of their standard deviation
+ * @param g2 likelihood ratio statistic G² of the model against the observed frequencies
+ * @param df degrees of freedom of g2: used categories - 3; with 0 the fit is always perfect
+ * @param equal the equal-variance model, with the slope fixed at 1; empty where it has no finite
+ *     estimate
+ * @param flaw why there is no fit, as a sentence without its full stop; all other values are then
+ *     NaN
  */
 public record RatingFit(
     Estimate intercept,
@@ -37,7 +40,7 @@ public record RatingFit(
     Optional<String> flaw) {
   private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
 
-  /** Fewer used categories leave the slope open. */
+  /** With fewer used categories, the slope cannot be estimated. */
   private static final int LEAST_CATEGORIES = 3;
 
   /** A parameter or a function of parameters, and its standard error. */
@@ -46,19 +49,20 @@ public record RatingFit(
   }
 
   /**
-   * The model with one standard deviation.
+   * The equal-variance model.
    *
-   * @param dPrime its distance
-   * @param g2 as of the other model; its degrees of freedom are one more
+   * @param dPrime d', the distance of the means
+   * @param g2 likelihood ratio statistic, with one more degree of freedom than that of the
+   *     unequal-variance model
    */
   public record EqualVariance(Estimate dPrime, double g2) {}
 
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public RatingFit {
     criteria = List.copyOf(criteria);
   }
 
-  /** Of ratings. */
+  /** Fits the model to ratings. */
   public static RatingFit of(RatingCounts all) {
     RatingCounts used = all.used();
     if (used.noiseTotal() == 0 || used.signalTotal() == 0) {
@@ -88,7 +92,7 @@ public record RatingFit(
     double a = maximum.at()[0];
     double b = maximum.at()[1];
     double spread = Math.sqrt(1 + b * b);
-    // d(a / spread) by a and b
+    // partial derivatives of a / spread by a and b
     double byA = 1 / spread;
     double byB = -a * b / (spread * spread * spread);
     double error = Math.sqrt(variance(maximum.covariance(), byA, byB));
@@ -135,23 +139,28 @@ public record RatingFit(
         Optional.of(reason));
   }
 
-  /** p of g2: small where the model does not fit; not a number without degrees of freedom. */
+  /**
+   * Returns p of g2, which is small where the model does not fit; NaN without degrees of freedom.
+   */
   public double fitP() {
     return df > 0 ? Tails.chiSquared(g2, df) : Double.NaN;
   }
 
-  /** Likelihood ratio of the slope against 1, of one degree of freedom. */
+  /**
+   * Returns the likelihood ratio statistic of the test of the slope against 1, with one degree of
+   * freedom.
+   */
   public double slopeG2() {
     return equal.map(fit -> Math.max(0, fit.g2() - g2)).orElse(Double.NaN);
   }
 
-  /** Its p: small where the standard deviations differ. */
+  /** Returns p of {@link #slopeG2}, which is small where the standard deviations differ. */
   public double slopeP() {
     double ratio = slopeG2();
     return Double.isNaN(ratio) ? ratio : Tails.chiSquared(ratio, 1);
   }
 
-  /** The fitted hit rate at a false alarm rate between 0 and 1. */
+  /** Returns the fitted hit rate at a false-alarm rate between 0 and 1. */
   public double hitRate(double falseAlarmRate) {
     return NORMAL.cumulativeProbability(
         intercept.value() + slope.value() * NORMAL.inverseCumulativeProbability(falseAlarmRate));

@@ -23,21 +23,24 @@ final class RatingLikelihood {
   private final boolean slopeFixed;
 
   /**
-   * @param ratings with no category that nobody used
+   * @param ratings ratings without unused categories
    */
   RatingLikelihood(RatingCounts ratings, boolean slopeFixed) {
     this.ratings = ratings;
     this.slopeFixed = slopeFixed;
   }
 
-  /** Probabilities of the categories and their derivatives, for one kind of objects. */
+  /**
+   * Probabilities of the categories and their derivatives by the parameters, for present or for
+   * absent objects.
+   */
   private record Cells(double[] probability, double[][] derivative) {}
 
   int parameters() {
     return CRITERIA + ratings.categories() - 1;
   }
 
-  /** Whether the criteria rise and the slope is above 0. */
+  /** Returns whether the criteria are in ascending order and the slope is above 0. */
   boolean allows(double[] at) {
     for (int i = CRITERIA + 1; i < at.length; i++) {
       if (!(at[i] > at[i - 1])) {
@@ -47,7 +50,10 @@ final class RatingLikelihood {
     return at[1] > 0;
   }
 
-  /** Where to begin: criteria from the absent objects' ratings, one rating more over all. */
+  /**
+   * Returns start values: criteria are from the ratings of absent objects, smoothed by one rating
+   * spread over all categories.
+   */
   double[] start() {
     double[] start = new double[parameters()];
     int categories = ratings.categories();
@@ -67,7 +73,10 @@ final class RatingLikelihood {
     return start;
   }
 
-  /** The logarithm, without its constant; minus infinity where something seen is impossible. */
+  /**
+   * Returns the log likelihood without its constant; minus infinity where an observed category has
+   * probability 0.
+   */
   double log(double[] at) {
     double[] noise = noise(at).probability();
     double[] signal = signal(at).probability();
@@ -82,7 +91,7 @@ final class RatingLikelihood {
     return count == 0 ? 0 : count * Math.log(probability);
   }
 
-  /** Of the model that fits every category exactly. */
+  /** Returns the log likelihood of the saturated model, which fits every category exactly. */
   double saturatedLog() {
     double log = 0;
     for (int i = 0; i < ratings.categories(); i++) {
@@ -94,7 +103,7 @@ final class RatingLikelihood {
     return log;
   }
 
-  /** The gradient of {@link #log}. */
+  /** Returns the gradient of {@link #log}. */
   double[] score(double[] at) {
     double[] score = new double[at.length];
     add(score, noise(at), ratings.noise());
@@ -112,7 +121,10 @@ final class RatingLikelihood {
     }
   }
 
-  /** The expected information; a fixed slope's row and column are those of the identity. */
+  /**
+   * Returns the expected information matrix; for a fixed slope, its row and column are those of the
+   * identity.
+   */
   RealMatrix information(double[] at) {
     RealMatrix information = new Array2DRowRealMatrix(at.length, at.length);
     add(information, noise(at), ratings.noiseTotal());
@@ -163,7 +175,10 @@ final class RatingLikelihood {
     return cells(below, slopes, at.length);
   }
 
-  /** Between each two criteria, and beyond the first and the last. */
+  /**
+   * Returns the probabilities of the categories between adjacent criteria, and beyond the first and
+   * the last one.
+   */
   private static Cells cells(double[] bounds, double[][] slopes, int parameters) {
     int categories = bounds.length + 1;
     double[] probability = new double[categories];
@@ -182,7 +197,10 @@ final class RatingLikelihood {
     return new Cells(probability, derivative);
   }
 
-  /** On the side where the digits are. */
+  /**
+   * Returns the normal probability between two bounds, computed in the tail that avoids
+   * cancellation.
+   */
   private static double between(double low, double high) {
     return low > 0
         ? NORMAL.cumulativeProbability(-low) - NORMAL.cumulativeProbability(-high)

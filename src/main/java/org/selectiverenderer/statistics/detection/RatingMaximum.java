@@ -7,27 +7,27 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 
 /**
- * Parameters of largest likelihood, found by Fisher's scoring: Newton's steps with the expected
+ * A maximum likelihood estimate, found by Fisher scoring: Newton steps with the expected
  * information, halved until the likelihood grows.
  *
- * @param at a, b and the criteria
- * @param log of the likelihood there
- * @param covariance of the parameters: the inverse of the expected information
+ * @param at the parameters: a, b and the criteria
+ * @param log the log likelihood at the estimate
+ * @param covariance covariance matrix of the parameters: the inverse of the expected information
  */
 record RatingMaximum(double[] at, double log, RealMatrix covariance) {
   private static final int STEPS = 500;
   private static final int HALVINGS = 40;
 
-  /** Per rating, the score's decrement at which the search ends. */
+  /** The Newton decrement per rating at which the search ends. */
   private static final double NEGLIGIBLE = 1e-16;
 
-  /** Parameters beyond are on their way to infinity: no sample of a study tells 12 from 13. */
+  /** A parameter beyond this is diverging: no realistic sample can distinguish 12 from 13. */
   private static final double FAR = 12;
 
-  /** Below, the information is that of no sample. */
+  /** Below this, the information matrix counts as singular. */
   private static final double SINGULAR = 1e-11;
 
-  /** Empty when there is no finite one. */
+  /** Returns the estimate; empty when there is no finite one. */
   static Optional<RatingMaximum> of(RatingLikelihood likelihood) {
     double[] at = likelihood.start();
     double log = likelihood.log(at);
@@ -56,7 +56,8 @@ record RatingMaximum(double[] at, double log, RealMatrix covariance) {
         }
       }
       if (!better) {
-        // Nothing is better to the last digit: this is the place, if the slope is as small.
+        // No step improves the likelihood to the last digit: this is the maximum if the gradient is
+        // small too.
         return move.dotProduct(score) < 1e-10 * Math.max(1, -log)
             ? Optional.of(new RatingMaximum(at, log, solver.getSolver().getInverse()))
             : Optional.empty();

@@ -2,9 +2,9 @@ package org.selectiverenderer.statistics.detection;
 
 import java.util.Collection;
 
-/** Answers sorted into the four fields of the thesis's Fig 91. */
+/** Counts of the four outcomes of signal detection (thesis Fig 91). */
 public record ResponseCounts(int hits, int misses, int falseAlarms, int correctRejections) {
-  /** Counts the answers of a confidence level. */
+  /** Counts the outcomes of answers at a confidence level. */
   public static ResponseCounts of(
       Collection<Response> responses, ConfidenceLevel level, Guessing guessing) {
     int[][] counts = new int[2][2];
@@ -17,12 +17,12 @@ public record ResponseCounts(int hits, int misses, int falseAlarms, int correctR
     return new ResponseCounts(counts[1][1], counts[1][0], counts[0][1], counts[0][0]);
   }
 
-  /** Answers to objects that were present. */
+  /** Returns the number of answers to objects that were present. */
   public int signals() {
     return hits + misses;
   }
 
-  /** Answers to objects that were absent. */
+  /** Returns the number of answers to objects that were absent. */
   public int noise() {
     return falseAlarms + correctRejections;
   }

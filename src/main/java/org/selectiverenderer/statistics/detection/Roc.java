@@ -5,27 +5,27 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The receiver operating characteristic of ratings, without a model: how the hit rate grows with
- * the false alarm rate as the criterion becomes laxer.
+ * The empirical receiver operating characteristic (ROC) of ratings, without a model: how the hit
+ * rate grows with the false-alarm rate as the criterion becomes laxer.
  *
- * @param points from 0, 0 to 1, 1, one for each criterion between used categories
- * @param area under the straight lines between the points: the probability that a present object is
- *     rated higher than an absent one, ties counted half (Bamber 1975, Journal of Mathematical
- *     Psychology 12)
- * @param standardError of the area (DeLong, DeLong and Clarke-Pearson 1988, Biometrics 44); not a
- *     number with one object of a kind
- * @param flaw why there is no area: a sentence without its full stop
+ * @param points points from (0, 0) to (1, 1), one for each criterion between used categories
+ * @param area area under the straight lines between the points (AUC): the probability that a
+ *     present object is rated higher than an absent one, with ties counted half (Bamber 1975,
+ *     Journal of Mathematical Psychology 12)
+ * @param standardError standard error of the area (DeLong, DeLong and Clarke-Pearson 1988,
+ *     Biometrics 44); NaN with only one present or one absent object
+ * @param flaw why there is no area, as a sentence without its full stop
  */
 public record Roc(List<Point> points, double area, double standardError, Optional<String> flaw) {
-  /** A pair of rates. */
+  /** A point of the ROC. */
   public record Point(double falseAlarmRate, double hitRate) {}
 
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Roc {
     points = List.copyOf(points);
   }
 
-  /** Of ratings. */
+  /** Returns the ROC of ratings. */
   public static Roc of(RatingCounts ratings) {
     RatingCounts used = ratings.used();
     int noise = used.noiseTotal();
@@ -60,10 +60,11 @@ public record Roc(List<Point> points, double area, double standardError, Optiona
   }
 
   /**
-   * The share of the area's variance that comes from the objects of one kind: each object's
-   * placement is the share of the other kind that it is rated on the right side of.
+   * Returns the component of the area's variance that is due to the present, or to the absent,
+   * objects: the variance of their placements. The placement of an object is the share of objects
+   * of the other kind that it is rated on the correct side of.
    *
-   * @param below whether the right side is below the other kind
+   * @param below whether the correct side is below the objects of the other kind
    */
   private static double variance(
       List<Integer> own, List<Integer> other, double area, boolean below) {

@@ -1,10 +1,11 @@
 package org.selectiverenderer.statistics.detection;
 
 /**
- * A participant's result for the objects of one type in one area at one confidence level.
+ * The signal detection score of a participant for the objects of one type in one area at one
+ * confidence level.
  *
- * @param type of the objects
- * @param objects asked for
+ * @param type type of the objects
+ * @param objects number of objects that the participant was asked about
  */
 public record Score(
     String participant,

@@ -7,23 +7,28 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Makes scores of answers.
+ * Computes signal detection scores from answers.
  *
- * @param correction of rates of 0 and 1
- * @param guessing what becomes of answers below a confidence level
+ * @param correction correction of rates of 0 and 1
+ * @param guessing how answers below a confidence level are scored
  */
 public record Scoring(Correction correction, Guessing guessing) {
-  /** Hautus's correction; answers below the level left out. */
+  /**
+   * The default: Hautus's log-linear correction; answers below the confidence level are left out.
+   */
   public static final Scoring DEFAULT = new Scoring(Correction.LOG_LINEAR, Guessing.DISCARD);
 
   private record Key(String participant, String condition, String area, String type) {}
 
-  /** A score for each participant, area, type and level, in the order of the answers. */
+  /**
+   * Returns a score for each participant, area, type and confidence level, in the order of the
+   * answers.
+   */
   public List<Score> scores(Collection<Response> responses) {
     return scores(responses, List.of(ConfidenceLevel.values()));
   }
 
-  /** Those of some levels. */
+  /** Returns the scores of some confidence levels. */
   public List<Score> scores(Collection<Response> responses, List<ConfidenceLevel> levels) {
     Map<Key, List<Response>> cells = new LinkedHashMap<>();
     for (Response response : responses) {

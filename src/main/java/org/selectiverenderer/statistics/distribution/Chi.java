@@ -2,7 +2,10 @@ package org.selectiverenderer.statistics.distribution;
 
 import org.apache.commons.math3.special.Gamma;
 
-/** The logarithm u of a standard deviation that was estimated with df degrees of freedom from 1. */
+/**
+ * The distribution of the logarithm u of an estimated standard deviation with df degrees of freedom
+ * whose true value is 1.
+ */
 final class Chi {
   private final double df;
   private final double constant;
@@ -12,12 +15,12 @@ final class Chi {
     constant = Math.log(2) + df / 2 * Math.log(df / 2) - Gamma.logGamma(df / 2);
   }
 
-  /** The density of u. */
+  /** Returns the density of u. */
   double density(double u) {
     return Math.exp(constant + df * u - df * Math.exp(2 * u) / 2);
   }
 
-  /** A step that resolves the density, whose standard deviation is about 1 / sqrt(2 df). */
+  /** Returns a step that resolves the density, whose standard deviation is about 1 / sqrt(2 df). */
   double step() {
     return Math.min(0.12, 0.4 / Math.sqrt(2 * df));
   }

@@ -5,19 +5,20 @@ import org.apache.commons.math3.special.Beta;
 import org.apache.commons.math3.special.Gamma;
 
 /**
- * The noncentral F distribution: that of F where an effect exists. It is a Poisson mixture of beta
- * distributions (Johnson, Kotz and Balakrishnan 1995, Continuous Univariate Distributions 2, 30.3):
+ * The noncentral F distribution: the distribution of F where an effect exists. It is a Poisson
+ * mixture of beta distributions (Johnson, Kotz and Balakrishnan 1995, Continuous Univariate
+ * Distributions 2, 30.3):
  *
  * <p>P(F &le; f) = sum over j of e^(-l/2) (l/2)^j / j! * I_x(df1/2 + j, df2/2), with x = df1 f /
  * (df1 f + df2) and the noncentrality l.
  *
- * <p>Summed from the largest weight outwards, so that a large l underflows nowhere (Benton and
- * Krishnamoorthy 2003). Where l is large, both factors change slowly with j: the sum is then taken
- * at every h-th j, which is the trapezoidal rule for a smooth function, so that a sum has some
- * hundred terms for any l.
+ * <p>The sum runs from the largest weight outwards, so that it does not underflow for a large l
+ * (Benton and Krishnamoorthy 2003). Where l is large, both factors change slowly with j: the sum is
+ * then taken at every h-th j, which is the trapezoidal rule for a smooth function, so that a sum
+ * has some hundred terms for any l.
  *
- * @param df1 of the effect, above 0
- * @param df2 of the error, above 0
+ * @param df1 degrees of freedom of the effect, above 0
+ * @param df2 degrees of freedom of the error, above 0
  */
 public record NoncentralF(double df1, double df2) {
   private static final double NEGLIGIBLE = 1e-17;
@@ -26,17 +27,23 @@ public record NoncentralF(double df1, double df2) {
   private static final double PRECISION = 1e-15;
   private static final int EVALUATIONS = 1000;
 
-  /** Terms for each standard deviation of the weights: the rule's error is below e^-100. */
+  /**
+   * Number of terms per standard deviation of the weights; the error of the trapezoidal rule is
+   * then below e^-100.
+   */
   private static final double DENSITY = 3;
 
-  /** How many times larger than the other the beta's first parameter is for Wise's formula. */
+  /**
+   * Wise's formula is used where the first parameter of the beta distribution is this many times
+   * the second.
+   */
   private static final double WISE = 1e5;
 
-  /** Bounds of a noncentrality. */
+  /** A confidence interval of the noncentrality. */
   public record Interval(double low, double high) {}
 
   /**
-   * P(F &le; f).
+   * Returns P(F &le; f).
    *
    * @param noncentrality at least 0
    */
@@ -68,16 +75,19 @@ public record NoncentralF(double df1, double df2) {
     }
   }
 
-  /** The weights' standard deviation is sqrt(m), the width of the betas' step m / sqrt(df2 / 2). */
+  /**
+   * Returns the spacing h of the summed terms. The standard deviation of the weights is sqrt(m),
+   * the width of the step in the beta factors m / sqrt(df2 / 2).
+   */
   private double stride(double half) {
     double width = Math.min(Math.sqrt(half), half / Math.sqrt(Math.max(1, df2 / 2)));
     return Math.max(1, Math.floor(width / DENSITY));
   }
 
   /**
-   * I_x(a, b). Where a is by far the larger, x is too near to 1 for the digits of a double; then by
-   * the first term of Wise's series: the upper tail of gamma(b) at -(a + (b - 1) / 2) log x (Wise
-   * 1950, Biometrika 37), whose error is of the order (b / a)².
+   * Returns I_x(a, b). Where a is by far the larger, x is too near to 1 for the precision of a
+   * double; it is then computed by the first term of Wise's series: the upper tail of gamma(b) at
+   * -(a + (b - 1) / 2) log x (Wise 1950, Biometrika 37), whose error is of the order (b / a)².
    */
   private double beta(double f, double j) {
     double a = df1 / 2 + j;
@@ -91,19 +101,23 @@ public record NoncentralF(double df1, double df2) {
   }
 
   /**
-   * The noncentralities for which the observed F lies within the central part of the distribution:
-   * an interval of that confidence by inversion of the test (Steiger 2004, Psychological Methods 9;
-   * Smithson 2003, Confidence Intervals). A bound that does not exist is 0.
+   * Returns the confidence interval of the noncentrality by inversion of the test: the
+   * noncentralities for which the observed F lies within the central part of the distribution
+   * (Steiger 2004, Psychological Methods 9; Smithson 2003, Confidence Intervals). A bound that does
+   * not exist is 0.
    *
-   * @param f observed, finite, at least 0
-   * @param confidence from 0 to 1
+   * @param f observed F, finite, at least 0
+   * @param confidence confidence level, 0 to 1
    */
   public Interval interval(double f, double confidence) {
     double tail = (1 - confidence) / 2;
     return new Interval(where(f, 1 - tail), where(f, tail));
   }
 
-  /** The noncentrality for which P(F &le; f) is that; falls as the noncentrality grows. */
+  /**
+   * Returns the noncentrality for which P(F &le; f) has the given value; that probability falls as
+   * the noncentrality grows.
+   */
   private double where(double f, double probability) {
     if (cumulative(f, 0) <= probability) {
       return 0;

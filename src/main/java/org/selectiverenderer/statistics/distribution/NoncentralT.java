@@ -4,13 +4,13 @@ import org.apache.commons.math3.analysis.solvers.BrentSolver;
 import org.apache.commons.math3.special.Gamma;
 
 /**
- * The noncentral t distribution: that of t = (Z + d) / S, Z normal, S the root of a chi-squared
- * over its degrees of freedom, d the noncentrality.
+ * The noncentral t distribution: the distribution of t = (Z + d) / S, where Z is standard normal, S
+ * the square root of a chi-squared variable over its degrees of freedom, and d the noncentrality.
  *
  * <p>P(T &le; t) is one integral, over S or over Z; the one whose integrand is the smoother is
  * taken.
  *
- * @param df above 0
+ * @param df degrees of freedom, above 0
  */
 public record NoncentralT(double df) {
   private static final double Z_STEP = 0.1;
@@ -19,10 +19,10 @@ public record NoncentralT(double df) {
   private static final double ACCURACY = 1e-12;
   private static final int EVALUATIONS = 1000;
 
-  /** Bounds of a noncentrality. */
+  /** A confidence interval of the noncentrality. */
   public record Interval(double low, double high) {}
 
-  /** P(T &le; t), t of any sign. */
+  /** Returns P(T &le; t) for t of any sign. */
   public double cumulative(double t, double noncentrality) {
     if (t < 0) {
       return 1 - cumulative(-t, -noncentrality);
@@ -38,7 +38,7 @@ public record NoncentralT(double df) {
             u -> chi.density(u) * Tails.normal(noncentrality - t * Math.exp(u)), 0, chi.step()));
   }
 
-  /** T is below t where Z is below -d, or S above (Z + d) / t. */
+  /** Integrates over Z: T is below t where Z is below -d, or S above (Z + d) / t. */
   private double overNormal(double t, double noncentrality) {
     double sum = 0;
     for (double z = -Z_END; z <= Z_END; z += Z_STEP) {
@@ -53,18 +53,22 @@ public record NoncentralT(double df) {
   }
 
   /**
-   * The noncentralities for which the observed t lies within the central part of the distribution:
-   * the inversion of the test (Steiger and Fouladi 1997).
+   * Returns the confidence interval of the noncentrality by inversion of the test: the
+   * noncentralities for which the observed t lies within the central part of the distribution
+   * (Steiger and Fouladi 1997).
    *
-   * @param t observed, finite
-   * @param confidence from 0 to 1
+   * @param t observed t, finite
+   * @param confidence confidence level, 0 to 1
    */
   public Interval interval(double t, double confidence) {
     double tail = (1 - confidence) / 2;
     return new Interval(where(t, 1 - tail), where(t, tail));
   }
 
-  /** The noncentrality for which P(T &le; t) is that; falls as the noncentrality grows. */
+  /**
+   * Returns the noncentrality for which P(T &le; t) has the given value; that probability falls as
+   * the noncentrality grows.
+   */
   private double where(double t, double probability) {
     double width = Math.sqrt(1 + t * t / (2 * df));
     double low = t - width;

@@ -3,9 +3,9 @@ package org.selectiverenderer.statistics.distribution;
 import org.apache.commons.math3.special.Gamma;
 
 /**
- * e^-m m^j / j! without the cancellation of its factors, which for a mean of 1e9 leaves no digit:
- * by the deviance of j from the mean and the error of Stirling's formula (Loader 2000, Fast and
- * Accurate Computation of Binomial Probabilities).
+ * Computes the Poisson probability e^-m m^j / j! without the cancellation of its factors, which for
+ * a mean of 1e9 would leave no correct digit: from the deviance of j from the mean and the error of
+ * Stirling's formula (Loader 2000, Fast and Accurate Computation of Binomial Probabilities).
  */
 final class PoissonWeight {
   private static final double SMALL = 16;
@@ -14,7 +14,7 @@ final class PoissonWeight {
   private PoissonWeight() {}
 
   /**
-   * The weight.
+   * Returns the probability of j.
    *
    * @param j at least 0, whole
    * @param mean at least 0
@@ -26,7 +26,7 @@ final class PoissonWeight {
     return Math.exp(-deviance((j - mean) / mean) * mean - stirling(j)) / Math.sqrt(2 * Math.PI * j);
   }
 
-  /** (1 + t) log(1 + t) - t, from its series where the terms cancel. */
+  /** Returns (1 + t) log(1 + t) - t, by its series where the terms cancel. */
   private static double deviance(double t) {
     if (Math.abs(t) > NEAR) {
       return (1 + t) * Math.log1p(t) - t;
@@ -40,7 +40,7 @@ final class PoissonWeight {
     return sum;
   }
 
-  /** log j! less Stirling's formula. */
+  /** Returns log j! minus Stirling's formula. */
   private static double stirling(double j) {
     if (j < SMALL) {
       return Gamma.logGamma(j + 1) - (j + 0.5) * Math.log(j) + j - 0.5 * Math.log(2 * Math.PI);

@@ -1,18 +1,19 @@
 package org.selectiverenderer.statistics.distribution;
 
 /**
- * The studentized range: the largest of some means less the smallest, in standard errors (Tukey's
- * test; Copenhaver and Holland 1988, Journal of Statistical Computation and Simulation 30).
+ * The distribution of the studentized range: the largest of several means less the smallest, in
+ * units of their standard error (Tukey's test; Copenhaver and Holland 1988, Journal of Statistical
+ * Computation and Simulation 30).
  *
- * @param means how many, at least 2
- * @param df of the error, above 0
+ * @param means number of means, at least 2
+ * @param df degrees of freedom of the error, above 0
  */
 public record StudentizedRange(int means, double df) {
   private static final double STEP = 0.3;
   private static final int POINTS = 57;
 
   /**
-   * P(Q &gt; q), computed as such: small ones keep their digits.
+   * Returns P(Q &gt; q), computed directly so that small values keep their precision.
    *
    * @param q at least 0
    */
@@ -43,8 +44,8 @@ public record StudentizedRange(int means, double df) {
   }
 
   /**
-   * The tail of the range of standard normals: the integral of c φ(z) (Φ(z)^(c-1) - (Φ(z) - Φ(z -
-   * w))^(c-1)), z the largest of them.
+   * Returns the upper tail of the range of standard normal variables: the integral of c φ(z)
+   * (Φ(z)^(c-1) - (Φ(z) - Φ(z - w))^(c-1)), z the largest of them.
    */
   private double ofNormals(double w, double[] below, double[] weights) {
     double sum = 0;

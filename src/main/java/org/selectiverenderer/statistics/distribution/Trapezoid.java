@@ -3,9 +3,9 @@ package org.selectiverenderer.statistics.distribution;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * Integrals over the whole line of functions that fall off at both ends: sums in equal steps, which
- * for smooth functions converge faster than any power of the step (Trefethen and Weideman 2014,
- * SIAM Review 56).
+ * Integrates functions that fall off at both ends over the whole real line by the trapezoidal rule,
+ * which for smooth functions converges faster than any power of the step (Trefethen and Weideman
+ * 2014, SIAM Review 56).
  */
 final class Trapezoid {
   private static final double NEGLIGIBLE = 1e-19;
@@ -14,9 +14,9 @@ final class Trapezoid {
   private Trapezoid() {}
 
   /**
-   * The integral, summed from the middle outwards until terms are negligible.
+   * Returns the integral, summed from the middle outwards until terms are negligible.
    *
-   * @param middle where the function is near its largest
+   * @param middle an argument near the maximum of the function
    * @param step a third of the function's narrowest feature, or less
    */
   static double of(DoubleUnaryOperator function, double middle, double step) {

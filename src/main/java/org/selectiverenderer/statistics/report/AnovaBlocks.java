@@ -6,7 +6,7 @@ import org.selectiverenderer.statistics.anova.Anova;
 import org.selectiverenderer.statistics.assumption.Assumptions;
 import org.selectiverenderer.statistics.bayes.EffectEvidence;
 
-/** The tables of one analysis of variance, as in Figs 92 to 94 of the thesis and beyond. */
+/** Builds the tables of one analysis of variance: those of Figs 92 to 94 of the thesis and more. */
 final class AnovaBlocks {
   private AnovaBlocks() {}
 

@@ -21,7 +21,7 @@ import org.selectiverenderer.statistics.bayes.BayesianAnova;
 import org.selectiverenderer.statistics.bayes.EffectEvidence;
 import org.selectiverenderer.statistics.data.Exclusion;
 
-/** An analysis of variance as JSON; docs/statistics.md lists the keys. */
+/** Writes an analysis of variance as JSON; docs/statistics.md lists the keys. */
 final class AnovaJson {
   private AnovaJson() {}
 
@@ -86,7 +86,7 @@ final class AnovaJson {
     }
   }
 
-  /** Those of the cells, and beside them those over the groups. */
+  /** Writes the descriptive statistics of the cells, and those over all groups. */
   static void descriptives(Design design, ObjectNode json) {
     ArrayNode cells = json.putArray("descriptives");
     ArrayNode totals = json.putArray("totals");

@@ -15,11 +15,11 @@ import org.selectiverenderer.statistics.report.Block.Picture;
 import org.selectiverenderer.statistics.report.Block.Section;
 import org.selectiverenderer.statistics.report.Block.Table;
 
-/** One analysis of variance in its forms. */
+/** Writes the report of one analysis of variance as text, HTML and JSON. */
 public final class AnovaReport {
   private AnovaReport() {}
 
-  /** Tables for a terminal. */
+  /** Returns the report as plain text for a terminal. */
   public static String text(
       Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
     List<Block> blocks = new ArrayList<>(List.of(provenance.head(source)));
@@ -27,7 +27,7 @@ public final class AnovaReport {
     return TextPage.of(title(anova), blocks, true);
   }
 
-  /** One page that loads nothing. */
+  /** Returns the report as one self-contained HTML page. */
   public static String html(
       Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
     List<Block> blocks = new ArrayList<>(List.of(provenance.head(source)));
@@ -46,7 +46,7 @@ public final class AnovaReport {
     return HtmlPage.of(title(anova), blocks);
   }
 
-  /** For programs. */
+  /** Returns the report as JSON. */
   public static String json(
       Anova anova, List<Exclusion> exclusions, DataFile source, Provenance provenance) {
     ObjectNode json = JsonTree.object();

@@ -10,7 +10,7 @@ import org.selectiverenderer.statistics.assumption.ShapiroWilk;
 import org.selectiverenderer.statistics.report.Block.Items;
 import org.selectiverenderer.statistics.report.Block.Table;
 
-/** The checks of an analysis and what follows from them. */
+/** Builds the table of assumption checks and the sentences about their consequences. */
 final class AssumptionBlocks {
   private static final Optional<String> CONSTANT =
       Optional.of("the distances from the medians do not vary");
@@ -51,7 +51,7 @@ final class AssumptionBlocks {
     for (Outlier outlier : found.outliers()) {
       rows.add(
           List.of(
-              "unusual score of "
+              "outlier "
                   + outlier.participant()
                   + at(outlier.at())
                   + ": "

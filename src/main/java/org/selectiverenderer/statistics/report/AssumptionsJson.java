@@ -7,7 +7,7 @@ import org.selectiverenderer.statistics.assumption.Levene;
 import org.selectiverenderer.statistics.assumption.Outlier;
 import org.selectiverenderer.statistics.assumption.ShapiroWilk;
 
-/** The checks of an analysis as JSON; docs/statistics.md lists the keys. */
+/** Writes the assumption checks of an analysis as JSON; docs/statistics.md lists the keys. */
 final class AssumptionsJson {
   private AssumptionsJson() {}
 

@@ -2,12 +2,13 @@ package org.selectiverenderer.statistics.report;
 
 import java.util.List;
 
-/** A part of a report. */
+/** A block element of a report, independent of the output format. */
 sealed interface Block {
   /**
-   * A part with a heading.
+   * A section: blocks under a heading.
    *
-   * @param detail whether a reader may want to pass over it: folded in HTML, left out of text
+   * @param detail whether the section has details that a reader may skip: it is folded in HTML and
+   *     left out of text
    */
   record Section(String title, boolean detail, List<Block> blocks) implements Block {
     public Section {
@@ -18,7 +19,7 @@ sealed interface Block {
   /** A paragraph. */
   record Paragraph(String text) implements Block {}
 
-  /** Sentences, one below the other. */
+  /** A list of sentences. */
   record Items(List<String> texts) implements Block {
     public Items {
       texts = List.copyOf(texts);
@@ -29,7 +30,7 @@ sealed interface Block {
    * A table.
    *
    * @param rows as long as the header; a row of one cell is a heading within the table
-   * @param notes below it
+   * @param notes footnotes below the table
    */
   record Table(String caption, List<String> header, List<List<String>> rows, List<String> notes)
       implements Block {
@@ -39,7 +40,7 @@ sealed interface Block {
       notes = List.copyOf(notes);
     }
 
-    /** Whether a column holds words, which are set to the left, and not figures. */
+    /** Returns whether a column holds words, which are aligned left, and not numbers. */
     boolean words(int column) {
       return rows.stream()
           .filter(row -> row.size() == header.size())
@@ -49,9 +50,9 @@ sealed interface Block {
   }
 
   /**
-   * A drawing; text reports leave it out.
+   * An SVG picture; text reports leave it out.
    *
-   * @param svg an element
+   * @param svg an SVG element
    */
   record Picture(String caption, String svg) implements Block {}
 }

@@ -19,9 +19,15 @@ import org.selectiverenderer.statistics.bayes.BayesianAnova;
 import org.selectiverenderer.statistics.bayes.EffectEvidence;
 import org.selectiverenderer.statistics.report.Block.Table;
 
-/** The tables of effects: F, sphericity, what speaks for their absence. */
+/**
+ * Builds the tables of effects: F tests, multivariate tests, sphericity, equivalence and Bayes
+ * factors.
+ */
 final class EffectBlocks {
-  /** Errors of Bayes factors up to this share would be written as 0.0 %. */
+  /**
+   * Relative errors of Bayes factors below this are not shown, since they would be printed as 0.0
+   * %.
+   */
   private static final double SHOWN = 5e-4;
 
   private final Anova anova;
@@ -216,7 +222,10 @@ final class EffectBlocks {
             : "");
   }
 
-  /** How much the prior's width matters; empty where there are no Bayes factors. */
+  /**
+   * Returns the table of Bayes factors for several scales of the prior; empty where there are no
+   * Bayes factors.
+   */
   Optional<Table> robustness() {
     if (evidence.stream().allMatch(found -> found.robustness().isEmpty())) {
       return Optional.empty();
@@ -241,7 +250,7 @@ final class EffectBlocks {
     return verdict(effect.p(), effect.equivalence().p(), anova.options().alpha());
   }
 
-  /** What two tests together say. */
+  /** Returns the conclusion from the tests of difference and of equivalence together. */
   static String verdict(double difference, double equivalence, double alpha) {
     boolean differs = difference < alpha;
     boolean equivalent = equivalence < alpha;

@@ -7,14 +7,15 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Names of files for names of areas, which may hold anything: letters and figures stay, all else is
- * a hyphen. Two names never share one, on disks that tell no case apart either.
+ * Makes file name stems from names of areas, which may contain any character: letters and digits
+ * stay, all else becomes a hyphen. Two areas never share a stem, even on file systems that ignore
+ * case.
  */
 final class FileStems {
   private final Map<String, String> stems = new HashMap<>();
   private final Set<String> taken = new HashSet<>();
 
-  /** The same every time for the same name. */
+  /** Returns the stem of a name, always the same for the same name. */
   String of(String name) {
     return stems.computeIfAbsent(name, this::free);
   }

@@ -3,7 +3,7 @@ package org.selectiverenderer.statistics.report;
 import java.util.List;
 import org.selectiverenderer.base.markup.Markup;
 
-/** Writes blocks as one HTML page with its style and pictures inside; it loads nothing. */
+/** Writes blocks as one self-contained HTML page, with its style and pictures inside. */
 final class HtmlPage {
   private static final String STYLE =
       """
@@ -31,7 +31,7 @@ final class HtmlPage {
         .wide { overflow: visible; } figure, tr { break-inside: avoid; } }
       """;
 
-  /** Cells of more characters are set as words. */
+  /** Cells with more characters than this may wrap between words. */
   private static final int LONG = 45;
 
   private final StringBuilder out = new StringBuilder();

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.math.MathContext;
 
-/** How reports write JSON: numbers of 10 significant digits, null for what is not defined. */
+/** Writes the numbers of JSON reports: 10 significant digits, null for NaN and infinity. */
 final class JsonNumbers {
   private static final MathContext DIGITS = new MathContext(10);
 

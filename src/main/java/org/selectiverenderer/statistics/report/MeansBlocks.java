@@ -11,7 +11,7 @@ import org.selectiverenderer.statistics.anova.Factor;
 import org.selectiverenderer.statistics.anova.MarginalMean;
 import org.selectiverenderer.statistics.report.Block.Table;
 
-/** The tables of means and of their differences. */
+/** Builds the tables of descriptive statistics, estimated marginal means and comparisons. */
 final class MeansBlocks {
   private static final Optional<String> ONE =
       Optional.of("one participant has no standard deviation");

@@ -17,9 +17,9 @@ import org.selectiverenderer.statistics.anova.MarginalMean;
 import org.selectiverenderer.statistics.anova.Subject;
 
 /**
- * Estimated marginal means as lines over the groups, one for each level of the within factor, as in
- * Figs 95, 99 and 100 of the thesis, and beside them what those lack: the intervals and each
- * participant's point.
+ * Draws an interaction plot: estimated marginal means over the groups, a line for each level of the
+ * within factor, as in Figs 95, 99 and 100 of the thesis, with confidence intervals and a point for
+ * each participant, which those lack.
  */
 final class MeansPlot {
   private static final int WIDTH = 460;
@@ -48,12 +48,12 @@ final class MeansPlot {
     bold = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.BOLD), 13, true);
   }
 
-  /** An SVG element of 460 x 330 pixels. */
+  /** Returns an SVG element of 460 x 330 pixels. */
   String svg(Anova anova, String title) {
     return draw(SvgCanvas.inline(WIDTH, HEIGHT, title), anova, title);
   }
 
-  /** The same as a file of its own. */
+  /** Returns the plot as a complete SVG file. */
   String file(Anova anova, String title) {
     return draw(new SvgCanvas(WIDTH, HEIGHT, title), anova, title);
   }
@@ -65,7 +65,7 @@ final class MeansPlot {
     return canvas.finish();
   }
 
-  /** One plot with its scale. */
+  /** The drawing of one plot, with its scale. */
   private final class Drawing {
     private final SvgCanvas canvas;
     private final Design design;

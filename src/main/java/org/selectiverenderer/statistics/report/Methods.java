@@ -7,7 +7,7 @@ import org.selectiverenderer.statistics.detection.Guessing;
 import org.selectiverenderer.statistics.detection.Scoring;
 import org.selectiverenderer.statistics.study.FamilyCorrection;
 
-/** What was computed and how, for the reader of a report. */
+/** Writes the methods section of a report: what was computed and how. */
 final class Methods {
   private Methods() {}
 

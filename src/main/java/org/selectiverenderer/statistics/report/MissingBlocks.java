@@ -11,20 +11,20 @@ import org.selectiverenderer.statistics.study.AreaAnalysis;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
- * What an analysis is not of: rows of the file that are left out, and participants whose answers
- * are used but leave them without a score at a level of confidence.
+ * Builds the section on missing data: rows of the file that are left out, and participants whose
+ * usable answers give no score at a level of confidence.
  */
 final class MissingBlocks {
   private MissingBlocks() {}
 
-  /** Participants of an area and level without a score. */
+  /** The number of participants of an area and confidence level without a score. */
   record Gap(String area, ConfidenceLevel level, int without, int participants) {
     String sentence() {
       return "%s, %s: %d of %d.".formatted(area, level.title(), without, participants);
     }
   }
 
-  /** Of rows, then of participants. */
+  /** Returns the blocks about rows, then those about participants. */
   static List<Block> of(StudyAnalysis study) {
     List<Block> blocks = new ArrayList<>();
     List<Exclusion> exclusions = study.responses().exclusions();
@@ -45,7 +45,7 @@ final class MissingBlocks {
     return blocks;
   }
 
-  /** Of d', without which there is no other score either. */
+  /** Returns the gaps of d'; participants without d' have no other score either. */
   static List<Gap> gaps(StudyAnalysis study) {
     int all = study.participants().size();
     List<Gap> gaps = new ArrayList<>();

@@ -18,12 +18,13 @@ import org.selectiverenderer.statistics.simulation.PowerAnalysis;
 import org.selectiverenderer.statistics.simulation.PowerGoal;
 
 /**
- * A power analysis in its forms.
+ * The report of a power analysis, as text and JSON.
  *
- * @param power of the number of participants asked for
- * @param formula the same by the noncentral F distribution, by finding, where there is a formula
- * @param wanted for how much power the number of participants was sought
- * @param needed the number found; empty when the most tried is not enough
+ * @param power power with the requested number of participants
+ * @param formula power by the noncentral F distribution, by name of the finding, where there is a
+ *     formula
+ * @param wanted the target power for which the number of participants was sought
+ * @param needed the number of participants found; empty when the largest number tried is not enough
  */
 public record PowerReport(
     PowerAnalysis analysis,
@@ -34,18 +35,18 @@ public record PowerReport(
   private static final String NO_FORMULA = "by simulation only";
 
   /**
-   * A power to be reached.
+   * A target power.
    *
-   * @param target from 0 to 1
-   * @param most participants to be tried
+   * @param target power to reach, 0 to 1
+   * @param most largest number of participants to try
    */
   public record Wanted(PowerGoal goal, double target, int most) {}
 
   /**
    * Runs the simulations.
    *
-   * @param participants more than there are conditions
-   * @param wanted what is tested
+   * @param participants number of participants, greater than that of conditions
+   * @param wanted the target power for which the number of participants is sought
    */
   public static PowerReport of(PowerAnalysis analysis, int participants, Optional<Wanted> wanted) {
     return new PowerReport(
@@ -56,7 +57,7 @@ public record PowerReport(
         wanted.flatMap(goal -> analysis.needed(goal.goal().finding(), goal.target(), goal.most())));
   }
 
-  /** For a terminal. */
+  /** Returns the report as plain text for a terminal. */
   public String text() {
     TableFigures figures = new TableFigures();
     List<List<String>> rows = new ArrayList<>();
@@ -86,7 +87,7 @@ public record PowerReport(
                     analysis.seed())));
     blocks.add(
         new Table(
-            "Share of studies that find it",
+            "Power: share of simulated studies with this result",
             List.of("", "power", "95 % CI", "by formula"),
             rows,
             figures.notes()));
@@ -101,7 +102,7 @@ public record PowerReport(
           .formatted(Counted.of(goal.most(), "participant"), percent, goal.goal().finding());
     }
     PowerAnalysis.Needed found = needed.get();
-    return "For a power of %s for %s it takes %s (%s, as far as %s of each number can tell)."
+    return "A power of %s for %s needs %s (%s, by the 95 %% intervals of %s of each size)."
         .formatted(
             percent,
             goal.goal().finding(),
@@ -116,7 +117,7 @@ public record PowerReport(
     return power.studies() == 1 ? "1 simulated study" : power.studies() + " simulated studies";
   }
 
-  /** For programs. */
+  /** Returns the report as JSON. */
   public String json() {
     ObjectNode json = JsonTree.object();
     json.put("participants", power.participants()).put("studies", power.studies());

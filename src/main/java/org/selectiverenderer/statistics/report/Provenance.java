@@ -9,21 +9,21 @@ import org.selectiverenderer.statistics.data.DataFile;
 import org.selectiverenderer.statistics.report.Block.Paragraph;
 
 /**
- * Who made a report, and when; of what is told by its {@link DataFile}.
+ * The program, version and date of a report. Its data are identified by a {@link DataFile}.
  *
- * @param program its name
- * @param version of the program
- * @param date of the report
- * @param dated whether reports for programs state the date too. As a rule they do not, so that the
- *     same input gives the same bytes; those for people always do
+ * @param program name of the program
+ * @param version version of the program
+ * @param date date of the report
+ * @param dated whether machine-readable reports state the date too. By default they do not, so that
+ *     the same input gives the same bytes; reports for people always do
  */
 public record Provenance(String program, String version, LocalDate date, boolean dated) {
-  /** The program with its version. */
+  /** Returns the program's name with its version. */
   String maker() {
     return program + " " + version;
   }
 
-  /** The head of a report. */
+  /** Returns the first paragraph of a report. */
   Paragraph head(DataFile source) {
     return new Paragraph(
         "Made by %s on %s from %s%s."
@@ -34,7 +34,7 @@ public record Provenance(String program, String version, LocalDate date, boolean
                 source.sha256().map(sum -> ", SHA-256 " + sum).orElse("")));
   }
 
-  /** Columns that every row of a table for programs has, with their cells. */
+  /** Returns the columns and cells with the provenance that every row of a CSV table has. */
   Map<String, String> cells(DataFile source) {
     Map<String, String> cells = new LinkedHashMap<>();
     cells.put("program", maker());
@@ -46,7 +46,7 @@ public record Provenance(String program, String version, LocalDate date, boolean
     return cells;
   }
 
-  /** The keys {@code source} and {@code made_by}. */
+  /** Writes the keys {@code source} and {@code made_by}. */
   void write(DataFile source, ObjectNode json) {
     json.put("source", source.name());
     source.sha256().ifPresent(sum -> json.put("source_sha256", sum));

@@ -10,7 +10,10 @@ import org.selectiverenderer.statistics.report.Block.Table;
 import org.selectiverenderer.statistics.study.RatingScore;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
-/** Confidence ratings of one area: the area under the ROC and the unequal-variance model. */
+/**
+ * Builds the section about the confidence ratings of one area: the area under the ROC and the
+ * unequal-variance model.
+ */
 final class RatingBlocks {
   private static final String POOLED =
       "Ratings of all participants of a condition, taken together (pooled): criteria that differ"
@@ -30,7 +33,10 @@ final class RatingBlocks {
     this.plot = plot;
   }
 
-  /** The pooled table, its plots, and the participants' table folded. */
+  /**
+   * Returns the table of pooled ratings, its plots, and the table of each participant as a folded
+   * section.
+   */
   List<Block> of(String area) {
     List<Block> blocks = new ArrayList<>();
     List<RatingScore> pooled = study.ratings(area, true);

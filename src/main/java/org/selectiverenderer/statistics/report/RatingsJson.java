@@ -6,7 +6,7 @@ import org.selectiverenderer.statistics.detection.RatingFit;
 import org.selectiverenderer.statistics.detection.Roc;
 import org.selectiverenderer.statistics.study.RatingScore;
 
-/** Ratings as JSON; docs/statistics.md lists the keys. */
+/** Writes analyses of ratings as JSON; docs/statistics.md lists the keys. */
 final class RatingsJson {
   private RatingsJson() {}
 

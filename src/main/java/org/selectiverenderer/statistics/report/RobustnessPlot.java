@@ -12,7 +12,7 @@ import org.selectiverenderer.geometry.font.FontLibrary;
 import org.selectiverenderer.geometry.font.FontStyle;
 import org.selectiverenderer.statistics.bayes.EffectEvidence;
 
-/** Bayes factors of the effects over the width of their prior, on a scale of powers of ten. */
+/** Draws the Bayes factors of effects as functions of the prior scale r, on a logarithmic axis. */
 final class RobustnessPlot {
   private static final int WIDTH = 460;
   private static final int LEFT = 62;
@@ -22,7 +22,7 @@ final class RobustnessPlot {
   private static final int LINE = 17;
   private static final int BOTTOM = 52;
 
-  /** The axis ends there: what is beyond is as good as certain. */
+  /** The axis ends at this power of ten; evidence beyond it is practically certain. */
   private static final int MOST_TENS = 6;
 
   private static final List<ChartColour> LINES =
@@ -37,7 +37,7 @@ final class RobustnessPlot {
 
   private RobustnessPlot() {}
 
-  /** An SVG element of 460 pixels' width; empty where there are no Bayes factors. */
+  /** Returns an SVG element 460 pixels wide; empty where there are no Bayes factors. */
   static Optional<String> svg(List<EffectEvidence> evidence) {
     List<EffectEvidence> drawn =
         evidence.stream().filter(found -> !found.robustness().isEmpty()).toList();

@@ -13,7 +13,7 @@ import org.selectiverenderer.statistics.detection.RatingFit;
 import org.selectiverenderer.statistics.detection.Roc;
 import org.selectiverenderer.statistics.study.RatingScore;
 
-/** ROCs of the conditions: their points, and the fitted curve where there is one. */
+/** Draws the ROC of each condition: its points, and the fitted curve where there is one. */
 final class RocPlot {
   private static final int SIDE = 300;
   private static final int LEFT = 52;
@@ -40,12 +40,12 @@ final class RocPlot {
     bold = new SizedFont(fonts.font(FontFamily.SANS, FontStyle.BOLD), 13, true);
   }
 
-  /** An element within a page. */
+  /** Returns an SVG element for a page. */
   String svg(List<RatingScore> scores, String title) {
     return draw(SvgCanvas.inline(WIDTH, height(scores), title), scores, title);
   }
 
-  /** A file of its own. */
+  /** Returns a complete SVG file. */
   String file(List<RatingScore> scores, String title) {
     return draw(new SvgCanvas(WIDTH, height(scores), title), scores, title);
   }
@@ -77,7 +77,7 @@ final class RocPlot {
     return canvas.finish();
   }
 
-  /** What stands behind the condition's name. */
+  /** Returns the text behind the condition's name in the legend. */
   private static String figures(RatingScore score) {
     StringBuilder text = new StringBuilder(" (n = " + score.participants() + ")");
     if (Double.isFinite(score.roc().area())) {
@@ -111,7 +111,7 @@ final class RocPlot {
     }
     double[] before = {x(0), y(0)};
     for (int i = 1; i <= CURVE; i++) {
-      // Closer together at the ends, where the curve bends.
+      // Points are closer together at the ends, where the curve bends most.
       double rate = (1 - Math.cos(Math.PI * i / CURVE)) / 2;
       double hit = i == CURVE ? 1 : fit.hitRate(rate);
       double[] next = {x(rate), y(hit)};

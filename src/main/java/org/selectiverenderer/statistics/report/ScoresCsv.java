@@ -13,13 +13,16 @@ import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.Score;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
-/** Scores as CSV, for other programs. What is not defined is an empty cell. */
+/** Writes scores as CSV for other programs. A value that is not defined is an empty cell. */
 final class ScoresCsv {
   private static final MathContext DIGITS = new MathContext(10);
 
   private ScoresCsv() {}
 
-  /** One row for each participant, area, type of object and level of confidence. */
+  /**
+   * Returns the tidy (long) table: one row for each participant, area, type of object and level of
+   * confidence.
+   */
   static String tidy(StudyAnalysis study, Provenance provenance) {
     CsvText table = new CsvText();
     List<Object> header = new ArrayList<>();
@@ -53,7 +56,10 @@ final class ScoresCsv {
     return table.toString();
   }
 
-  /** One row for each participant, a column for each score: what SPSS and JASP take. */
+  /**
+   * Returns the wide table that SPSS and JASP read: one row for each participant, a column for each
+   * score.
+   */
   static String wide(StudyAnalysis study, Provenance provenance) {
     Set<String> columns = new LinkedHashSet<>();
     Map<String, Map<String, String>> participants = new LinkedHashMap<>();

@@ -14,8 +14,9 @@ import org.selectiverenderer.statistics.study.AreaAnalysis;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
 /**
- * Means and standard deviations (in brackets) of d' and log beta at the three levels of confidence:
- * Tables 6 to 11 of the thesis. c, which they lack, stands in the details.
+ * Builds the table of means and standard deviations (in brackets) of d' and log beta at the three
+ * levels of confidence: Tables 6 to 11 of the thesis. The criterion c, which those tables lack, is
+ * in the details of the report.
  */
 final class ScoresTable {
   private static final List<Measure> MEASURES = List.of(Measure.D_PRIME, Measure.LOG_BETA);
@@ -63,7 +64,10 @@ final class ScoresTable {
         area + ": mean (standard deviation) of d′ and log β by condition", header, rows, notes);
   }
 
-  /** How many participants each column is of; those without a score are named in the details. */
+  /**
+   * Returns the note that states n of each column; participants without a score are named in the
+   * details.
+   */
   private String participants() {
     int all = (int) study.scores().stream().map(Score::participant).distinct().count();
     List<String> fewer = new ArrayList<>();
@@ -79,7 +83,7 @@ final class ScoresTable {
             .formatted(Counted.of(all, "participant"), String.join(", ", fewer));
   }
 
-  /** The O of the thesis: how many objects of a type were there, whoever was asked for them. */
+  /** Returns the O of the thesis: how many objects of a type were present in the area. */
   private long present(String type) {
     return study.responses().usable().stream()
         .filter(response -> response.area().equals(area) && response.type().equals(type))
@@ -106,7 +110,10 @@ final class ScoresTable {
     return row;
   }
 
-  /** Whether a column is the last of its level; those of a level are of the same participants. */
+  /**
+   * Returns whether a column is the last of its confidence level; all columns of a level have the
+   * same participants.
+   */
   private static boolean closesLevel(AreaAnalysis column) {
     return column.measure() == MEASURES.get(MEASURES.size() - 1);
   }

@@ -25,7 +25,10 @@ import org.selectiverenderer.statistics.study.AreaAnalysis;
 import org.selectiverenderer.statistics.study.FamilyCorrection;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
-/** A study's report: methods, exclusions, and for each area tables, plots and details. */
+/**
+ * Builds the blocks of a study's report: methods, exclusions, and for each area tables, plots and
+ * details.
+ */
 final class StudyBlocks {
   static final String TITLE = "Memory recognition: signal detection and analysis of variance";
 
@@ -41,9 +44,9 @@ final class StudyBlocks {
   }
 
   /**
-   * All of it.
+   * Returns all blocks of the report.
    *
-   * @param details whether there are sections of details, which take the most time
+   * @param details whether to include sections of details, which take the most time to compute
    */
   static List<Block> of(StudyAnalysis study, Provenance provenance, boolean details) {
     StudyBlocks blocks = new StudyBlocks(study, details);
@@ -76,7 +79,7 @@ final class StudyBlocks {
             String.join(", ", study.areas()));
   }
 
-  /** What a manuscript says of the methods. */
+  /** Returns the methods paragraph for a manuscript. */
   private Section paragraph(Provenance provenance) {
     MethodsParagraph methods = new MethodsParagraph(study, provenance.maker());
     return new Section(
@@ -103,7 +106,7 @@ final class StudyBlocks {
     return new Section("Area: " + area, false, blocks);
   }
 
-  /** What a reader may want to pass over. */
+  /** Returns the folded sections of details. */
   private List<Block> details(String area, List<AreaAnalysis> analyses) {
     List<Block> blocks = new ArrayList<>();
     blocks.add(
@@ -205,7 +208,10 @@ final class StudyBlocks {
     return new Table(caption, header, rows, notes(analyses, figures));
   }
 
-  /** Footnotes, and once for each level what is true of its analyses. */
+  /**
+   * Returns the footnotes and the notes of the analyses; a note shared by several analyses occurs
+   * once.
+   */
   private static List<String> notes(List<AreaAnalysis> analyses, TableFigures figures) {
     Map<String, Set<String>> levels = new LinkedHashMap<>();
     for (AreaAnalysis analysis : analyses) {

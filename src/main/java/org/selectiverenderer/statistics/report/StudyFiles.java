@@ -12,11 +12,14 @@ import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.study.RatingScore;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
-/** Parts of a study's report as files for a manuscript: names without a folder, and texts. */
+/**
+ * Writes parts of a study's report as files for a manuscript; maps file names without a folder to
+ * their texts.
+ */
 public final class StudyFiles {
   private StudyFiles() {}
 
-  /** Each plot as SVG: {@code AREA-MEASURE-LEVEL.svg} and {@code AREA-TYPE-roc.svg}. */
+  /** Returns each plot as SVG: {@code AREA-MEASURE-LEVEL.svg} and {@code AREA-TYPE-roc.svg}. */
   public static Map<String, String> figures(StudyAnalysis study) {
     Map<String, String> files = new LinkedHashMap<>();
     FileStems stems = new FileStems();
@@ -59,8 +62,8 @@ public final class StudyFiles {
   }
 
   /**
-   * Each table as {@code AREA-NAME.html}, {@code .tex} and {@code .csv}; {@code sentences.txt} and
-   * {@code methods.txt}.
+   * Returns each table as {@code AREA-NAME.html}, {@code .tex} and {@code .csv}; also {@code
+   * sentences.txt} and {@code methods.txt}.
    */
   public static Map<String, String> tables(StudyAnalysis study, Provenance provenance) {
     Map<String, String> files = new LinkedHashMap<>();

@@ -11,31 +11,31 @@ import org.selectiverenderer.statistics.study.AreaAnalysis;
 import org.selectiverenderer.statistics.study.FamilyTest;
 import org.selectiverenderer.statistics.study.StudyAnalysis;
 
-/** A study in its forms. */
+/** Writes the report of a study as text, HTML, CSV and JSON. */
 public final class StudyReport {
   private StudyReport() {}
 
-  /** Tables for a terminal, without the details of each analysis. */
+  /** Returns the report as plain text for a terminal, without the details of each analysis. */
   public static String text(StudyAnalysis study, Provenance provenance) {
     return TextPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance, false), false);
   }
 
-  /** One page with everything, that loads nothing. */
+  /** Returns the complete report as one self-contained HTML page. */
   public static String html(StudyAnalysis study, Provenance provenance) {
     return HtmlPage.of(StudyBlocks.TITLE, StudyBlocks.of(study, provenance, true));
   }
 
-  /** Scores, one a row. */
+  /** Returns the scores as CSV in tidy (long) format, one score a row. */
   public static String tidyCsv(StudyAnalysis study, Provenance provenance) {
     return ScoresCsv.tidy(study, provenance);
   }
 
-  /** Scores, one participant a row. */
+  /** Returns the scores as CSV in wide format, one participant a row. */
   public static String wideCsv(StudyAnalysis study, Provenance provenance) {
     return ScoresCsv.wide(study, provenance);
   }
 
-  /** Everything, for programs. */
+  /** Returns the complete report as JSON. */
   public static String json(StudyAnalysis study, Provenance provenance) {
     ObjectNode json = JsonTree.object();
     provenance.write(study.responses().source(), json);

@@ -8,21 +8,21 @@ import java.util.Optional;
 import org.selectiverenderer.statistics.anova.EffectSize;
 
 /**
- * Writes the numbers of one table, and collects the footnotes of those that are not defined: no
- * table ever shows NaN.
+ * Formats the numbers of one table, and collects footnotes that explain values that are not
+ * defined: no table ever shows NaN.
  */
 final class TableFigures {
   private static final String UNDEFINED = "not defined for these data";
 
   private final Map<String, String> marks = new LinkedHashMap<>();
 
-  /** With that many decimals; a dash with a footnote if it is not a finite number. */
+  /** Returns a number with that many decimals; a dash with a footnote if it is not finite. */
   String number(double value, int decimals, Optional<String> reason) {
     if (!Double.isFinite(value)) {
       return dash(reason.orElse(UNDEFINED));
     }
     String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
-    // A minus before nothing but zeros is rounding.
+    // A minus sign before zeros only is a rounding artefact.
     String plain = text.matches("-0(\\.0+)?") ? text.substring(1) : text;
     return plain.replace('-', '\u2212');
   }
@@ -31,22 +31,22 @@ final class TableFigures {
     return number(value, decimals, Optional.empty());
   }
 
-  /** A p, never as 0. */
+  /** Returns a p value, never as 0. */
   String p(double value, Optional<String> reason) {
     return Double.isFinite(value) && value < 0.001 ? "< 0.001" : number(value, 3, reason);
   }
 
-  /** A p in a sentence: {@code = 0.012} or {@code < 0.001}. */
+  /** Returns a p value for a sentence: {@code = 0.012} or {@code < 0.001}. */
   String equalP(double value) {
     return value < 0.001 ? "< 0.001" : "= " + number(value, 3);
   }
 
-  /** Degrees of freedom: whole where they are. */
+  /** Returns degrees of freedom, without decimals where they are whole. */
   String df(double value) {
     return value == Math.rint(value) ? number(value, 0) : number(value, 2);
   }
 
-  /** {@code value [low, high]}. */
+  /** Returns {@code value [low, high]}. */
   String interval(double value, double low, double high, int decimals, Optional<String> reason) {
     return Double.isFinite(value) && Double.isFinite(low) && Double.isFinite(high)
         ? number(value, decimals)
@@ -62,7 +62,7 @@ final class TableFigures {
     return interval(size.value(), size.low(), size.high(), 3, reason);
   }
 
-  /** Bayes factors span magnitudes. */
+  /** Returns a Bayes factor, in scientific notation where it is very large or small. */
   String bayes(double value, Optional<String> reason) {
     if (!Double.isFinite(value)) {
       return dash(reason.orElse(UNDEFINED));
@@ -75,7 +75,7 @@ final class TableFigures {
         : number(value, value < 0.1 ? 3 : 2);
   }
 
-  /** A dash with a footnote. */
+  /** Returns a dash with a footnote. */
   String dash(String reason) {
     return "– (" + marks.computeIfAbsent(reason, added -> mark(marks.size())) + ")";
   }
@@ -84,7 +84,7 @@ final class TableFigures {
     return index < 26 ? String.valueOf((char) ('a' + index)) : "n" + (index + 1);
   }
 
-  /** The footnotes so far. */
+  /** Returns the footnotes so far. */
   List<String> notes() {
     return marks.entrySet().stream()
         .map(note -> "(" + note.getValue() + ") " + note.getKey() + ".")

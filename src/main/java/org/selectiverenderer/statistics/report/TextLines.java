@@ -3,14 +3,14 @@ package org.selectiverenderer.statistics.report;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Breaks text between words. */
+/** Wraps text into lines at word boundaries. */
 final class TextLines {
-  /** Of a page of text, in characters. */
+  /** The width of a page of text, in characters. */
   static final int WIDTH = 120;
 
   private TextLines() {}
 
-  /** Lines of at most that many characters; a longer word has a line of its own. */
+  /** Returns lines of at most that many characters; a longer word has a line of its own. */
   static List<String> of(String text, int width) {
     List<String> lines = new ArrayList<>();
     StringBuilder line = new StringBuilder();
@@ -26,10 +26,10 @@ final class TextLines {
   }
 
   /**
-   * Appends a text in lines of the page's width, each ended.
+   * Appends a text in terminated lines of the page's width.
    *
-   * @param first before the first line
-   * @param others before the others, as long as {@code first}
+   * @param first prefix of the first line
+   * @param others prefix of the other lines, as long as {@code first}
    */
   static void write(StringBuilder out, String first, String others, String text) {
     String before = first;

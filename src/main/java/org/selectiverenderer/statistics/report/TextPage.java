@@ -12,7 +12,7 @@ final class TextPage {
   }
 
   /**
-   * Lines, the last one ended.
+   * Returns the text; its last line is terminated.
    *
    * @param details whether sections of details are written
    */

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Writes a table as text. Where it is too wide for the page, its longest column of words is broken
- * into lines; columns that still do not fit follow below, beside those once more that name the
- * rows.
+ * Writes a table as text. Where the table is too wide for the page, the cells of its longest column
+ * of words are wrapped; columns that still do not fit follow below, with the columns that name the
+ * rows repeated.
  */
 final class TextTable {
   private static final int LEAST_WORDS = 40;
@@ -52,7 +52,7 @@ final class TextTable {
     }
   }
 
-  /** As few parts as fit the page, of about the same width. */
+  /** Splits the columns into as few parts as fit the page, of about the same width. */
   private List<List<Integer>> parts() {
     int width = TextLines.WIDTH;
     List<List<Integer>> parts = parts(width);
@@ -75,7 +75,7 @@ final class TextTable {
     List<Integer> part = new ArrayList<>(names);
     int used = named;
     for (int column = names.size(); column < widths.length; column++) {
-      // The last column has no space behind it.
+      // The last column has no padding.
       if (used + widths[column] + 1 > width && part.size() > names.size()) {
         parts.add(part);
         part = new ArrayList<>(names);

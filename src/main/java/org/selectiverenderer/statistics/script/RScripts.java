@@ -10,9 +10,9 @@ import org.selectiverenderer.statistics.detection.Correction;
 import org.selectiverenderer.statistics.detection.Guessing;
 import org.selectiverenderer.statistics.detection.Scoring;
 
-/** Scripts for R, each a whole program that reads a table beside it. */
+/** Generates R scripts that read a table in their own folder and repeat the analyses. */
 public final class RScripts {
-  /** The script's usual name. */
+  /** The default file name of the script. */
   public static final String NAME = "analysis.R";
 
   private static final String TEMPLATE = "analysis.R";
@@ -20,7 +20,7 @@ public final class RScripts {
   private RScripts() {}
 
   /**
-   * The analyses of answers, scored as {@code experiment analyse} does by default.
+   * Returns a script that analyses answers, scored as {@code experiment analyse} does by default.
    *
    * @param responsesFile name of a table with the columns {@code participant,condition,area,object,
    *     consistency,present,response,confidence}, separated by commas, in the script's folder
@@ -29,7 +29,7 @@ public final class RScripts {
     return analysis(responsesFile, Scoring.DEFAULT);
   }
 
-  /** The same with other choices of scoring. */
+  /** Returns a script with other choices of scoring. */
   public static String analysis(String responsesFile, Scoring scoring) {
     return template()
         .replace("@RESPONSES@", quoted(responsesFile))
@@ -37,7 +37,7 @@ public final class RScripts {
         .replace("@GUESSES@", quoted(scoring.guessing() == Guessing.DISCARD ? "discard" : "no"));
   }
 
-  /** As the command line spells it. */
+  /** Returns the name on the command line. */
   private static String correction(Correction correction) {
     return switch (correction) {
       case LOG_LINEAR -> "loglinear";
@@ -46,7 +46,7 @@ public final class RScripts {
     };
   }
 
-  /** A string of R, whatever the name holds. */
+  /** Returns an R string literal with escapes. */
   private static String quoted(String text) {
     StringBuilder out = new StringBuilder("\"");
     text.codePoints()
@@ -68,7 +68,7 @@ public final class RScripts {
         Objects.requireNonNull(RScripts.class.getResourceAsStream(TEMPLATE), TEMPLATE)) {
       return new String(file.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
     } catch (IOException e) {
-      throw new UncheckedIOException(e); // It is in the program's own jar.
+      throw new UncheckedIOException(e); // cannot happen: the template is in the program's own jar
     }
   }
 }

@@ -1,9 +1,9 @@
 /**
- * Scripts for R that repeat the analyses of a study and do what no library of the JVM does: the
- * mixed probit of single answers, with participants and items random.
+ * R scripts that repeat the analyses of a study and add one that no JVM library offers: a
+ * mixed-effects probit regression of single answers with random participants and items.
  *
- * <p>In: the name of a table of answers, and how rates are corrected. Out: text. Uses {@code
- * statistics.detection}.
+ * <p>In: the name of a table of answers, and how rates are corrected. Out: the script as text. Uses
+ * {@code statistics.detection}.
  */
 @NullMarked
 package org.selectiverenderer.statistics.script;

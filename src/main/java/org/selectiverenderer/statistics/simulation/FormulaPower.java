@@ -10,10 +10,10 @@ import org.selectiverenderer.statistics.distribution.NoncentralF;
 import org.selectiverenderer.statistics.study.AreaStudy;
 
 /**
- * Power by the noncentral F distribution, from the exact moments of the scores (Cohen 1988,
- * Statistical Power Analysis, chapter 8; Maxwell and Delaney 2004, Designing Experiments, chapters
- * 3 and 12). It takes the scores for normal, and the groups' variances for equal; simulation does
- * not, and stands beside it.
+ * Computes power analytically by the noncentral F distribution, from the exact moments of the
+ * scores (Cohen 1988, Statistical Power Analysis, chapter 8; Maxwell and Delaney 2004, Designing
+ * Experiments, chapters 3 and 12). It assumes normal scores and equal variances of the groups; the
+ * simulation, which does not, is reported beside it.
  */
 public final class FormulaPower {
   private static final double[] ONE = {1};
@@ -36,10 +36,11 @@ public final class FormulaPower {
   }
 
   /**
-   * The power for each effect that the analysis tests, by its name; equivalence has no such
-   * formula. Nothing where a score may be infinite, or an area has more than two types.
+   * Returns the power for each effect that the analysis tests, by its name; equivalence has no such
+   * formula. The map is empty where a score may be infinite, or an area has more than two types.
    *
-   * @param participants dealt to the conditions in turn; more than there are conditions
+   * @param participants number of participants, assigned to the conditions in turn; greater than
+   *     that of conditions
    */
   public static Map<String, Double> of(PowerAnalysis analysis, int participants) {
     StudyModel model = analysis.model().of(analysis.area());
@@ -70,7 +71,7 @@ public final class FormulaPower {
     return powers;
   }
 
-  /** For differences between groups in a weighted sum of the scores. */
+  /** Returns the power for differences between groups in a weighted sum of the scores. */
   private double between(double... weights) {
     double mean = 0;
     for (int group = 0; group < sizes.length; group++) {
@@ -83,7 +84,10 @@ public final class FormulaPower {
     return power(sizes.length - 1, between / error(weights));
   }
 
-  /** For a difference between the types, over groups that count alike (type III). */
+  /**
+   * Returns the power for a difference between the types, over groups with equal weights (type
+   * III).
+   */
   private double within() {
     double difference = 0;
     double inverse = 0;

@@ -3,13 +3,16 @@ package org.selectiverenderer.statistics.simulation;
 import java.util.List;
 
 /**
- * Objects of one type that participants are asked for in an area: those that were present, and as
- * many that were absent.
+ * The part of a recognition list about one area and object type: the objects that were present, and
+ * as many that were absent.
  *
- * @param present how many were there: the O of the thesis's Tables 6 to 11
+ * @param present number of objects that were present: the O of the thesis's Tables 6 to 11
  */
 public record ObjectList(String area, String type, int present) {
-  /** Those of the thesis's Tables 6 to 11; neutral where they are not told apart. */
+  /**
+   * The lists of the thesis's Tables 6 to 11; the type is neutral where they do not distinguish
+   * types.
+   */
   public static final List<ObjectList> THESIS =
       List.of(
           new ObjectList("kitchen", "consistent", 12),
@@ -22,7 +25,10 @@ public record ObjectList(String area, String type, int present) {
           new ObjectList("sofa", "consistent", 4),
           new ObjectList("sofa", "inconsistent", 4));
 
-  /** Questions asked: the list has an absent object for each that was present (Appendix D). */
+  /**
+   * Returns the number of questions: the list has an absent object for each that was present
+   * (Appendix D).
+   */
   public int questions() {
     return 2 * present;
   }

@@ -3,18 +3,18 @@ package org.selectiverenderer.statistics.simulation;
 import java.util.List;
 
 /**
- * How often simulated studies find what they look for.
+ * Power estimated by simulation: how often simulated studies find an effect.
  *
- * @param participants of each study
- * @param studies simulated
- * @param findings for each effect, and for equivalence
+ * @param participants number of participants of each study
+ * @param studies number of simulated studies
+ * @param findings the estimated power for each effect, and for equivalence
  */
 public record Power(int participants, int studies, List<Finding> findings) {
   /**
-   * The share of studies that find something, with a 95 % interval (Wilson 1927, Journal of the
-   * American Statistical Association 22).
+   * The share of studies with a significant result, with a 95 % interval (Wilson 1927, Journal of
+   * the American Statistical Association 22).
    *
-   * @param name an effect's, or {@link PowerAnalysis#EQUIVALENCE}
+   * @param name name of the effect, or {@link PowerAnalysis#EQUIVALENCE}
    */
   public record Finding(String name, double share, double low, double high) {
     static Finding of(String name, int found, int studies) {
@@ -28,15 +28,15 @@ public record Power(int participants, int studies, List<Finding> findings) {
     }
   }
 
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public Power {
     findings = List.copyOf(findings);
   }
 
   /**
-   * How often it is found.
+   * Returns the estimated power of a test.
    *
-   * @param name of what is tested
+   * @param name name of the tested effect
    */
   public Finding finding(String name) {
     return findings.stream()
@@ -45,7 +45,7 @@ public record Power(int participants, int studies, List<Finding> findings) {
         .orElseThrow(() -> new IllegalArgumentException(name + " is not tested"));
   }
 
-  /** The share of studies that find it. */
+  /** Returns the share of studies with a significant result. */
   public double share(String name) {
     return finding(name).share();
   }

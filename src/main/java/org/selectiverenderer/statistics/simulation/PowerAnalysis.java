@@ -25,12 +25,13 @@ import org.selectiverenderer.statistics.detection.Scoring;
 import org.selectiverenderer.statistics.study.AreaStudy;
 
 /**
- * Power by simulation: many studies of a model, each through the same tests as a real one, on all
- * cores. Study i of a seed is always the same, whichever core makes it.
+ * A power analysis by simulation: many studies of a model are simulated and analysed by the same
+ * tests as a real one, on all cores. Study i of a seed is always the same, whichever core computes
+ * it.
  *
- * @param area analysed; the model may ask about others too
- * @param studies for each number of participants
- * @param progress hears sentences
+ * @param area the analysed area; the model may have other areas too
+ * @param studies number of studies for each number of participants
+ * @param progress receives sentences about the progress
  */
 public record PowerAnalysis(
     StudyModel model,
@@ -41,12 +42,12 @@ public record PowerAnalysis(
     int studies,
     long seed,
     Consumer<String> progress) {
-  /** All comparisons of conditions show equivalence by TOST. */
+  /** The name of the finding that TOST shows equivalence in all comparisons of conditions. */
   public static final String EQUIVALENCE = "equivalence of conditions";
 
   private static final int REPORTS = 4;
 
-  /** The power of studies of that many participants. */
+  /** Returns the power of studies with that many participants. */
   public Power power(int participants) {
     StudyModel own = model.of(area);
     AtomicInteger done = new AtomicInteger();
@@ -60,7 +61,7 @@ public record PowerAnalysis(
                   List<String> findings = findings(own, participants, i);
                   int count = done.incrementAndGet();
                   if (count % Math.max(1, studies / REPORTS) == 0) {
-                    synchronized (order) { // Numbers only ever grow.
+                    synchronized (order) { // so that reported counts increase
                       if (count > told.get()) {
                         told.set(count);
                         progress.accept(
@@ -81,27 +82,28 @@ public record PowerAnalysis(
     return new Power(participants, studies, findings);
   }
 
-  /** What studies like these test: names of {@link Power.Finding}s. */
+  /** Returns what these studies test: the names of {@link Power.Finding}s. */
   public List<String> tested() {
     return names(model.of(area));
   }
 
   /**
-   * How many participants a power takes, in equal groups.
+   * The sample size that a target power needs, in equal groups.
    *
    * @param participants the smallest number whose simulated power reaches the target
-   * @param low the smallest whose 95 % interval reaches it
-   * @param high the smallest whose interval lies above it; empty if the most tried is not enough
+   * @param low the smallest number whose 95 % interval reaches the target
+   * @param high the smallest number whose interval lies above the target; empty if the largest
+   *     number tried is not enough
    */
   public record Needed(int participants, int low, OptionalInt high) {}
 
   /**
-   * The smallest number of participants, in equal groups, whose power for something reaches a
+   * Returns the smallest number of participants, in equal groups, whose power for a test reaches a
    * target.
    *
-   * @param name of what is {@link #tested}
-   * @param most to be tried
-   * @return empty if that many are not enough
+   * @param name one of the names in {@link #tested}
+   * @param most largest number of participants to try
+   * @return empty if the largest number is not enough
    */
   public Optional<Needed> needed(String name, double target, int most) {
     if (!tested().contains(name)) {
@@ -125,7 +127,10 @@ public record PowerAnalysis(
             high.isPresent() ? OptionalInt.of(high.getAsInt() * groups) : OptionalInt.empty()));
   }
 
-  /** The smallest size from one on, of at least 2, that is enough, if larger ones are too. */
+  /**
+   * Returns the smallest group size, at least 2, that is enough, by bisection; larger sizes are
+   * assumed to be enough too.
+   */
   private static OptionalInt smallest(int from, int most, IntPredicate enough) {
     int low = Math.max(1, from - 1);
     int high = Math.max(2, from);

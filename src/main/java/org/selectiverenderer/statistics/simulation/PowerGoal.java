@@ -2,15 +2,15 @@ package org.selectiverenderer.statistics.simulation;
 
 import org.selectiverenderer.statistics.study.AreaStudy;
 
-/** What a study is to find. Spelled as users type it. */
+/** The hypothesis for which a power is sought. The constants are spelled as users type them. */
 public enum PowerGoal {
-  /** That the conditions differ. */
+  /** The conditions differ. */
   condition(AreaStudy.BETWEEN),
-  /** That the types of objects differ. */
+  /** The types of objects differ. */
   type(AreaStudy.WITHIN),
-  /** That the types differ by other amounts in other conditions. */
+  /** The difference between types depends on the condition. */
   interaction(AreaStudy.WITHIN + " x " + AreaStudy.BETWEEN),
-  /** That the conditions are equivalent. */
+  /** The conditions are equivalent. */
   equivalence(PowerAnalysis.EQUIVALENCE);
 
   private final String finding;
@@ -19,7 +19,7 @@ public enum PowerGoal {
     this.finding = finding;
   }
 
-  /** The name of its {@link Power.Finding}. */
+  /** Returns the name of its {@link Power.Finding}. */
   public String finding() {
     return finding;
   }

@@ -12,21 +12,22 @@ import org.selectiverenderer.statistics.detection.Measure;
 import org.selectiverenderer.statistics.detection.ResponseCounts;
 
 /**
- * What a participant's scores are expected to be under a {@link StudyModel}: exactly, not by
+ * The exact means and covariances of a participant's scores under a {@link StudyModel}, without
  * simulation. Given d' and c, hits and false alarms are binomial, so a score has as many values as
- * there are counts; over participants, d' and c are integrated by Gauss and Hermite's rule.
+ * there are counts; over participants, d' and c are integrated by Gauss-Hermite quadrature.
  *
- * @param means of the scores, one for each list
- * @param covariances of the scores of one participant; lists share that participant's d' and c
+ * @param means means of the scores, one for each list
+ * @param covariances covariances between the scores of one participant; lists share that
+ *     participant's d' and c
  */
 record ScoreMoments(double[] means, double[][] covariances) {
   private static final int NODES = 24;
   private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
 
   /**
-   * Those of a condition.
+   * Returns the moments of a condition.
    *
-   * @param condition its number in the model
+   * @param condition index of the condition in the model
    * @param correction one under which every score is finite
    */
   static ScoreMoments of(StudyModel model, int condition, Measure measure, Correction correction) {
@@ -72,7 +73,7 @@ record ScoreMoments(double[] means, double[][] covariances) {
     return mean + spread * Math.sqrt(2) * rule.getPoint(node);
   }
 
-  /** The score of each number of hits and of false alarms. */
+  /** Returns the score for each number of hits and of false alarms. */
   private static double[][] scores(ObjectList list, Measure measure, Correction correction) {
     int n = list.present();
     double[][] scores = new double[n + 1][n + 1];
@@ -106,7 +107,7 @@ record ScoreMoments(double[] means, double[][] covariances) {
     return sum;
   }
 
-  /** The mean of a weighted sum of the scores. */
+  /** Returns the mean of a weighted sum of the scores. */
   double mean(double... weights) {
     double sum = 0;
     for (int k = 0; k < weights.length; k++) {
@@ -115,7 +116,7 @@ record ScoreMoments(double[] means, double[][] covariances) {
     return sum;
   }
 
-  /** The variance of a weighted sum of the scores. */
+  /** Returns the variance of a weighted sum of the scores. */
   double variance(double... weights) {
     double sum = 0;
     for (int k = 0; k < weights.length; k++) {

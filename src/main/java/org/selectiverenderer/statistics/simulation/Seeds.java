@@ -1,9 +1,10 @@
 package org.selectiverenderer.statistics.simulation;
 
 /**
- * Seeds of independent streams: of each study, and of each participant in it. Mixed by the
- * finaliser of SplitMix64 (Steele, Lea and Flood 2014, OOPSLA): SplittableRandom steps by that
- * generator's own constant, so that seeds a constant apart could give the same numbers, shifted.
+ * Derives the seeds of independent random streams: one for each study, and one for each participant
+ * in it. They are mixed by the finaliser of SplitMix64 (Steele, Lea and Flood 2014, OOPSLA):
+ * SplittableRandom steps by that generator's own constant, so that seeds a constant apart could
+ * give the same numbers, shifted.
  */
 final class Seeds {
   private Seeds() {}

@@ -10,14 +10,16 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.statistics.detection.Response;
 
 /**
- * Answers of simulated participants. Evidence for an object is normal around d'/2 if it is present,
- * -d'/2 if not; above c the answer is yes; the farther from c, the more certain.
+ * Simulates the answers of participants by equal-variance signal detection. Evidence for an object
+ * is normal around d'/2 if it is present, -d'/2 if not; above c the answer is yes; the farther from
+ * c, the more certain.
  */
 public final class SimulatedStudy {
   private static final NormalDistribution NORMAL = new NormalDistribution(null, 0, 1);
 
   /**
-   * Distances from c from which on the confidence is 2, 3, 4, 5: certain of two answers in five.
+   * The distances from c at which the confidence becomes 2, 3, 4 and 5; about two answers in five
+   * then have a confidence of 5.
    */
   private static final double[] CERTAINTY = {0.15, 0.35, 0.6, 0.9};
 
@@ -34,8 +36,8 @@ public final class SimulatedStudy {
   }
 
   /**
-   * The answers of a study. The first participants of a larger study of that seed are those of a
-   * smaller one.
+   * Returns the answers of a study. A larger study with the same seed begins with the participants
+   * of a smaller one.
    */
   public static List<Response> responses(StudyModel model, int participants, long seed) {
     List<Response> responses = new ArrayList<>();
@@ -46,7 +48,10 @@ public final class SimulatedStudy {
     return responses;
   }
 
-  /** Names of the objects of a list, which take longer to write than to answer about. */
+  /**
+   * Returns the names of the objects of a list; they are formatted once because that takes longer
+   * than simulating answers.
+   */
   private static List<String> objects(ObjectList list) {
     return IntStream.rangeClosed(1, list.questions())
         .mapToObj(
@@ -91,7 +96,7 @@ public final class SimulatedStudy {
     return confidence;
   }
 
-  /** By inversion: the same number on every Java. */
+  /** Returns a normal variate by inversion, which is the same on every Java version. */
   private double normal() {
     double uniform = (random.nextLong() >>> 11) * 0x1.0p-53 + 0x1.0p-54;
     return NORMAL.inverseCumulativeProbability(uniform);

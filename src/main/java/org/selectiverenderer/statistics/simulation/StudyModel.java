@@ -3,17 +3,17 @@ package org.selectiverenderer.statistics.simulation;
 import java.util.List;
 
 /**
- * What simulated participants are like: the equal-variance model of signal detection (Macmillan and
+ * The model of simulated participants: the equal-variance model of signal detection (Macmillan and
  * Creelman 2005, chapter 1).
  *
- * @param conditions participants are dealt to them in turn
+ * @param conditions names of the conditions, to which participants are assigned in turn
  * @param sensitivities mean d' of each condition
  * @param criteria mean c of each condition
  * @param sensitivitySpread standard deviation of d' between participants
  * @param criterionSpread standard deviation of c between participants
  * @param typeSensitivity added to d' for inconsistent objects
  * @param typeCriterion added to c for inconsistent objects; the thesis found a bias towards "no"
- * @param lists what is asked
+ * @param lists the recognition lists
  */
 public record StudyModel(
     List<String> conditions,
@@ -24,7 +24,7 @@ public record StudyModel(
     double typeSensitivity,
     double typeCriterion,
     List<ObjectList> lists) {
-  /** Refuses a condition without a d' or a c. */
+  /** Checks that each condition has a d' and a c. */
   public StudyModel {
     conditions = List.copyOf(conditions);
     sensitivities = List.copyOf(sensitivities);
@@ -37,12 +37,12 @@ public record StudyModel(
     }
   }
 
-  /** The areas asked about. */
+  /** Returns the areas of the recognition lists. */
   public List<String> areas() {
     return lists.stream().map(ObjectList::area).distinct().toList();
   }
 
-  /** The same participants asked about one area only. */
+  /** Returns the model with the recognition lists of one area only. */
   public StudyModel of(String area) {
     return new StudyModel(
         conditions,

@@ -1,6 +1,6 @@
 /**
  * Simulated participants of known sensitivity and bias: to test the analysis from end to end, and
- * to find out how many participants a study needs.
+ * to estimate how many participants a study needs.
  *
  * <p>In: a {@link org.selectiverenderer.statistics.simulation.StudyModel} and a seed. Out: answers,
  * or {@link org.selectiverenderer.statistics.simulation.Power}. Power analyses run study by study

@@ -9,12 +9,12 @@ import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Measure;
 
 /**
- * One measure of one area at one level of confidence.
+ * The analysis of one measure of one area at one level of confidence.
  *
- * @param design of the participants whose measure is defined for every type of object
+ * @param design the design of the participants whose measure is defined for every type of object
  * @param anova empty when the design cannot be analysed; the notes say why
- * @param evidence for the null hypotheses of the anova
- * @param notes who is left out and what is not tested: sentences
+ * @param evidence Bayes factors of the effects of the analysis of variance
+ * @param notes sentences about who is left out and what is not tested
  */
 public record AreaAnalysis(
     String area,
@@ -24,12 +24,12 @@ public record AreaAnalysis(
     Optional<Anova> anova,
     Optional<BayesianAnova> evidence,
     List<String> notes) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public AreaAnalysis {
     notes = List.copyOf(notes);
   }
 
-  /** With what the data say for the null hypotheses, computed when it is asked for. */
+  /** Creates an analysis with Bayes factors that are computed on first use. */
   public AreaAnalysis(
       String area,
       ConfidenceLevel level,

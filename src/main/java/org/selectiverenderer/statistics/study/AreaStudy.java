@@ -19,7 +19,7 @@ import org.selectiverenderer.statistics.detection.Response;
 import org.selectiverenderer.statistics.detection.Score;
 import org.selectiverenderer.statistics.detection.Scoring;
 
-/** The scores of one area, and the designs that they make. */
+/** Analyses the scores of one area. */
 public final class AreaStudy {
   /** The between factor's name. */
   public static final String BETWEEN = "condition";
@@ -42,12 +42,12 @@ public final class AreaStudy {
             .toList();
   }
 
-  /** The study of an area's answers. */
+  /** Scores the answers about an area. */
   public static AreaStudy of(Responses responses, Scoring scoring, String area) {
     return of(responses, scoring, area, List.of(ConfidenceLevel.values()));
   }
 
-  /** The study of an area's answers at some levels of confidence. */
+  /** Scores the answers about an area at some levels of confidence. */
   public static AreaStudy of(
       Responses responses, Scoring scoring, String area, List<ConfidenceLevel> levels) {
     return new AreaStudy(
@@ -58,7 +58,7 @@ public final class AreaStudy {
             .toList());
   }
 
-  /** One measure at one level of confidence. */
+  /** Analyses one measure at one level of confidence. */
   public AreaAnalysis analysis(ConfidenceLevel level, Measure measure, AnovaOptions options) {
     List<String> notes = new ArrayList<>();
     Map<String, List<Subject>> groups = complete(level, measure, notes);
@@ -70,7 +70,7 @@ public final class AreaStudy {
     return new AreaAnalysis(area, level, measure, design, anova, notes);
   }
 
-  /** The tests of that analysis alone; empty where it has none. */
+  /** Returns the significance tests of that analysis only; empty where it has none. */
   public Optional<AnovaTests> tests(ConfidenceLevel level, Measure measure, AnovaOptions options) {
     List<String> notes = new ArrayList<>();
     Design design = design(measure, complete(level, measure, notes), notes);
@@ -79,7 +79,7 @@ public final class AreaStudy {
         : Optional.of(AnovaTests.of(design, options));
   }
 
-  /** The participants with a score for every type, by condition; the others are noted. */
+  /** Returns the participants with a score for every type, by condition, and notes the others. */
   private Map<String, List<Subject>> complete(
       ConfidenceLevel level, Measure measure, List<String> notes) {
     Map<String, Map<String, Score>> participants = new LinkedHashMap<>();
@@ -112,7 +112,7 @@ public final class AreaStudy {
     return groups;
   }
 
-  /** Of the conditions that have participants; the others are noted. */
+  /** Returns the design of the conditions that have participants, and notes the others. */
   private Design design(Measure measure, Map<String, List<Subject>> groups, List<String> notes) {
     List<String> filled = conditions.stream().filter(groups::containsKey).toList();
     conditions.stream()

@@ -5,16 +5,19 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.selectiverenderer.statistics.anova.Holm;
 
-/** What is done about testing many effects in one study. */
+/** Corrections for multiple testing: many effects are tested in one study. */
 public enum FamilyCorrection {
-  /** Nothing: each test has its own error rate. */
+  /** No correction: each test has its own error rate. */
   NONE("not corrected") {
     @Override
     double[] of(List<Double> p) {
       return p.stream().mapToDouble(Double::doubleValue).toArray();
     }
   },
-  /** One error in all tests has the probability alpha at most (Holm 1979). */
+  /**
+   * Controls the familywise error rate: the probability of any false positive is at most alpha
+   * (Holm 1979).
+   */
   HOLM("Holm (1979)") {
     @Override
     double[] of(List<Double> p) {
@@ -22,8 +25,9 @@ public enum FamilyCorrection {
     }
   },
   /**
-   * Of the effects that are found, a share of alpha does not exist, on average (Benjamini and
-   * Hochberg 1995, Journal of the Royal Statistical Society B 57).
+   * Controls the false discovery rate: on average, at most a share alpha of the significant effects
+   * are false positives (Benjamini and Hochberg 1995, Journal of the Royal Statistical Society B
+   * 57).
    */
   FDR("false discovery rate (Benjamini and Hochberg 1995)") {
     @Override
@@ -51,11 +55,11 @@ public enum FamilyCorrection {
     this.title = title;
   }
 
-  /** For reports. */
+  /** Returns the description used in reports. */
   public String title() {
     return title;
   }
 
-  /** Adjusted p of finite p, in the order given. */
+  /** Returns the adjusted p of finite p values, in the order given. */
   abstract double[] of(List<Double> p);
 }

@@ -6,16 +6,18 @@ import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 
 /**
- * A test of an effect among all tests of the study at its level of confidence. The levels are
- * families of their own: each asks the same questions of fewer of the same answers.
+ * A test of an effect among all tests of the study at its level of confidence. Each level of
+ * confidence is a family of its own, since the levels test the same hypotheses on nested subsets of
+ * the same answers.
  *
- * @param p of the effect, as its analysis reports it
- * @param adjusted after the {@link FamilyCorrection}
- * @param size of the family: tests of all effects on all measures in all areas at this level
+ * @param p unadjusted p of the effect
+ * @param adjusted p after the {@link FamilyCorrection}
+ * @param size size of the family: the number of tests of all effects on all measures in all areas
+ *     at this level
  */
 public record FamilyTest(
     AreaAnalysis analysis, Effect effect, double p, double adjusted, int size) {
-  /** The tests that have a p, level by level, area by area, measure by measure. */
+  /** Returns the tests that have a p, level by level, area by area, measure by measure. */
   static List<FamilyTest> of(List<AreaAnalysis> analyses, FamilyCorrection correction) {
     List<FamilyTest> tests = new ArrayList<>();
     for (ConfidenceLevel level : ConfidenceLevel.values()) {

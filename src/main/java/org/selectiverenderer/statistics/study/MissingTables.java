@@ -14,15 +14,16 @@ import org.selectiverenderer.statistics.detection.ConfidenceLevel;
 import org.selectiverenderer.statistics.detection.Response;
 
 /**
- * What data have that leaves a table without its F although no answer is wrong: too few
- * participants, scores that are all alike. The report has a footnote; this says it aloud, once for
- * an area, of all its answers (at the higher levels of confidence some participants have too few
- * answers in any study).
+ * Reports effects that cannot be tested although every answer is valid, for example because there
+ * are too few participants or all scores are equal. The report of the study has footnotes about
+ * them; this class also reports them as problems, once for each area and only for the analysis of
+ * all answers (at the higher levels of confidence, some participants have too few answers in any
+ * study).
  */
 public final class MissingTables {
   private MissingTables() {}
 
-  /** Tells what a study cannot analyse, each at the area's first answer. */
+  /** Reports what a study cannot analyse, at the location of the area's first answer. */
   public static void tell(StudyAnalysis study, Problems problems) {
     if (study.conditions().size() == 1) {
       problems.warning(
@@ -53,7 +54,7 @@ public final class MissingTables {
           (reason, of) ->
               problems.warning(
                   place,
-                  "no F of %s about the area %s: %s"
+                  "%s of the area %s cannot be tested: %s"
                       .formatted(String.join(", ", of), area, reason)));
     }
   }
@@ -65,7 +66,7 @@ public final class MissingTables {
         .orElseGet(() -> analysis.design().obstacle().map(List::of).orElse(List.of()));
   }
 
-  /** Why effects of an analysis have no F, each reason once. */
+  /** Returns why effects of an analysis have no F, each reason once. */
   public static List<String> reasons(Anova anova) {
     return anova.effects().stream()
         .filter(effect -> !Double.isFinite(effect.f()))

@@ -11,15 +11,17 @@ import org.selectiverenderer.statistics.detection.Response;
 import org.selectiverenderer.statistics.detection.Roc;
 
 /**
- * Ratings of the objects of one type in one area: of one participant, or of all of a condition.
+ * The analysis of the confidence ratings of one object type in one area, of one participant or
+ * pooled over a condition.
  *
- * <p>Pooled ratings treat the answers of many as those of one. Criteria that differ between
- * participants flatten the pooled ROC, so its d_a is below the mean of theirs, and standard errors
- * leave out that answers of one participant belong together (Macmillan and Creelman 2005, chapter
- * 13). They show the shape of the ROC; tests of conditions are those of the participants' scores.
+ * <p>Pooled ratings treat the answers of many participants as those of one. Criteria that differ
+ * between participants flatten the pooled ROC, so its d_a is below the mean of the participants'
+ * d_a, and standard errors ignore that answers of one participant are correlated (Macmillan and
+ * Creelman 2005, chapter 13). They show the shape of the ROC; conditions are compared by the
+ * participants' scores only.
  *
  * @param participant empty for the ratings of all of the condition
- * @param participants how many the ratings are of
+ * @param participants number of participants whose ratings these are
  */
 public record RatingScore(
     String area,
@@ -32,7 +34,10 @@ public record RatingScore(
     RatingFit fit) {
   private record Key(String area, String condition, Optional<String> participant, String type) {}
 
-  /** Of each condition, then of each participant; areas and participants as in the file. */
+  /**
+   * Returns the pooled analysis of each condition, then that of each participant; areas and
+   * participants are in the order of the file.
+   */
   static List<RatingScore> of(
       List<Response> responses, List<String> conditions, List<String> areas) {
     Map<Key, List<Response>> pooled = new LinkedHashMap<>();

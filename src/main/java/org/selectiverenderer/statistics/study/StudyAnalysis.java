@@ -14,15 +14,16 @@ import org.selectiverenderer.statistics.detection.Score;
 import org.selectiverenderer.statistics.detection.Scoring;
 
 /**
- * A study analysed.
+ * The scores and analyses of a study.
  *
- * @param conditions in the order of tables: the thesis's first, others as in the file
- * @param areas as in the file
- * @param scores of each participant
- * @param analyses area by area, level by level, measure by measure
- * @param family what is done about their number
- * @param tests every effect of the analyses, with its p after that correction
- * @param ratings pooled and of each participant
+ * @param conditions the conditions in the order of tables: those of the thesis first, others in the
+ *     order of the file
+ * @param areas the areas in the order of the file
+ * @param scores the scores of each participant
+ * @param analyses the analyses, area by area, level by level, measure by measure
+ * @param family the correction for multiple testing
+ * @param tests every effect of the analyses, with its corrected p
+ * @param ratings analyses of ratings, pooled and of each participant
  */
 public record StudyAnalysis(
     Responses responses,
@@ -38,7 +39,7 @@ public record StudyAnalysis(
   private static final List<String> THESIS_ORDER =
       List.of("high", "high-low", "selective", "random");
 
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public StudyAnalysis {
     conditions = List.copyOf(conditions);
     areas = List.copyOf(areas);
@@ -48,12 +49,12 @@ public record StudyAnalysis(
     ratings = List.copyOf(ratings);
   }
 
-  /** Scores and analyses of answers, each test for itself. */
+  /** Scores and analyses answers without a correction for multiple testing. */
   public static StudyAnalysis of(Responses responses, Scoring scoring, AnovaOptions options) {
     return of(responses, scoring, options, FamilyCorrection.NONE);
   }
 
-  /** Scores and analyses of answers. */
+  /** Scores and analyses answers. */
   public static StudyAnalysis of(
       Responses responses, Scoring scoring, AnovaOptions options, FamilyCorrection family) {
     List<Response> usable = responses.usable();
@@ -86,7 +87,7 @@ public record StudyAnalysis(
         RatingScore.of(usable, conditions, areas));
   }
 
-  /** Conditions in the order of tables. */
+  /** Returns the conditions in the order of tables. */
   static List<String> conditions(List<Response> responses) {
     return responses.stream()
         .map(Response::condition)
@@ -100,12 +101,12 @@ public record StudyAnalysis(
     return index < 0 ? THESIS_ORDER.size() : index;
   }
 
-  /** Everyone who answered. */
+  /** Returns all participants with answers. */
   public List<String> participants() {
     return scores.stream().map(Score::participant).distinct().toList();
   }
 
-  /** Everyone of a condition who answered. */
+  /** Returns the number of participants of a condition with answers. */
   public long participants(String condition) {
     return scores.stream()
         .filter(score -> score.condition().equals(condition))
@@ -114,12 +115,14 @@ public record StudyAnalysis(
         .count();
   }
 
-  /** The analyses of an area. */
+  /** Returns the analyses of an area. */
   public Stream<AreaAnalysis> analyses(String area) {
     return analyses.stream().filter(analysis -> analysis.area().equals(area));
   }
 
-  /** The p of an effect after the correction of the study's tests; not a number without a p. */
+  /**
+   * Returns p of an effect after the correction for multiple testing; NaN if the effect has no p.
+   */
   public double adjusted(AreaAnalysis analysis, Effect effect) {
     return tests.stream()
         .filter(test -> test.analysis() == analysis && test.effect() == effect)
@@ -128,14 +131,14 @@ public record StudyAnalysis(
         .orElse(Double.NaN);
   }
 
-  /** Ratings of an area: of each condition, or of each participant. */
+  /** Returns the analyses of ratings of an area, of each condition or of each participant. */
   public List<RatingScore> ratings(String area, boolean pooled) {
     return ratings.stream()
         .filter(score -> score.area().equals(area) && score.participant().isEmpty() == pooled)
         .toList();
   }
 
-  /** How many answers have no confidence and so are no ratings. */
+  /** Returns how many answers have no confidence and are therefore not ratings. */
   public long unrated() {
     return responses.usable().stream().filter(response -> response.confidence() == 0).count();
   }

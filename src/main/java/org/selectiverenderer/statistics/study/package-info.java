@@ -1,7 +1,7 @@
 /**
  * The analyses of a study of recognition memory (thesis 6.4, 6.5): every measure of every area at
- * every level of confidence, what leaves one without its F, the correction over all tests, and the
- * confidence ratings of conditions and participants.
+ * every level of confidence, the effects that cannot be tested, the correction for multiple
+ * testing, and the confidence ratings of conditions and participants.
  *
  * <p>In: {@link org.selectiverenderer.statistics.data.Responses} and options. Out: {@link
  * org.selectiverenderer.statistics.study.StudyAnalysis}. Uses {@code statistics.data}, {@code

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.selectiverenderer.tracker.emulate.InterTrax2Emulator.Settings;
 
-/** An emulated InterTrax2 with its cable: opened by a link, pulled and plugged in again. */
+/** An emulated InterTrax2 on a pseudo-terminal, which can be unplugged and plugged in again. */
 public final class EmulatedInterTrax2 implements AutoCloseable {
   private final Path link;
   private final Settings settings;
@@ -19,27 +19,27 @@ public final class EmulatedInterTrax2 implements AutoCloseable {
   }
 
   /**
-   * Plugs one in.
+   * Starts an emulated device.
    *
-   * @param link becomes a link to its terminal
-   * @throws IOException if the terminal cannot be made
+   * @param link path of the symbolic link to the terminal, which is created
+   * @throws IOException if the terminal cannot be created
    */
   public static EmulatedInterTrax2 start(Path link, Settings settings) throws IOException {
     return new EmulatedInterTrax2(link, settings);
   }
 
-  /** Where its serial port is. */
+  /** Returns the path of the emulated serial port. */
   public Path link() {
     return link;
   }
 
-  /** Pulls the cable, which also takes the device's power. */
+  /** Unplugs the device, which also loses its power. */
   public void unplug() throws IOException {
     device.close();
     terminal.close();
   }
 
-  /** Plugs it in again, after {@link #unplug}; its clock begins anew. */
+  /** Plugs the device in again, after {@link #unplug}; its clock restarts. */
   public void plug() throws IOException {
     terminal = PseudoTerminal.open(link);
     device = InterTrax2Emulator.start(terminal.input(), terminal.output(), settings);

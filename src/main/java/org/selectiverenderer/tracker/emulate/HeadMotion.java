@@ -2,9 +2,9 @@ package org.selectiverenderer.tracker.emulate;
 
 import org.selectiverenderer.tracker.PoseSample;
 
-/** How an emulated head moves. */
+/** The motion of an emulated head. */
 public interface HeadMotion {
-  /** Someone on a swivel chair who looks about: left and right, a little up, down and tilted. */
+  /** A person on a swivel chair who looks left and right, a little up and down, with some tilt. */
   HeadMotion LOOKING_ABOUT =
       (t, into) ->
           into.turn(
@@ -15,7 +15,7 @@ public interface HeadMotion {
   /**
    * Sets the angles at a time.
    *
-   * @param time in seconds since the device was plugged in
+   * @param time seconds since the device was plugged in
    */
   void at(double time, PoseSample into);
 }

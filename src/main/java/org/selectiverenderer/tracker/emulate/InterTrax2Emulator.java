@@ -8,21 +8,21 @@ import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
- * An InterTrax2 at the far end of a serial cable: answers commands and, once told to, sends
- * records. Two threads, one per direction; both end when the cable does. What it is worth as a test
- * is said where the protocol comes from: {@code tracker.serial.InterTrax2Source}.
+ * Emulates the device's side of the InterTrax2 protocol: answers commands and, in continuous mode,
+ * sends records. Two threads, one for each direction, end when the connection is closed. As a test
+ * it is only as good as the source of the protocol: see {@code tracker.serial.InterTrax2Source}.
  *
  * <p>A pseudo-terminal has no speed: the emulator understands commands at any.
  */
 public final class InterTrax2Emulator implements AutoCloseable {
-  /** 38400 bits per second carry no more records of 8 bytes. */
+  /** Maximum rate in records per second: records of 8 bytes at 38400 bits per second. */
   public static final double FASTEST = 480;
 
   /**
-   * How it behaves.
+   * The settings of the emulator.
    *
    * @param rateHz records per second, above 0 and at most {@link #FASTEST}
-   * @param motion of the head
+   * @param motion the motion of the head
    */
   public record Settings(double rateHz, HeadMotion motion) {
     /**
@@ -55,7 +55,7 @@ public final class InterTrax2Emulator implements AutoCloseable {
     sending = thread("emulator-records", this::send);
   }
 
-  /** Plugs one in: it waits for commands. */
+  /** Starts an emulator, which waits for commands. */
   public static InterTrax2Emulator start(
       InputStream fromHost, OutputStream toHost, Settings settings) {
     InterTrax2Emulator emulator = new InterTrax2Emulator(fromHost, toHost, settings);
@@ -70,12 +70,12 @@ public final class InterTrax2Emulator implements AutoCloseable {
     return thread;
   }
 
-  /** Whether it was told to send records. */
+  /** Returns whether the emulator sends records continuously. */
   public boolean streaming() {
     return streaming;
   }
 
-  /** Ends the threads; the streams are to be closed by whoever made them, before or after. */
+  /** Ends the threads; the caller closes the streams, before or after. */
   @Override
   public void close() {
     closed = true;
@@ -117,7 +117,7 @@ public final class InterTrax2Emulator implements AutoCloseable {
       case '3' -> poll();
       case '*' -> reset();
       default -> {
-        // A device that does not know a command says nothing.
+        // The device ignores unknown commands.
       }
     }
   }
@@ -159,7 +159,7 @@ public final class InterTrax2Emulator implements AutoCloseable {
         settings.motion().at(seconds(), pose);
         InterTraxWriter.continuous(pose, record);
         write(record);
-        // A reader that kept it waiting is sent the present, not what it missed.
+        // After a blocked write, missed records are skipped.
         due = Math.max(due + period, System.nanoTime());
         while (!closed && System.nanoTime() < due) {
           LockSupport.parkNanos(this, due - System.nanoTime());

@@ -2,12 +2,12 @@ package org.selectiverenderer.tracker.emulate;
 
 import org.selectiverenderer.tracker.PoseSample;
 
-/** The device's side of the InterTrax's records. */
+/** Encodes the records of an InterTrax. */
 final class InterTraxWriter {
-  /** Of a continuous record: header, three numbers, checksum. */
+  /** Length of a continuous record: header, three numbers, checksum. */
   static final int LENGTH = 8;
 
-  /** Of a polled one: the three numbers. */
+  /** Length of a polled record: three numbers. */
   static final int POLLED_LENGTH = 6;
 
   private InterTraxWriter() {}

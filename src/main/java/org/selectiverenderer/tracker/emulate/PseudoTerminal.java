@@ -13,16 +13,15 @@ import java.util.stream.Stream;
 import org.selectiverenderer.tracker.TrackerException;
 
 /**
- * A pseudo-terminal: a device file that a program opens like a serial port, and the far end of its
- * cable as two streams. A program that closes and opens it again finds it there; {@link #close} is
- * like pulling the cable.
+ * A pseudo-terminal: a device file that a program opens like a serial port, with the other end as
+ * two streams. The program may close and reopen it; {@link #close} is like unplugging the cable.
  */
 public final class PseudoTerminal implements AutoCloseable {
-  /** Programs that make pseudo-terminals, the better first. */
+  /** Programs that create pseudo-terminals, the preferred one first. */
   public enum Maker {
-    /** Made for this; in the package of that name. */
+    /** The program socat, made for this. */
     SOCAT("socat"),
-    /** Of util-linux, made to log terminal sessions. */
+    /** The program script of util-linux, made to record terminal sessions. */
     SCRIPT("script");
 
     private final String command;
@@ -31,7 +30,7 @@ public final class PseudoTerminal implements AutoCloseable {
       this.command = command;
     }
 
-    /** Whether this machine has it. */
+    /** Returns whether the program is installed. */
     public boolean installed() {
       String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
       return Stream.of(path.split(File.pathSeparator))
@@ -49,11 +48,11 @@ public final class PseudoTerminal implements AutoCloseable {
   }
 
   /**
-   * Makes a terminal with the first program that is installed.
+   * Creates a terminal with the first program that is installed.
    *
-   * @param link becomes a symbolic link to the terminal; one that is there is replaced
+   * @param link path of the symbolic link to the terminal; an existing link is replaced
    * @throws TrackerException if there is no such program
-   * @throws IOException if it fails, or the link cannot be made
+   * @throws IOException if the terminal or the link cannot be created
    */
   public static PseudoTerminal open(Path link) throws IOException {
     Maker maker =
@@ -68,7 +67,7 @@ public final class PseudoTerminal implements AutoCloseable {
     return open(link, maker);
   }
 
-  /** Makes a terminal with the given program. */
+  /** Creates a terminal with the given program. */
   public static PseudoTerminal open(Path link, Maker maker) throws IOException {
     if (Files.exists(link, LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(link)) {
       throw new TrackerException(link + " exists and is not a link; it is not replaced");
@@ -89,8 +88,8 @@ public final class PseudoTerminal implements AutoCloseable {
   }
 
   /**
-   * The shell holds the terminal open, so that it stays when the program at its other end closes
-   * it, says its name, and ends with this program.
+   * Returns a shell command that prints the terminal's name, holds the terminal open when the
+   * program at its other end closes it, and ends with this program.
    */
   private static String holding(long pid) {
     return "stty raw -echo; tty; while kill -0 " + pid + " 2>/dev/null; do sleep 1; done";
@@ -118,18 +117,18 @@ public final class PseudoTerminal implements AutoCloseable {
     return line.toString();
   }
 
-  /** What the program at the other end writes. */
+  /** Returns the stream of the bytes that the program at the other end writes. */
   public InputStream input() {
     return maker.getInputStream();
   }
 
-  /** What that program reads; to be flushed. */
+  /** Returns the stream to that program; it must be flushed. */
   public OutputStream output() {
     return maker.getOutputStream();
   }
 
   /**
-   * Takes the terminal away from whoever uses it, and removes the link.
+   * Closes the terminal, also for the program at the other end, and removes the link.
    *
    * @throws IOException if the link cannot be removed
    */

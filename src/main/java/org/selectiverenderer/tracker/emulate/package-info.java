@@ -1,11 +1,11 @@
 /**
- * An InterTrax2 for those who have none: the device's side of the protocol, on a pseudo-terminal
- * that any program opens like a serial port.
+ * An emulator of the InterTrax2, for tests without the device: the device's side of the protocol on
+ * a pseudo-terminal, which any program opens like a serial port.
  *
- * <p>In: how the head moves and how often the device says so. Out: a link to a terminal. Java
- * cannot make a pseudo-terminal, and native code for an emulator alone would be too much: socat
- * makes it when it is installed, else util-linux's script, which every Linux distribution has. Uses
- * {@code tracker}.
+ * <p>In: the motion of the head and the rate of the records. Out: a link to a terminal. Java cannot
+ * create a pseudo-terminal, and native code for an emulator alone would be too much: socat creates
+ * it if it is installed, else util-linux's script, which every Linux distribution has. Uses {@code
+ * tracker}.
  */
 @NullMarked
 package org.selectiverenderer.tracker.emulate;

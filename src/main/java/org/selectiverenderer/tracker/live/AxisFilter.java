@@ -7,7 +7,10 @@ import org.selectiverenderer.tracker.Axis;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerOptions;
 
-/** For devices that are mounted, or name their angles, differently: swaps angles, turns signs. */
+/**
+ * Exchanges and inverts angles, for devices that are mounted in another way or name their angles
+ * differently.
+ */
 final class AxisFilter implements PoseFilter {
   private final Axis yawFrom;
   private final Axis pitchFrom;

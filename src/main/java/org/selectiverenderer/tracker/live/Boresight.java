@@ -3,11 +3,12 @@ package org.selectiverenderer.tracker.live;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
- * The heading that counts as straight ahead. Yaw is the outermost of the three rotations (order
- * YXZ), so that taking a number from it turns the world about its vertical axis and nothing else.
+ * The boresight of a tracker: the heading that counts as straight ahead. Yaw is the outermost of
+ * the three rotations (order YXZ), so that subtracting from it rotates about the vertical axis
+ * only.
  */
 final class Boresight {
-  /** A heading in degrees, and which one it is. */
+  /** A heading in degrees, with the number of resets so far. */
   private record Ahead(double yaw, int times) {
     Ahead next(double other) {
       return new Ahead(other, times + 1);
@@ -22,7 +23,7 @@ final class Boresight {
     this.newest = newest;
   }
 
-  /** Makes the newest pose's heading yaw 0, or that of the first pose when there is none yet. */
+  /** Makes the heading of the latest pose yaw 0, or that of the first pose if there is none yet. */
   public void reset() {
     PoseSample now = new PoseSample();
     if (newest.read(now)) {
@@ -32,12 +33,12 @@ final class Boresight {
     }
   }
 
-  /** Makes the next pose's heading yaw 0. */
+  /** Makes the heading of the next pose yaw 0. */
   public void resetAtNext() {
     wanted = true;
   }
 
-  /** Called with each pose before it is published. */
+  /** Handles each pose before it is published. */
   public void arriving(PoseSample sample) {
     if (wanted) {
       ahead = ahead.next(sample.yaw());
@@ -45,7 +46,7 @@ final class Boresight {
     }
   }
 
-  /** Copies the newest pose, relative to the heading ahead. */
+  /** Copies the latest pose, relative to the boresight. */
   public boolean read(PoseSample into) {
     if (!newest.read(into)) {
       return false;

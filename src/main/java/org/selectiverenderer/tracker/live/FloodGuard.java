@@ -1,8 +1,8 @@
 package org.selectiverenderer.tracker.live;
 
-/** Notices that far more records come than any head tracker sends. */
+/** Detects a flood: far more records per second than any head tracker sends. */
 final class FloodGuard {
-  /** Records per second; the fastest head trackers send a thousand. */
+  /** Limit in records per second; the fastest head trackers send a thousand. */
   static final int LIMIT = 5_000;
 
   private long begin;
@@ -12,7 +12,7 @@ final class FloodGuard {
   /**
    * Counts a record.
    *
-   * @return true once each time that a flood begins
+   * @return true once at the beginning of each flood
    */
   boolean record(long arrival) {
     if (count++ == 0) {

@@ -1,27 +1,27 @@
 package org.selectiverenderer.tracker.live;
 
 /**
- * Estimates how many records were sent but did not come, from the times of those that came: no
- * protocol here numbers its records. A gap much longer than the usual time between two records
- * lacks those that would have filled it; but records that come right after it, in a bunch, were
- * late and not lost (a USB adapter or a pause of this program held them back).
+ * Estimates how many records were dropped, from the times of those that arrived: none of the
+ * protocols numbers its records. A gap much longer than the usual interval lacks the records that
+ * would have filled it, unless a burst of records follows at once: those were late, not lost (a USB
+ * adapter or a pause of this program delayed them).
  */
 final class GapCounter {
-  /** A gap of fewer usual times between records is jitter. */
+  /** Gaps up to this multiple of the usual interval are jitter. */
   private static final double GAP = 1.75;
 
-  /** A record that comes faster than this share of the usual time belongs to a bunch. */
+  /** A record after less than this share of the usual interval belongs to a burst. */
   private static final double BUNCH = 0.75;
 
   private long late;
   private long dropped;
 
   /**
-   * Takes the time from one good record to the next.
+   * Handles the interval between two consecutive good records.
    *
-   * @param seconds between the two
-   * @param usual time between two records, in seconds; 0 when not known
-   * @param bad records that came between the two: they are counted elsewhere
+   * @param seconds the interval
+   * @param usual the usual interval in seconds; 0 if unknown
+   * @param bad number of bad records between the two, which are counted elsewhere
    */
   void interval(double seconds, double usual, long bad) {
     if (late > 0 && seconds < usual * BUNCH) {
@@ -35,7 +35,7 @@ final class GapCounter {
     }
   }
 
-  /** Forgets the gap that is open: the connection was lost, or the tracker fell silent. */
+  /** Restarts after a lost connection or a silence, without counting it as a gap. */
   void restart() {
     dropped += late;
     late = 0;

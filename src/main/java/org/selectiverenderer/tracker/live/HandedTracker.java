@@ -9,7 +9,7 @@ import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
- * A tracker without a thread: whoever draws the frames of a headset hands it the pose of each, just
+ * The tracker of a headset, which has no thread: the frame loop pushes the pose of each frame, just
  * before the frame is stepped.
  */
 public final class HandedTracker extends PublishingTracker {
@@ -22,8 +22,8 @@ public final class HandedTracker extends PublishingTracker {
   private volatile State state = State.CONNECTING;
 
   /**
-   * @param listener hears of each pose; its thread is the one that hands it
-   * @param words how the headset does, for people
+   * @param listener receives each pose on the thread that pushes it
+   * @param words returns the status of the headset, for people
    */
   public HandedTracker(TrackerListener listener, Supplier<String> words) {
     super(new TrackerSpec.Headset());
@@ -32,10 +32,10 @@ public final class HandedTracker extends PublishingTracker {
   }
 
   /**
-   * The pose of the next frame; one thread at a time.
+   * Pushes the pose of the next frame; called by one thread at a time.
    *
-   * @param pose its number and arrival are not looked at
-   * @param arrival {@link System#nanoTime} when it was asked for
+   * @param pose the pose; its number and arrival are ignored
+   * @param arrival {@link System#nanoTime} when the pose was requested
    */
   public void hand(PoseSample pose, long arrival) {
     sample.set(pose);
@@ -50,7 +50,7 @@ public final class HandedTracker extends PublishingTracker {
     listener.sample(sample);
   }
 
-  /** Nobody wears it, or it has gone: there are no poses until the next one. */
+  /** Pauses until the next pose, as the headset is not worn, or was lost. */
   public void pause(boolean gone) {
     if (state == State.STREAMING) {
       meter.pause();
@@ -59,7 +59,7 @@ public final class HandedTracker extends PublishingTracker {
     state = gone ? State.LOST : State.SILENT;
   }
 
-  /** Where the head looks in the next pose is straight ahead. */
+  /** Makes the heading of the next pose straight ahead. */
   public void straighten() {
     straightenNext();
   }

@@ -2,11 +2,14 @@ package org.selectiverenderer.tracker.live;
 
 import org.selectiverenderer.tracker.TrackerHealth;
 
-/** Counts what arrives. The tracker's thread adds, any thread asks; nothing is allocated to add. */
+/**
+ * Computes statistics of the records. The tracker's thread adds records without allocating; any
+ * thread reads.
+ */
 final class HealthMeter {
   private static final int WINDOW = 64;
 
-  /** Records needed before the usual time between two of them counts as known. */
+  /** Number of records after which the usual interval counts as known. */
   private static final int ENOUGH = 16;
 
   private final long[] arrivals = new long[WINDOW];
@@ -27,7 +30,7 @@ final class HealthMeter {
     lastGood = arrival;
     arrivals[inWindow++ % WINDOW] = arrival;
     if (inWindow == 2 * WINDOW) {
-      inWindow = WINDOW; // Stays full, and the place in the ring the same.
+      inWindow = WINDOW; // The window stays full, at the same place in the ring.
     }
     records++;
   }
@@ -37,7 +40,7 @@ final class HealthMeter {
     badSinceGood++;
   }
 
-  /** Begins anew after a pause that is not the records' own: figures of times forget what was. */
+  /** Restarts the timing statistics after a pause, so that it does not count as an interval. */
   synchronized void pause() {
     inWindow = 0;
     badSinceGood = 0;
@@ -48,12 +51,12 @@ final class HealthMeter {
     reconnects++;
   }
 
-  /** Since the last good record, in seconds. */
+  /** Returns the seconds since the last good record. */
   synchronized double silence(long now) {
     return Math.max(0, (now - lastGood) * 1e-9);
   }
 
-  /** Bad records since the last good one. */
+  /** Returns the number of bad records since the last good one. */
   synchronized long badSinceGood() {
     return badSinceGood;
   }
@@ -76,7 +79,7 @@ final class HealthMeter {
         reconnects);
   }
 
-  /** From the first to the last record of the window, in seconds. */
+  /** Returns the time from the first to the last record of the window, in seconds. */
   private double span() {
     int count = Math.min(inWindow, WINDOW);
     return (arrival(inWindow - 1) - arrival(inWindow - count)) * 1e-9;

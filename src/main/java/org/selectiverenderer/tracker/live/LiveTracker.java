@@ -13,11 +13,11 @@ import org.selectiverenderer.tracker.TrackerOptions;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
- * A tracker with a thread that reads its {@link PoseSource}. When the connection is lost the thread
- * opens it again, several times a second, until it is there or the tracker is closed.
+ * A tracker with a thread that reads a {@link PoseSource}. After a lost connection the thread tries
+ * to reopen it, several times a second, until that succeeds or the tracker is closed.
  */
 public final class LiveTracker extends PublishingTracker {
-  /** From one attempt to open the connection again to the next. */
+  /** Interval between attempts to reconnect. */
   private static final long RETRY_MS = 100;
 
   private final PoseSource source;
@@ -74,7 +74,7 @@ public final class LiveTracker extends PublishingTracker {
       try {
         thread.join();
       } catch (InterruptedException e) {
-        interrupted = true; // The device is let go of first; the caller hears of it then.
+        interrupted = true; // Restored after the device is closed.
       }
     }
     state = State.CLOSED;
@@ -121,7 +121,7 @@ public final class LiveTracker extends PublishingTracker {
       } catch (TrackerException e) {
         lost(e.getMessage());
       } catch (RuntimeException e) {
-        lost(failed(e)); // As drivers may while a device is being plugged in; it is tried again.
+        lost(failed(e)); // A driver may fail while a device is plugged in; retry.
       }
     }
     return false;
@@ -135,7 +135,7 @@ public final class LiveTracker extends PublishingTracker {
     try {
       return !closing.await(RETRY_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
-      return false; // Nobody interrupts this thread but to end it.
+      return false; // An interrupt means the end of this thread.
     }
   }
 
@@ -143,7 +143,7 @@ public final class LiveTracker extends PublishingTracker {
     return closing.getCount() > 0;
   }
 
-  /** Takes the source's records on the tracker's thread. */
+  /** Receives the source's records on the tracker's thread. */
   private final class Reading implements PoseSink {
     private final PoseSample sample = new PoseSample();
     private final FloodGuard flood = new FloodGuard();
@@ -172,7 +172,7 @@ public final class LiveTracker extends PublishingTracker {
 
     @Override
     public void place(double x, double y, double z) {
-      // A distance that is not a number is not below the limit either.
+      // The comparison is false for NaN, too.
       if (x * x + y * y + z * z <= FARTHEST * FARTHEST) {
         sample.place(x, y, z);
       } else {
@@ -180,7 +180,7 @@ public final class LiveTracker extends PublishingTracker {
       }
     }
 
-    /** False for not-a-number, too. */
+    /** Returns whether an angle is in range; false for NaN. */
     private boolean sane(double angle) {
       return Math.abs(angle) <= LARGEST_ANGLE;
     }
@@ -223,7 +223,7 @@ public final class LiveTracker extends PublishingTracker {
     @Override
     public void tick() {
       long now = System.nanoTime();
-      // Silence is the device's own only since it is connected.
+      // Only silence since the connection was made counts.
       double silence = Math.min(meter.silence(now), (now - connectedAt) * 1e-9);
       if (state != State.SILENT && silence > TrackerHealth.SILENCE) {
         episodes.silent(meter.badSinceGood());
@@ -233,7 +233,7 @@ public final class LiveTracker extends PublishingTracker {
     }
   }
 
-  /** Formats for messages. */
+  /** Formats a duration for messages. */
   static String seconds(double seconds) {
     return String.format(Locale.ROOT, "%.1f s", seconds);
   }

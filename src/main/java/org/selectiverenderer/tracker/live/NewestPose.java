@@ -5,7 +5,7 @@ import java.lang.invoke.VarHandle;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
- * The newest pose, written by one thread and read by any, without locks and allocations.
+ * The latest pose, written by one thread and read by any, without locks and allocations.
  *
  * <p>A sequence lock: the stamp is odd while the writer is at work, and a reader whose stamp
  * changed meanwhile reads again. The writer never waits for readers. Boehm, "Can seqlocks get along
@@ -33,7 +33,7 @@ final class NewestPose {
     }
   }
 
-  /** Makes a pose the newest; called by one thread. */
+  /** Publishes a pose; called by one thread. */
   public void publish(PoseSample sample) {
     long writing = stamp + 1;
     STAMP.setOpaque(this, writing);
@@ -50,7 +50,7 @@ final class NewestPose {
     STAMP.setRelease(this, writing + 1);
   }
 
-  /** Copies the newest pose; false, and {@code into} as it was, when there is none yet. */
+  /** Copies the latest pose; returns false, with {@code into} unchanged, if there is none yet. */
   public boolean read(PoseSample into) {
     while (true) {
       long before = (long) STAMP.getAcquire(this);

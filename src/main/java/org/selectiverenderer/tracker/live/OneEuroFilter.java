@@ -6,14 +6,14 @@ import org.selectiverenderer.tracker.TrackerOptions;
 
 /**
  * The one-euro filter on orientations: Casiez, Roussel and Vogel, "1 Euro filter: a simple
- * speed-based low-pass filter for noisy input in interactive systems", CHI 2012. Its step from the
- * old value to the new is taken along the shorter great arc, so that yaw may pass 180 degrees.
+ * speed-based low-pass filter for noisy input in interactive systems", CHI 2012. It interpolates
+ * along the shorter great arc (slerp), so that yaw may pass 180 degrees.
  */
 final class OneEuroFilter implements PoseFilter {
-  /** Of the low-pass on the speed, in Hz: the paper's constant. */
+  /** Cutoff of the low-pass filter of the speed in Hz, the constant of the paper. */
   private static final double SPEED_CUTOFF = 1;
 
-  /** After a longer gap the old value says nothing; in seconds. */
+  /** Gap in seconds after which the filter restarts. */
   private static final double LONGEST_GAP = 0.5;
 
   private final TrackerOptions.Smoothing smoothing;
@@ -40,7 +40,7 @@ final class OneEuroFilter implements PoseFilter {
       speed = 0;
       return;
     }
-    // Records that arrive together have no time between them; a thousandth of a second stands in.
+    // Records that arrive together have an interval of 0, for which 1 ms is substituted.
     double step = Math.max(dt, 1e-3);
     speed += share(SPEED_CUTOFF, step) * (Quaternions.angle(before, raw) / step - speed);
     double cutoff = smoothing.cutoff() + smoothing.speed() * speed;
@@ -50,7 +50,7 @@ final class OneEuroFilter implements PoseFilter {
     sample.turn(smooth.x, smooth.y, smooth.z, smooth.w);
   }
 
-  /** How much of the way to the new value a low-pass of first order goes in a time. */
+  /** Returns the smoothing factor of a first-order low-pass filter for a time step. */
   private static double share(double cutoff, double dt) {
     double tau = 1 / (2 * Math.PI * cutoff);
     return 1 / (1 + tau / dt);

@@ -5,12 +5,12 @@ import java.util.List;
 import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerOptions;
 
-/** Changes each record on its way; used by one thread; allocates nothing per record. */
+/** A filter that changes each record; used by one thread; allocates nothing per record. */
 public interface PoseFilter {
-  /** Changes the angles in place; the time of arrival is the filter's clock. */
+  /** Changes the angles in place; the filter's clock is the time of arrival. */
   void apply(PoseSample sample);
 
-  /** Filters for the options, in the order in which these say that they are applied. */
+  /** Returns the chain of filters for the options. */
   static PoseFilter of(TrackerOptions options) {
     List<PoseFilter> filters = new ArrayList<>();
     if (options.swapped().isPresent() || !options.inverted().isEmpty()) {

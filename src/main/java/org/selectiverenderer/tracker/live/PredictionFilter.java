@@ -4,17 +4,17 @@ import org.joml.Quaterniond;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
- * Tells where the head will look a known time after its record, as if it went on turning as it does
- * (constant angular velocity: Azuma and Bishop, SIGGRAPH 1994).
+ * Predicts the orientation of the head a fixed time ahead, by constant angular velocity (Azuma and
+ * Bishop, SIGGRAPH 1994).
  */
 final class PredictionFilter implements PoseFilter {
   /**
-   * The velocity is taken over at least this time, in seconds: records that arrive together would
-   * give an endless one, and noise a large one.
+   * Minimum interval in seconds over which the velocity is measured: for records that arrive
+   * together it would be infinite, and noise would make it large.
    */
   private static final double BASELINE = 0.02;
 
-  /** After a longer gap nothing is known of the velocity; in seconds. */
+  /** Gap in seconds after which the velocity is unknown. */
   private static final double LONGEST_GAP = 0.1;
 
   private static final int HISTORY = 64;
@@ -27,7 +27,7 @@ final class PredictionFilter implements PoseFilter {
   private int count;
 
   /**
-   * @param ahead in seconds
+   * @param ahead prediction time in seconds
    */
   PredictionFilter(double ahead) {
     this.ahead = ahead;
@@ -56,7 +56,10 @@ final class PredictionFilter implements PoseFilter {
     count++;
   }
 
-  /** The newest record that is old enough, else the oldest that is kept. */
+  /**
+   * Returns the latest record that is at least {@link #BASELINE} old, else the oldest in the
+   * history.
+   */
   private int reference(long time) {
     int oldest = Math.max(0, count - HISTORY);
     int at = count - 1;
@@ -66,7 +69,7 @@ final class PredictionFilter implements PoseFilter {
     return at;
   }
 
-  /** The turn from then to now, by a factor, put after now. */
+  /** Extrapolates the rotation from {@code then} to {@code now} by a factor. */
   private void turnOn(Quaterniond then, double factor) {
     now.mul(turn.set(then).conjugate(), turn); // now * then^-1, in the world's frame
     if (turn.w < 0) {

@@ -1,13 +1,16 @@
 package org.selectiverenderer.tracker.live;
 
 /**
- * Whether the process is ending, as by Ctrl-C. Libraries close their devices then, while trackers
- * still read them; that is no fault of the device.
+ * Detects the shutdown of the process, as by Ctrl-C. Libraries then close their devices while
+ * trackers still read them, which is not a failure of the device.
  */
 final class ProcessEnd {
   private ProcessEnd() {}
 
-  /** Java tells it only by refusing a hook. */
+  /**
+   * Returns whether the shutdown has begun. Java has no query for it, but rejects new shutdown
+   * hooks.
+   */
   static boolean begun() {
     Thread hook = new Thread(() -> {});
     try {

@@ -5,7 +5,7 @@ import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
- * A tracker that publishes one pose after the other; readers see the newest, from straight ahead.
+ * Base class of trackers that publish poses; readers get the latest one, relative to the boresight.
  */
 public abstract class PublishingTracker implements HeadTracker {
   private final TrackerSpec spec;
@@ -16,13 +16,13 @@ public abstract class PublishingTracker implements HeadTracker {
     this.spec = spec;
   }
 
-  /** Makes a pose the newest one; called by one thread. */
+  /** Publishes a pose; called by one thread. */
   protected final void publish(PoseSample sample) {
     boresight.arriving(sample);
     newest.publish(sample);
   }
 
-  /** Makes the heading of the next pose that is published yaw 0. */
+  /** Makes the heading of the next published pose yaw 0. */
   protected final void straightenNext() {
     boresight.resetAtNext();
   }

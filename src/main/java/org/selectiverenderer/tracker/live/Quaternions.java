@@ -2,11 +2,11 @@ package org.selectiverenderer.tracker.live;
 
 import org.joml.Quaterniond;
 
-/** What JOML's quaternions lack. */
+/** Quaternion functions that JOML lacks. */
 final class Quaternions {
   private Quaternions() {}
 
-  /** The angle of the rotation from one orientation to another, 0 to pi. */
+  /** Returns the angle of the rotation from one orientation to another, 0 to pi. */
   static double angle(Quaterniond from, Quaterniond to) {
     // By the distance of the quaternions: exact for small angles, where an arc cosine is not.
     double sign = from.dot(to) < 0 ? -1 : 1;

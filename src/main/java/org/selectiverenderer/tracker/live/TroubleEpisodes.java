@@ -10,7 +10,7 @@ import org.selectiverenderer.tracker.TrackerListener;
 import org.selectiverenderer.tracker.TrackerSpec;
 
 /**
- * Says what is wrong with a tracker: each sentence once until records come again, and then that
+ * Reports the problems of a tracker: each message once until records arrive again, and then that
  * they do. Used on the tracker's thread only.
  */
 final class TroubleEpisodes {
@@ -30,28 +30,30 @@ final class TroubleEpisodes {
   }
 
   /**
-   * @param bad records since the last good one
+   * Reports that no good record arrives.
+   *
+   * @param bad number of bad records since the last good one
    */
   void silent(long bad) {
     String silence = LiveTracker.seconds(TrackerHealth.SILENCE);
     say(
         Severity.ERROR,
         bad == 0
-            ? "nothing came for " + silence + "; the last orientation is kept until records come"
-            : "what came for "
+            ? "no records for " + silence + "; the last orientation is kept until records arrive"
+            : "no valid records for "
                 + silence
-                + " cannot be understood ("
+                + " ("
                 + expected()
-                + "); it is ignored and the last orientation is kept");
+                + "); the last orientation is kept");
   }
 
-  /** What may be wrong with a sender that is not understood. */
+  /** Returns a hint at what may be wrong with a device whose records are not valid. */
   private String expected() {
     if (spec instanceof TrackerSpec.Tcp) {
       return "a line must be three numbers, yaw pitch roll in degrees";
     }
     boolean serial = spec instanceof TrackerSpec.InterTrax2 || spec instanceof TrackerSpec.Fastrak;
-    return serial ? "wrong speed, or another device?" : "another program?";
+    return serial ? "wrong speed, or another device?" : "is another program sending?";
   }
 
   void flood() {
@@ -59,14 +61,14 @@ final class TroubleEpisodes {
         Severity.WARNING,
         "more than "
             + FloodGuard.LIMIT
-            + " records come per second; all are read and the newest is used");
+            + " records arrive per second; all are read and the latest is used");
   }
 
-  /** Records come, perhaps again. */
+  /** Reports that records arrive again after a problem. */
   void streaming(double pause) {
     if (!said.isEmpty()) {
       said.clear();
-      say(Severity.INFO, "records come again, after " + LiveTracker.seconds(pause));
+      say(Severity.INFO, "records arrive again, after " + LiveTracker.seconds(pause));
       said.clear();
     }
   }

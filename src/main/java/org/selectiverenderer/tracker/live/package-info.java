@@ -1,18 +1,18 @@
 /**
- * The way of a record from its arrival to whoever draws, the same for every tracker.
+ * The pipeline of a record from its arrival to the renderer, the same for every tracker.
  *
- * <p>In: a {@link org.selectiverenderer.tracker.live.PoseSource}, which knows one protocol, and
- * filters for {@link org.selectiverenderer.tracker.TrackerOptions}. Out: a {@link
+ * <p>In: a {@link org.selectiverenderer.tracker.live.PoseSource}, which implements one protocol,
+ * and filters for {@link org.selectiverenderer.tracker.TrackerOptions}. Out: a {@link
  * org.selectiverenderer.tracker.live.LiveTracker} with its thread, the {@link
- * org.selectiverenderer.tracker.live.NewestPose}, health, and problems said once.
+ * org.selectiverenderer.tracker.live.NewestPose}, statistics, and problems, each reported once.
  *
  * <pre>
- *  PoseSource --Intake (checks, time stamp)--> filters --> listener, NewestPose --boresight--> read
- *                 |                                             (thread of the tracker)   (any thread)
- *                 +--> HealthMeter
+ *  PoseSource --records--> PoseSink (checks, time stamps) --> filters --> HealthMeter
+ *    --> listener, on the tracker's thread
+ *    --> {@code NewestPose} --boresight--> read, on any thread
  * </pre>
  *
- * <p>The newest pose lies in a sequence lock. Nothing is allocated per record. Uses {@code tracker}
+ * <p>A sequence lock guards the latest pose. Nothing is allocated per record. Uses {@code tracker}
  * and {@code base.problem}.
  */
 @NullMarked

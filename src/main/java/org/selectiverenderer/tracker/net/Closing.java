@@ -5,14 +5,14 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import org.jspecify.annotations.Nullable;
 
-/** Lets go of connections that nothing more is expected of. */
+/** Closes connections that are no longer needed. */
 final class Closing {
   private Closing() {}
 
   /**
-   * Closes it, if it is there.
+   * Closes a connection, if there is one.
    *
-   * @throws UncheckedIOException never seen of sockets: by then their data are given up
+   * @throws UncheckedIOException if closing fails, which does not happen with sockets
    */
   static void quietly(@Nullable Closeable connection) {
     if (connection == null) {

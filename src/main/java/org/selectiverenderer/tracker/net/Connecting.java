@@ -9,17 +9,17 @@ import java.net.SocketTimeoutException;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.live.PoseSink;
 
-/** TCP connections that never wait long. */
+/** Opens TCP connections with short timeouts. */
 final class Connecting {
-  /** A server on a laboratory's network answers within this, in milliseconds. */
+  /** Connection timeout in milliseconds, ample for a server on a laboratory's network. */
   private static final int CONNECT_MS = 1000;
 
   private Connecting() {}
 
   /**
-   * Connects.
+   * Connects to a server.
    *
-   * @throws TrackerException with the reason why not
+   * @throws TrackerException if there is no connection, with a message for the user
    */
   static Socket to(String host, int port) throws TrackerException {
     InetSocketAddress address = address(host, port);
@@ -40,7 +40,7 @@ final class Connecting {
     }
   }
 
-  /** Sets up a socket for small records that are wanted at once. */
+  /** Configures a socket for small records with low latency. */
   static void prepare(Socket socket) throws IOException {
     socket.setTcpNoDelay(true);
     socket.setSoTimeout(PoseSink.PATIENCE_MS);
@@ -49,7 +49,7 @@ final class Connecting {
   /**
    * Looks up a host.
    *
-   * @throws TrackerException if there is none of that name
+   * @throws TrackerException if there is no host with this name
    */
   static InetSocketAddress address(String host, int port) throws TrackerException {
     InetSocketAddress address = new InetSocketAddress(host, port);
@@ -59,7 +59,9 @@ final class Connecting {
     return address;
   }
 
-  /** Reads what is there: the number of bytes, 0 when none came in time, -1 at the end. */
+  /**
+   * Reads available bytes and returns their number: 0 after a timeout, -1 at the end of the stream.
+   */
   static int read(InputStream stream, byte[] bytes) throws IOException {
     try {
       return stream.read(bytes);

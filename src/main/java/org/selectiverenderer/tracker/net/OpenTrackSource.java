@@ -13,7 +13,7 @@ import org.selectiverenderer.tracker.live.PoseSink;
 import org.selectiverenderer.tracker.live.PoseSource;
 
 /**
- * opentrack's "UDP over network" output: datagrams of six little-endian doubles, x, y, z in
+ * Reads opentrack's "UDP over network" output: datagrams of six little-endian doubles, x, y, z in
  * centimetres (to the right, up, away from the screen), then yaw, pitch, roll in degrees. A
  * datagram of another length is a bad record.
  */
@@ -28,7 +28,7 @@ public final class OpenTrackSource implements PoseSource {
   private @Nullable DatagramSocket socket;
 
   /**
-   * @param port to listen on, on all interfaces
+   * @param port port to listen on, on all network interfaces
    */
   public OpenTrackSource(int port) {
     this.port = port;
@@ -73,7 +73,7 @@ public final class OpenTrackSource implements PoseSource {
       from.receive(packet);
       return true;
     } catch (SocketTimeoutException e) {
-      return false; // Nothing came in time; the caller sees whether to wait on.
+      return false; // Timeout; the caller decides whether to go on.
     }
   }
 

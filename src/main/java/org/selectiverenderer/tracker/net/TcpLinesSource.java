@@ -11,8 +11,8 @@ import org.selectiverenderer.tracker.text.AngleLine;
 import org.selectiverenderer.tracker.text.LineSplitter;
 
 /**
- * A server that sends lines of {@code yaw pitch roll} in degrees over TCP: the thesis's TcpClient
- * (Fig 50). Lines of any other form are bad records.
+ * Reads lines of {@code yaw pitch roll} in degrees from a TCP server: the protocol of the thesis's
+ * TcpClient (Fig 50). Lines of any other form are bad records.
  */
 public final class TcpLinesSource implements PoseSource {
   private final String host;

@@ -8,9 +8,10 @@ import java.util.regex.Pattern;
 import org.selectiverenderer.tracker.TrackerException;
 
 /**
- * What both sides of a VRPN connection send first: {@code vrpn: ver. 07.38 0}, padded with zeros.
+ * The cookie that both sides of a VRPN connection send first: {@code vrpn: ver. 07.38 0}, padded
+ * with zeros.
  *
- * @param bytes of the cookie, 24
+ * @param bytes the 24 bytes of the cookie
  */
 record VrpnCookie(byte[] bytes) {
   static final int LENGTH = 24;
@@ -29,24 +30,24 @@ record VrpnCookie(byte[] bytes) {
   }
 
   /**
-   * Compares major versions; minor ones understand each other.
+   * Checks the major version; minor versions are compatible.
    *
-   * @throws TrackerException if the server speaks another version, or not VRPN
+   * @throws TrackerException if the server has another major version, or is not a VRPN server
    */
   void check(String host) throws TrackerException {
     Matcher matcher = FORM.matcher(new String(bytes, StandardCharsets.ISO_8859_1));
     if (!matcher.lookingAt()) {
-      throw new TrackerException("what " + host + " sends is not VRPN");
+      throw new TrackerException("the server at " + host + " is not a VRPN server");
     }
     if (!matcher.group(1).equals(MAJOR)) {
       throw new TrackerException(
           "the VRPN server at "
               + host
-              + " speaks version "
+              + " has protocol version "
               + matcher.group(1)
               + "."
               + matcher.group(2)
-              + ", this program "
+              + ", but this program needs "
               + MAJOR
               + ".38");
     }

@@ -8,9 +8,10 @@ import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
- * The messages of a VRPN server. Each has a header of 24 bytes (length of header and payload, time
- * in seconds and microseconds, sender, type, sequence; 32-bit integers), then the payload, padded
- * to a multiple of 8. The server numbers its senders and types by descriptions, which come first.
+ * Reads the messages of a VRPN server. Each has a header of 24 bytes (length of header and payload,
+ * time in seconds and microseconds, sender, type, sequence; 32-bit integers), then the payload,
+ * padded to a multiple of 8. The server numbers its senders and types by descriptions, which come
+ * first.
  */
 final class VrpnMessages {
   private static final int HEADER = 24;
@@ -18,7 +19,7 @@ final class VrpnMessages {
   private static final int TYPE_DESCRIPTION = -2;
   private static final String POSE = "vrpn_Tracker Pos_Quat";
 
-  /** Sensor and filler, three doubles of the place, then the quaternion x, y, z, w. */
+  /** Sensor number and padding, three doubles of the position, then the quaternion x, y, z, w. */
   private static final int POSE_LENGTH = 8 + 3 * 8 + 4 * 8;
 
   private static final int QUATERNION = 8 + 3 * 8;
@@ -33,7 +34,7 @@ final class VrpnMessages {
   private int ourSender = UNKNOWN;
   private int poseType = UNKNOWN;
 
-  /** Of all senders, until ours is known. */
+  /** Names of other senders, until ours is known. */
   private final Set<String> names = new TreeSet<>();
 
   VrpnMessages(String tracker, VrpnStream stream, PoseSink intake) {
@@ -45,7 +46,7 @@ final class VrpnMessages {
   /**
    * Reads until the tracker is closed.
    *
-   * @throws TrackerException if the server has introduced its senders and ours is not among them
+   * @throws TrackerException if the server has described its senders and ours is not among them
    */
   void read() throws IOException {
     while (!intake.closed()) {
@@ -71,7 +72,10 @@ final class VrpnMessages {
     }
   }
 
-  /** Senders are described right after the cookies; a second later ours is known or missing. */
+  /**
+   * Checks that our sender is known a second after the cookies, right after which the server
+   * describes its senders.
+   */
   private void checkIntroduction() throws TrackerException {
     if (ourSender == UNKNOWN && System.nanoTime() - begin > INTRODUCTION) {
       throw new TrackerException(
@@ -92,7 +96,7 @@ final class VrpnMessages {
       }
     } else if (type == TYPE_DESCRIPTION) {
       if (POSE.equals(name(payload))) {
-        poseType = sender; // The number that is described stands where the sender's does.
+        poseType = sender; // A type's description has its number in the sender field.
       }
     } else if (type == poseType && sender == ourSender) {
       pose(payload, arrival);
@@ -113,7 +117,10 @@ final class VrpnMessages {
     }
   }
 
-  /** A description's payload: the length of a name with the zero at its end, then the name. */
+  /**
+   * Returns the name in a description's payload: a length that includes the terminating zero, then
+   * the name.
+   */
   private String name(int payload) {
     int length = payload < 4 ? 0 : stream.int32(0) - 1;
     if (length < 0 || length > payload - 4) {

@@ -16,15 +16,15 @@ import org.selectiverenderer.tracker.live.PoseSink;
 import org.selectiverenderer.tracker.live.PoseSource;
 
 /**
- * A client of a VRPN server (Taylor et al., VRST 2001), protocol 07: sensor 0 of one tracker.
+ * A VRPN client (Taylor et al., VRST 2001), protocol version 07, for sensor 0 of one tracker.
  *
- * <p>The client asks by a datagram that names its own address and a TCP port; the server connects
- * back to that port, both send a cookie with their version, and the server sends messages. As the
- * client names no UDP port for records, they come over the same connection. Not tried with a server
- * of the VRPN project.
+ * <p>The client sends a datagram with its own address and a TCP port; the server connects back to
+ * that port, both send a cookie with their version, and the server sends messages. As the client
+ * names no UDP port, records come over the same connection. Not tested with a server of the VRPN
+ * project.
  */
 public final class VrpnSource implements PoseSource {
-  /** A datagram may be lost; it is sent again after this, in nanoseconds. */
+  /** Interval in nanoseconds after which the datagram, which may be lost, is sent again. */
   private static final long ASK_AGAIN = TimeUnit.MILLISECONDS.toNanos(500);
 
   private static final long GIVE_UP = TimeUnit.MILLISECONDS.toNanos(1600);
@@ -37,7 +37,7 @@ public final class VrpnSource implements PoseSource {
   private @Nullable Socket socket;
 
   /**
-   * @param tracker its name at the server
+   * @param tracker name of the tracker at the server
    */
   public VrpnSource(String tracker, String host, int port) {
     this.tracker = tracker;
@@ -75,7 +75,7 @@ public final class VrpnSource implements PoseSource {
     new VrpnMessages(tracker, stream, intake).read();
   }
 
-  /** Asks the server to connect back; null when the tracker is being closed. */
+  /** Asks the server to connect back; returns null if the tracker is being closed. */
   private @Nullable Socket accept(PoseSink intake) throws IOException {
     InetSocketAddress to = server;
     ServerSocket back = listening;
@@ -83,7 +83,7 @@ public final class VrpnSource implements PoseSource {
       throw new TrackerException("there is no connection to " + host);
     }
     try (DatagramSocket asking = new DatagramSocket()) {
-      asking.connect(to); // Sends nothing, but chooses the address by which the server is reached.
+      asking.connect(to); // Sends nothing, but selects the local address.
       byte[] question = question(asking.getLocalAddress(), back.getLocalPort());
       long begin = System.nanoTime();
       long next = begin;
@@ -99,7 +99,7 @@ public final class VrpnSource implements PoseSource {
         try {
           return back.accept();
         } catch (SocketTimeoutException e) {
-          // The server has not connected yet; the loop ends some time.
+          // The server has not connected yet.
         }
       }
     }
@@ -113,7 +113,7 @@ public final class VrpnSource implements PoseSource {
   private void ask(DatagramSocket asking, byte[] question) throws TrackerException {
     try {
       asking.send(new DatagramPacket(question, question.length));
-    } catch (IOException e) { // The host said that nobody listens, to the datagram before.
+    } catch (IOException e) { // ICMP port unreachable, for the previous datagram.
       throw silent();
     }
   }

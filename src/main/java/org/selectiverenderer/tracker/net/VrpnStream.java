@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.live.PoseSink;
 
-/** Big-endian numbers from a connection, waiting in small pieces; allocates nothing to read. */
+/** Reads big-endian numbers from a connection, with short timeouts and without allocating. */
 final class VrpnStream {
   private final InputStream from;
   private final PoseSink intake;
@@ -24,10 +24,10 @@ final class VrpnStream {
   }
 
   /**
-   * Waits until a number of bytes are there, or the tracker is being closed.
+   * Waits until a number of bytes are available, or the tracker is being closed.
    *
    * @param count at most {@link #capacity}
-   * @return false if it is being closed
+   * @return false if the tracker is being closed
    * @throws TrackerException if the connection ended
    */
   boolean require(int count) throws IOException {
@@ -39,9 +39,7 @@ final class VrpnStream {
     return true;
   }
 
-  /**
-   * Whether a number of bytes are there; waits for some once, for a short time, if they are not.
-   */
+  /** Returns whether a number of bytes are available; if not, waits once for a short time. */
   boolean ready(int count) throws IOException {
     if (end - at < count) {
       System.arraycopy(bytes, at, bytes, 0, end - at);
@@ -61,11 +59,11 @@ final class VrpnStream {
       }
       return count;
     } catch (SocketTimeoutException e) {
-      return 0; // Nothing came in time; the caller sees whether to wait on.
+      return 0; // Timeout; the caller decides whether to go on.
     }
   }
 
-  /** How many bytes can be required at once. */
+  /** Returns the maximum number of bytes that can be required at once. */
   int capacity() {
     return bytes.length;
   }
@@ -78,12 +76,12 @@ final class VrpnStream {
     return numbers.getDouble(at + offset);
   }
 
-  /** Characters of one byte each. */
+  /** Returns a text of one byte per character. */
   String text(int offset, int length) {
     return new String(bytes, at + offset, length, StandardCharsets.ISO_8859_1);
   }
 
-  /** Copies bytes, and goes on behind them; zeros if they are not there. */
+  /** Copies bytes and moves behind them; missing bytes are zeros. */
   byte[] bytes(int count) {
     byte[] copy = new byte[count];
     System.arraycopy(bytes, at, copy, 0, Math.min(count, end - at));
@@ -91,7 +89,7 @@ final class VrpnStream {
     return copy;
   }
 
-  /** Goes on behind bytes that were required. */
+  /** Moves behind bytes that were required. */
   void skip(int count) {
     at += count;
   }

@@ -1,9 +1,9 @@
 /**
- * Trackers on the network: opentrack's datagrams, a VRPN client, lines over TCP.
+ * Sources of trackers on the network: opentrack's datagrams, VRPN, and text lines over TCP.
  *
  * <p>In: hosts and ports. Out: {@link org.selectiverenderer.tracker.live.PoseSource}s. Uses {@code
- * tracker}, {@code tracker.live} and {@code tracker.text}; nothing is sent but what a protocol's
- * hand-shake asks for.
+ * tracker}, {@code tracker.live} and {@code tracker.text}; nothing is sent except for the handshake
+ * of a protocol.
  */
 @NullMarked
 package org.selectiverenderer.tracker.net;

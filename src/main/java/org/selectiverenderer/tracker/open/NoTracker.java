@@ -5,7 +5,7 @@ import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
 import org.selectiverenderer.tracker.TrackerSpec;
 
-/** For those who have none: never has a pose, never a problem. */
+/** The null object for {@code none}: a tracker that never has a pose or a problem. */
 final class NoTracker implements HeadTracker {
   @Override
   public TrackerSpec spec() {

@@ -18,20 +18,21 @@ import org.selectiverenderer.tracker.serial.InterTrax2Source;
 import org.selectiverenderer.tracker.serial.SerialPorts;
 
 /**
- * Finds the serial port at which an InterTrax2 answers ({@code intertrax2:auto}): all are asked at
- * once, and the first that sends records is it. What else hangs on a serial port is sent the
+ * Finds the serial port with an InterTrax2 ({@code intertrax2:auto}): all ports are tried in
+ * parallel, and the first that sends records is chosen. Other devices on serial ports receive the
  * commands of an InterTrax2, too.
  */
 public final class TrackerSearch {
-  /** A device that hangs answers after all the resets of its handshake; milliseconds. */
+  /** Timeout in milliseconds, which allows for all resets of the handshake with a hung device. */
   private static final long PATIENCE_MS = 6000;
 
   private TrackerSearch() {}
 
   /**
-   * The tracker that a SPEC means.
+   * Resolves a SPEC.
    *
-   * @return the same one where it names its place; empty when it is to be found and no port answers
+   * @return the same SPEC if it names its port; empty if the port is to be searched and no device
+   *     answers
    * @throws InterruptedException if the waiting thread is interrupted
    */
   public static Optional<TrackerSpec> found(TrackerSpec spec) throws InterruptedException {
@@ -40,7 +41,7 @@ public final class TrackerSearch {
         : Optional.of(spec);
   }
 
-  /** The first of some ports that answers in time. */
+  /** Returns the first of some ports with a device that answers in time. */
   static Optional<TrackerSpec> among(List<String> ports, long patienceMs)
       throws InterruptedException {
     BlockingQueue<TrackerSpec> answers = new LinkedBlockingQueue<>();
@@ -53,7 +54,7 @@ public final class TrackerSearch {
               LiveTracker.open(
                   spec, new InterTrax2Source(port), TrackerOptions.NONE, answer(spec, answers)));
         } catch (TrackerException e) {
-          // In use, or not ours: it is not the one.
+          // A port that is in use, or not permitted, is skipped.
         }
       }
       return open.isEmpty()
@@ -73,7 +74,7 @@ public final class TrackerSearch {
 
       @Override
       public void problem(Problem problem) {
-        // That nothing answers at a port is what most of them say.
+        // Ports without the device report problems, which are ignored.
       }
     };
   }

@@ -20,18 +20,18 @@ import org.selectiverenderer.tracker.serial.FastrakSource;
 import org.selectiverenderer.tracker.serial.InterTrax2Source;
 import org.selectiverenderer.tracker.serial.SerialPorts;
 
-/** Opens trackers of every kind. */
+/** Opens trackers of every kind, by their SPEC. */
 public final class Trackers {
   private Trackers() {}
 
   /**
-   * Opens a tracker and starts to read it.
+   * Opens a tracker and starts reading it.
    *
-   * @param listener hears of problems, and of each record, on the tracker's thread
-   * @return {@link HeadTracker#close} must be called when done with it
-   * @throws TrackerException for what shows at once: no such port, permission denied, port in use,
-   *     nothing listens, a log that cannot be read. A device that does not answer is told to the
-   *     listener, and asked again until it does
+   * @param listener receives problems and records on the tracker's thread
+   * @return the tracker, which the caller must close
+   * @throws TrackerException if the tracker cannot be opened: no such port, permission denied, port
+   *     in use, no server, a log that cannot be read. A device that does not answer is reported to
+   *     the listener, and tried again until it does
    */
   public static HeadTracker open(TrackerSpec spec, TrackerOptions options, TrackerListener listener)
       throws TrackerException {

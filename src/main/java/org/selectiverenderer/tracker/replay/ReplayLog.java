@@ -10,9 +10,9 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
- * Recorded orientations over time: a CSV file with the columns t (seconds), yaw, pitch and roll
- * (degrees) in any order among others; where the device told the place of the head, also right, up
- * and back (metres), as {@link PoseSample} has them, empty in rows without one. Immutable.
+ * A recording of poses: a CSV file with the columns t (seconds), yaw, pitch and roll (degrees) in
+ * any order among others; if the device measured positions, also right, up and back (metres), as in
+ * {@link PoseSample}, empty in rows without a position. Immutable.
  */
 public final class ReplayLog {
   private static final TableForm FORM =
@@ -38,34 +38,36 @@ public final class ReplayLog {
   /**
    * Reads a file.
    *
-   * @return empty when it has faults, which are then in {@code problems}
-   * @throws IOException if the file cannot be read at all
+   * @return empty if the file has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
    */
   public static Optional<ReplayLog> read(Path file, Problems problems) throws IOException {
     return NumberTable.read(FORM, file, problems).map(ReplayLog::new);
   }
 
-  /** The number of rows, at least one. */
+  /** Returns the number of rows, at least one. */
   public int size() {
     return rows.length;
   }
 
-  /** The time of a row, in seconds as the file has it; never less than that of the row before. */
+  /**
+   * Returns the time of a row in seconds, as in the file; never less than that of the previous row.
+   */
   public double time(int row) {
     return rows[row][0];
   }
 
-  /** From the first row to the last, in seconds. */
+  /** Returns the time from the first row to the last, in seconds. */
   public double duration() {
     return time(size() - 1) - time(0);
   }
 
-  /** Whether it has the place of the head, too. */
+  /** Returns whether the recording has positions. */
   public boolean placed() {
     return rows[0].length > BACK;
   }
 
-  /** Copies a row's angles, and its place if it has one. */
+  /** Copies the angles of a row, and the position if there is one. */
   public void pose(int row, PoseSample into) {
     double[] cells = rows[row];
     into.turn(cells[1], cells[2], cells[3]);

@@ -6,7 +6,7 @@ import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.live.PoseSink;
 import org.selectiverenderer.tracker.live.PoseSource;
 
-/** Plays a log at the pace at which it was recorded, from its first row. */
+/** Plays a recording in real time, from its first row. */
 public final class ReplaySource implements PoseSource {
   private static final long PATIENCE = TimeUnit.MILLISECONDS.toNanos(PoseSink.PATIENCE_MS);
 
@@ -16,7 +16,7 @@ public final class ReplaySource implements PoseSource {
     this.log = log;
   }
 
-  /** The log has been read. */
+  /** Does nothing: the recording has been read. */
   @Override
   public void open() {}
 
@@ -48,7 +48,7 @@ public final class ReplaySource implements PoseSource {
     return log.placed();
   }
 
-  /** There is nothing to let go of. */
+  /** Does nothing: there is no connection. */
   @Override
   public void close() {}
 }

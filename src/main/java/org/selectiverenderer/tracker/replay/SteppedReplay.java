@@ -9,8 +9,8 @@ import org.selectiverenderer.tracker.live.PoseFilter;
 import org.selectiverenderer.tracker.live.PublishingTracker;
 
 /**
- * Plays a log at the pace of the frames: the same times give the same poses, whatever the clock on
- * the wall says. {@link #advanceTo} is called by one thread.
+ * Plays a recording by the clock of the frames: the same times give the same poses, whatever the
+ * wall-clock time. {@link #advanceTo} is called by one thread.
  */
 public final class SteppedReplay extends PublishingTracker {
   private final ReplayLog log;
@@ -28,10 +28,9 @@ public final class SteppedReplay extends PublishingTracker {
   }
 
   /**
-   * Makes the last row that is not later the newest pose. Going back plays from the beginning
-   * again.
+   * Publishes the last row up to a time. An earlier time than before restarts from the beginning.
    *
-   * @param time in seconds, as the log counts them
+   * @param time time of the recording in seconds
    */
   public void advanceTo(double time) {
     int row = next;
@@ -42,7 +41,7 @@ public final class SteppedReplay extends PublishingTracker {
     int before = row;
     while (row < log.size() && log.time(row) <= time) {
       log.pose(row, sample);
-      // The filters' clock is that of the recording.
+      // Filters run by the clock of the recording.
       long recorded = (long) (log.time(row) * 1e9);
       sample.set(row + 1L, recorded, sample.yaw(), sample.pitch(), sample.roll());
       filter.apply(sample);

@@ -13,16 +13,17 @@ import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
 
 /**
- * A CSV file that {@code replay:} reads: t (seconds since the tracker was opened), yaw, pitch, roll
- * (degrees), and of a tracker that tells the place of the head right, up, back (metres), empty in
- * records without one. Written out several times per second, so that a crash loses little.
+ * Writes a CSV file that {@code replay:} reads: t (seconds since the tracker was opened), yaw,
+ * pitch, roll (degrees), and, for a tracker that measures positions, right, up, back (metres),
+ * empty in records without a position. Flushed several times per second, so that a crash loses
+ * little.
  */
 public final class CsvTrackOutput implements TrackOutput, AutoCloseable {
   private final BufferedWriter writer;
   private boolean placed;
 
   /**
-   * @throws IOException if the file cannot be made
+   * @throws IOException if the file cannot be created
    */
   public CsvTrackOutput(Path file) throws IOException {
     writer = Files.newBufferedWriter(file, StandardCharsets.UTF_8);

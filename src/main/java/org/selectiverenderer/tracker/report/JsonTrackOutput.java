@@ -4,12 +4,12 @@ import java.io.IOException;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.tracker.PoseSample;
 
-/** One JSON object per record and line, and one with the figures at the end. */
+/** Writes JSON Lines: an object for each record, and one with the statistics at the end. */
 public final class JsonTrackOutput implements TrackOutput {
   private final Appendable out;
   private final Flushing flushing;
 
-  /** What makes written lines visible to a waiting reader. */
+  /** Flushes written lines to their reader. */
   public interface Flushing {
     void flush() throws IOException;
   }
@@ -65,7 +65,7 @@ public final class JsonTrackOutput implements TrackOutput {
     flushing.flush();
   }
 
-  /** As JSON libraries write a double: {@code 12.5}, {@code 0.0}. */
+  /** Formats a number as JSON libraries do: {@code 12.5}, {@code 0.0}. */
   private static String number(double value, int decimals) {
     return Double.toString(Double.parseDouble(DecimalText.fixed(value, decimals)));
   }

@@ -4,8 +4,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.selectiverenderer.tracker.PoseSample;
 
 /**
- * Hands every record from the tracker's thread to the one that writes. Of fixed size: when the
- * writer cannot keep up, new records are left out and counted, and the tracker never waits.
+ * A lock-free ring buffer that passes records from the tracker's thread to the writing thread.
+ * While it is full, new records are dropped and counted; the tracker never waits.
  */
 final class SampleQueue {
   private static final int SIZE = 1 << 14;
@@ -21,7 +21,7 @@ final class SampleQueue {
     }
   }
 
-  /** Adds a copy; called by one thread. */
+  /** Adds a copy of a record; called by one thread. */
   void add(PoseSample sample) {
     long at = written.get();
     if (at - read.get() == SIZE) {
@@ -32,7 +32,7 @@ final class SampleQueue {
     written.set(at + 1);
   }
 
-  /** Takes the oldest; false when there is none; called by one thread. */
+  /** Takes the oldest record; returns false if there is none; called by one thread. */
   boolean take(PoseSample into) {
     long at = read.get();
     if (at == written.get()) {
@@ -43,7 +43,7 @@ final class SampleQueue {
     return true;
   }
 
-  /** How many were left out. */
+  /** Returns the number of dropped records. */
   long lost() {
     return lost.get();
   }

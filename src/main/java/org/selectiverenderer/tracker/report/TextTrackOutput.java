@@ -6,7 +6,9 @@ import org.selectiverenderer.tracker.PoseSample;
 import org.selectiverenderer.tracker.TrackerHealth;
 import org.selectiverenderer.tracker.report.JsonTrackOutput.Flushing;
 
-/** For people: where the head looks and how the records come, a few times per second. */
+/**
+ * Writes status lines for people a few times per second: the pose and statistics of the records.
+ */
 public final class TextTrackOutput implements TrackOutput {
   private final Appendable out;
   private final Flushing flushing;

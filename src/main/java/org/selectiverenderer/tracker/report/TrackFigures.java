@@ -4,17 +4,17 @@ import org.selectiverenderer.tracker.LatencyMeter;
 import org.selectiverenderer.tracker.TrackerHealth;
 
 /**
- * Figures of a whole recording.
+ * Statistics of a whole recording.
  *
- * @param records good ones
- * @param rateHz from the first to the last record, pauses included; 0 with fewer than two
+ * @param records number of good records
+ * @param rateHz mean rate from the first to the last record, pauses included; 0 for fewer than two
  * @param jitterMs standard deviation of the times between records, in milliseconds
- * @param bad records thrown away
- * @param dropped records that did not come (see {@link TrackerHealth}) or could not be written in
- *     time
- * @param ageMedianMs age of a new record when a display of {@link TrackSession#FRAME_RATE} frames
- *     per second draws it, in milliseconds
- * @param ageP99Ms the same, 99th percentile
+ * @param bad number of rejected records
+ * @param dropped number of records that did not arrive ({@link TrackerHealth}) or could not be
+ *     written in time
+ * @param ageMedianMs median age of a new record when a display of {@link TrackSession#FRAME_RATE}
+ *     frames per second draws it, in milliseconds
+ * @param ageP99Ms 99th percentile of that age
  */
 record TrackFigures(
     long records,
@@ -25,7 +25,7 @@ record TrackFigures(
     double ageMedianMs,
     double ageP99Ms) {
 
-  /** Adds up the times between records, one after the other (Welford 1962). */
+  /** Accumulates mean and variance of the intervals between records (Welford 1962). */
   static final class Intervals {
     private long records;
     private long first;

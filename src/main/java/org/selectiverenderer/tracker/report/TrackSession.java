@@ -16,14 +16,14 @@ import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.tracker.open.Trackers;
 
 /**
- * Watches a tracker for a while: looks at it as often as a display draws, passes on every record,
- * and sums up.
+ * Monitors a tracker for a while: polls it at the frame rate of a display, passes every record to
+ * the outputs, and computes statistics.
  */
 public final class TrackSession {
-  /** Of the display whose looking is imitated, per second. */
+  /** Frame rate of the simulated display, per second. */
   public static final int FRAME_RATE = 60;
 
-  /** So many frames from one line about the state to the next. */
+  /** Number of frames between two status lines. */
   private static final int FRAMES_PER_STATUS = FRAME_RATE / 4;
 
   private final TrackerSpec spec;
@@ -38,7 +38,7 @@ public final class TrackSession {
   private final PoseSample taken = new PoseSample();
 
   /**
-   * @param problems hears of them on the tracker's thread
+   * @param problems receives problems on the tracker's thread
    */
   public TrackSession(
       TrackerSpec spec,
@@ -51,16 +51,16 @@ public final class TrackSession {
     this.outputs = List.copyOf(outputs);
   }
 
-  /** Ends {@link #run} soon; may be called from any thread. */
+  /** Ends {@link #run} soon; thread-safe. */
   public void stop() {
     stopping.countDown();
   }
 
   /**
-   * Opens the tracker and watches it until the time is over, {@link #stop} is called or a recording
-   * has ended.
+   * Opens the tracker and monitors it until the time is over, {@link #stop} is called or a
+   * recording has ended.
    *
-   * @param seconds how long; infinite for until stopped
+   * @param seconds duration; infinite to run until stopped
    * @throws IOException if the tracker cannot be opened or an output cannot be written
    */
   public TrackFigures run(double seconds) throws IOException {
@@ -130,7 +130,7 @@ public final class TrackSession {
     }
   }
 
-  /** Waits for the time of a frame; whether the session is to end instead. */
+  /** Waits for the time of a frame; returns whether the session is to end instead. */
   private boolean stopped(long until) {
     try {
       return stopping.await(until - System.nanoTime(), TimeUnit.NANOSECONDS);

@@ -9,13 +9,13 @@ import org.selectiverenderer.tracker.text.FastrakRecord;
 import org.selectiverenderer.tracker.text.LineSplitter;
 
 /**
- * A Polhemus Fastrak, or an InterSense IS-300, IS-600 or IS-900 in its Fastrak mode, on a serial
- * port: ASCII records of station 1, continuously. Not tried on the device.
+ * Reads a Polhemus Fastrak, or an InterSense IS-300, IS-600 or IS-900 in Fastrak mode, on a serial
+ * port: ASCII records of station 1 in continuous mode. Not tested with the device.
  */
 public final class FastrakSource implements PoseSource {
   private static final long FIRST_RECORD = TimeUnit.SECONDS.toNanos(1);
 
-  /** What comes after the stop command is the rest of an old record, at most this long. */
+  /** Maximum time in which the rest of an old record arrives after the stop command. */
   private static final long QUIET = TimeUnit.MILLISECONDS.toNanos(300);
 
   private final String port;
@@ -24,7 +24,7 @@ public final class FastrakSource implements PoseSource {
 
   /**
    * @param port the name of the serial port
-   * @param baud the speed that the device is set to
+   * @param baud speed of the device in bits per second
    */
   public FastrakSource(String port, int baud) {
     this.port = port;
@@ -68,13 +68,14 @@ public final class FastrakSource implements PoseSource {
   }
 
   /**
-   * Stops what it may be sending; ASCII, centimetres, station 1: place, angles and line end; go on.
+   * Stops continuous output, selects ASCII, centimetres, and for station 1 position, angles and
+   * line end, then starts continuous output.
    */
   private void setUp(byte[] bytes, PoseSink intake) throws TrackerException {
     send("c");
     long begin = System.nanoTime();
     while (!intake.closed() && line.read(bytes) > 0 && System.nanoTime() - begin < QUIET) {
-      // Thrown away: it was sent before the command.
+      // Discards what was sent before the command.
     }
     send("F");
     send("u");
@@ -99,7 +100,7 @@ public final class FastrakSource implements PoseSource {
     }
   }
 
-  /** Notices the first good record. */
+  /** Counts good records. */
   private static final class Counting implements LineSplitter.Records {
     private final FastrakRecord record = new FastrakRecord();
     private long records;

@@ -7,14 +7,15 @@ import org.selectiverenderer.tracker.TrackerException;
 import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
- * Brings an InterTrax2 to send records, whatever state it is in: streaming already, in command mode
- * at either speed, or hung. Steps and times are those of InterSense's driver of 1999.
+ * The handshake that makes an InterTrax2 send records in any initial state: streaming already, in
+ * command mode at either speed, or hung. Steps and timeouts are those of InterSense's driver of
+ * 1999.
  */
 final class InterTrax2Handshake {
-  /** Speed of the records. */
+  /** Speed in data mode, bits per second. */
   static final int DATA_BAUD = 38400;
 
-  /** Speed of commands after power-on. */
+  /** Speed in command mode after power-on, bits per second. */
   static final int COMMAND_BAUD = 1200;
 
   private static final long REPLY_NANOS = TimeUnit.MILLISECONDS.toNanos(400);
@@ -37,7 +38,7 @@ final class InterTrax2Handshake {
   }
 
   /**
-   * Returns when records come or when the tracker is being closed.
+   * Runs the handshake, until records arrive or the tracker is being closed.
    *
    * @throws TrackerException if the device does not answer as an InterTrax2
    */
@@ -66,7 +67,7 @@ final class InterTrax2Handshake {
     line.speed(DATA_BAUD);
   }
 
-  /** Whether two valid records follow each other: it went on streaming while we were away. */
+  /** Returns whether the device is streaming already: two valid records follow each other. */
   private boolean streams() throws TrackerException {
     line.speed(DATA_BAUD);
     byte[] bytes = new byte[256];
@@ -115,7 +116,9 @@ final class InterTrax2Handshake {
     return call();
   }
 
-  /** Sends {@code c}; {@code o} is the right answer, {@code !} and another byte a good one too. */
+  /**
+   * Sends {@code c} and returns whether the answer is {@code o}, or {@code !} with another byte.
+   */
   private boolean call() throws TrackerException {
     line.write((byte) 'c');
     int answer = next(System.nanoTime() + REPLY_NANOS);
@@ -130,7 +133,7 @@ final class InterTrax2Handshake {
     return next(System.nanoTime() + REPLY_NANOS) == expected;
   }
 
-  /** The next byte; -1 when none comes in time or the tracker is being closed. */
+  /** Returns the next byte; -1 after a timeout or if the tracker is being closed. */
   private int next(long until) throws TrackerException {
     while (!intake.closed() && System.nanoTime() < until) {
       if (line.read(one) > 0) {

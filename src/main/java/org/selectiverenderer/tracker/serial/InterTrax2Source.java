@@ -5,12 +5,12 @@ import org.selectiverenderer.tracker.live.PoseSink;
 import org.selectiverenderer.tracker.live.PoseSource;
 
 /**
- * An InterSense InterTrax2 on a serial port, in continuous mode. Its azimuth, elevation and twist
- * are taken as yaw, pitch and roll.
+ * Reads an InterSense InterTrax2 on a serial port, in continuous mode. Azimuth, elevation and twist
+ * are yaw, pitch and roll.
  *
  * <p>The protocol is that of InterSense's own InterTrax driver of 1999, as published with VR
- * Juggler; that the InterTrax2 speaks the same on its serial port is inferred. Not tried on the
- * device.
+ * Juggler; that the InterTrax2 uses the same protocol on its serial port is inferred. Not tested
+ * with the device.
  */
 public final class InterTrax2Source implements PoseSource {
   private final String port;

@@ -3,12 +3,12 @@ package org.selectiverenderer.tracker.serial;
 import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
- * Finds the InterTrax's continuous records in a stream of bytes.
+ * Decodes the InterTrax's continuous records from a stream of bytes.
  *
  * <p>A record has 8 bytes: 0x80, azimuth, elevation and twist as little-endian 16-bit numbers
  * (32768 is 180 degrees), and a byte that makes the sum of all 8 a multiple of 256. As 0x80 also
- * occurs inside, the beginning counts as found only where two valid records follow each other, and
- * is looked for again after any that is not valid.
+ * occurs inside of records, the decoder locks to the stream only where two valid records follow
+ * each other, and resynchronizes after an invalid one.
  */
 final class InterTraxRecords {
   static final int LENGTH = 8;
@@ -21,12 +21,12 @@ final class InterTraxRecords {
   private boolean everLocked;
   private int skipped;
 
-  /** Whether the beginning of records has been found and not lost. */
+  /** Returns whether the decoder is locked to the beginnings of records. */
   boolean locked() {
     return locked;
   }
 
-  /** Takes bytes as they arrived, and tells the intake of each record that is complete. */
+  /** Decodes bytes as they arrived, and passes each complete record to the sink. */
   void take(byte[] from, int count, long arrival, PoseSink intake) {
     int taken = 0;
     while (taken < count) {
@@ -40,7 +40,7 @@ final class InterTraxRecords {
     }
   }
 
-  /** Reads what is complete; returns the index of the first byte that is still needed. */
+  /** Decodes complete records; returns the index of the first byte that is still needed. */
   private int read(long arrival, PoseSink intake) {
     int at = 0;
     while (end - at >= (locked ? LENGTH : 2 * LENGTH)) {
@@ -63,8 +63,8 @@ final class InterTraxRecords {
   }
 
   /**
-   * Counts a bad record for every 8 bytes skipped, begun ones too; but not the rest of the record
-   * into whose middle the port was opened.
+   * Counts a bad record for every 8 skipped bytes or part of them, except for the rest of the
+   * record during which the port was opened.
    */
   private void skip(PoseSink intake) {
     if (skipped++ % LENGTH == (everLocked ? 0 : LENGTH - 1)) {

@@ -6,16 +6,17 @@ import java.util.concurrent.locks.LockSupport;
 import org.selectiverenderer.tracker.TrackerException;
 
 /**
- * An open serial port: 8 data bits, no parity, 1 stop bit, no flow control, DTR and RTS off. But
- * for {@link SerialPorts} the only class that knows jSerialComm.
+ * An open serial port: 8 data bits, no parity, 1 stop bit, no flow control, DTR and RTS off. It
+ * wraps jSerialComm.
  */
 final class SerialLine {
   /**
-   * A read waits no longer for its first byte, in milliseconds; the system's timers count tenths.
+   * Timeout in milliseconds for the first byte of a read; the system's timers count tenths of a
+   * second.
    */
   static final int READ_MS = 100;
 
-  /** A device that sends all the time never falls quiet. */
+  /** Maximum time to discard old bytes, as a streaming device is never quiet. */
   private static final long STALE_NANOS = 100_000_000;
 
   private static final int QUIET_LOOKS = 4;
@@ -32,7 +33,7 @@ final class SerialLine {
   /**
    * Opens a port.
    *
-   * @throws TrackerException if it is not there, is in use, or may not be used by this user
+   * @throws TrackerException if the port does not exist, is in use, or is not permitted
    */
   static SerialLine open(String name, int baud) throws TrackerException {
     SerialPort port;
@@ -47,7 +48,7 @@ final class SerialLine {
     if (!port.openPort(0)) {
       throw new TrackerException(SerialTrouble.refused(name, port.getLastErrorCode()));
     }
-    // A pseudo-terminal has no such wires; what they do not do is no fault.
+    // Failures are ignored, as a pseudo-terminal has no such wires.
     port.clearDTR();
     port.clearRTS();
     SerialLine line = new SerialLine(name, port);
@@ -56,9 +57,8 @@ final class SerialLine {
   }
 
   /**
-   * Throws away what came before the port was opened: it tells where the head was then. A
-   * pseudo-terminal or an adapter has more of it behind what the system shows, which follows at
-   * once.
+   * Discards bytes that arrived before the port was opened, which are old poses. A pseudo-terminal
+   * or an adapter may buffer more than the system shows, which follows at once.
    */
   private void discardStale() {
     port.flushIOBuffers();
@@ -78,10 +78,10 @@ final class SerialLine {
   }
 
   /**
-   * Reads what is there, or waits for it up to {@link #READ_MS}.
+   * Reads available bytes, or waits for some up to {@link #READ_MS}.
    *
-   * @return the number of bytes read, 0 when none came
-   * @throws TrackerException if the port has gone
+   * @return the number of bytes read, 0 after a timeout
+   * @throws TrackerException if the port has disappeared
    */
   int read(byte[] bytes) throws TrackerException {
     int count = port.readBytes(bytes, bytes.length);
@@ -94,7 +94,7 @@ final class SerialLine {
   /**
    * Writes bytes.
    *
-   * @throws TrackerException if the port has gone
+   * @throws TrackerException if the port has disappeared
    */
   void write(byte... bytes) throws TrackerException {
     if (port.writeBytes(bytes, bytes.length) != bytes.length) {
@@ -102,7 +102,7 @@ final class SerialLine {
     }
   }
 
-  /** Changes the speed and throws away what was read at the old one. */
+  /** Changes the speed and discards bytes received at the old one. */
   void speed(int baud) {
     port.setBaudRate(baud);
     port.flushIOBuffers();
@@ -111,7 +111,7 @@ final class SerialLine {
   /**
    * Sets the RTS wire.
    *
-   * @return whether this line has one
+   * @return whether this port has an RTS wire
    */
   boolean requestToSend(boolean on) {
     return on ? port.setRTS() : port.clearRTS();

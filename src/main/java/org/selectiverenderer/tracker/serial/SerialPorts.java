@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** The serial ports that a machine has. */
+/** The serial ports of this machine. */
 public final class SerialPorts {
   private SerialPorts() {}
 
-  /** Their names, as a tracker's SPEC takes them; in their order. */
+  /** Returns the names of the ports in alphabetical order, as in a tracker's SPEC. */
   public static List<String> names() {
     return Arrays.stream(SerialPort.getCommPorts())
         .map(SerialPort::getSystemPortPath)
@@ -18,10 +18,10 @@ public final class SerialPorts {
   }
 
   /**
-   * Why this user may not use a port, and which group to join; told without opening it, which would
-   * set wires that a device may act on.
+   * Returns why this user may not use a port, and which group to join. The port is not opened,
+   * which would set wires that a device may act on.
    *
-   * @return empty where the user may, or the system does not tell
+   * @return empty if the user may use the port, or the permissions are unknown
    */
   public static Optional<String> denied(String name) {
     return SerialTrouble.denied(name);

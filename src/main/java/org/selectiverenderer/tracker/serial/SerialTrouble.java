@@ -12,14 +12,14 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Sentences about serial ports that cannot be opened. */
+/** Error messages for serial ports that cannot be opened. */
 final class SerialTrouble {
   /** EAGAIN on Linux and macOS, and EBUSY: another program holds the port's lock. */
   private static final Set<Integer> LOCKED = Set.of(11, 35, 16);
 
   private SerialTrouble() {}
 
-  /** For a port that is not there; names those that are. */
+  /** Returns the message for a port that does not exist, with the names of existing ports. */
   static String absent(String port) {
     String others =
         Stream.of(SerialPort.getCommPorts())
@@ -35,9 +35,9 @@ final class SerialTrouble {
   }
 
   /**
-   * For a port that is there but does not open.
+   * Returns the message for an existing port that cannot be opened.
    *
-   * @param code of the system's error, as the library tells it
+   * @param code error code of the operating system
    */
   static String refused(String port, int code) {
     try {
@@ -46,7 +46,7 @@ final class SerialTrouble {
         return refused(port, device, code);
       }
     } catch (InvalidPathException e) {
-      // A name such as \\.\COM12: what follows does not need a file.
+      // A name such as \\.\COM12, which is not a path.
     }
     return "the serial port "
         + port
@@ -55,7 +55,10 @@ final class SerialTrouble {
         + ")";
   }
 
-  /** For a port whose file this user may not read and write; empty for others. */
+  /**
+   * Returns the message for a port whose file this user may not read and write; empty for other
+   * ports.
+   */
   static Optional<String> denied(String port) {
     try {
       Path device = Path.of(port);
@@ -93,7 +96,7 @@ final class SerialTrouble {
               + attributes.owner().getName()
               + ", has permission to use it";
     } catch (IOException | UnsupportedOperationException e) {
-      return unusable(port); // Not a POSIX system, or the device has just gone.
+      return unusable(port); // Not a POSIX system, or the device has just disappeared.
     }
   }
 
@@ -102,9 +105,9 @@ final class SerialTrouble {
   }
 
   /**
-   * For a port that this user may not use.
+   * Returns the message for a port without permission.
    *
-   * @param group that may
+   * @param group group with permission
    */
   static String denied(String port, String group) {
     return unusable(port)

@@ -4,8 +4,9 @@ import ch.randelshofer.fastdoubleparser.JavaDoubleParser;
 import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
- * A line of three numbers, {@code yaw pitch roll} in degrees, between them spaces or tabs, or two
- * commas. A line with another number of commas is none: a comma may be meant as a decimal point.
+ * Parses a line of three numbers, {@code yaw pitch roll} in degrees, separated by spaces or tabs,
+ * or by two commas. A line with another number of commas is rejected, as a comma may be meant as a
+ * decimal point.
  */
 public final class AngleLine implements LineSplitter.Records {
   private final double[] angles = new double[3];

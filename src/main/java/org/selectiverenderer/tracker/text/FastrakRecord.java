@@ -3,14 +3,13 @@ package org.selectiverenderer.tracker.text;
 import org.selectiverenderer.tracker.live.PoseSink;
 
 /**
- * An ASCII record of a Polhemus Fastrak or a compatible tracker of InterSense that was asked for
- * {@code O1,2,4,1}: {@code 0}, the station's character, a status character, then X, Y and Z in
- * centimetres, azimuth, elevation and roll in degrees, seven characters each. One that was asked
- * for {@code O1,4,1} leaves out the first three ({@code 012 12.50 -3.00 0.25}). There is no
- * checksum; so a line that is not of exactly one of these forms is bad.
+ * Parses an ASCII record of a Polhemus Fastrak or a compatible tracker of InterSense with the
+ * output list {@code O1,2,4,1}: {@code 0}, the station's character, a status character, then X, Y
+ * and Z in centimetres, azimuth, elevation and roll in degrees, seven characters each. With the
+ * output list {@code O1,4,1} the first three are missing ({@code 012 12.50 -3.00 0.25}). There is
+ * no checksum, so a line that is not of exactly one of these forms is rejected.
  *
- * <p>The transmitter's X points to the front of the user, Y to his right and Z down, as Polhemus
- * delivers it.
+ * <p>The transmitter's X points to the front of the user, Y to his right and Z down, by default.
  */
 public final class FastrakRecord implements LineSplitter.Records {
   private static final int HEADER = 3;
@@ -41,7 +40,7 @@ public final class FastrakRecord implements LineSplitter.Records {
     return true;
   }
 
-  /** Spaces, a sign or none, digits, a point, digits; not a number for all else. */
+  /** Parses spaces, an optional sign, digits, a point, digits; returns NaN for anything else. */
   private static double number(byte[] line, int from) {
     int to = from + WIDTH;
     int at = from;

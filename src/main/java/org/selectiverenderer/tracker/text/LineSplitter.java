@@ -2,19 +2,19 @@ package org.selectiverenderer.tracker.text;
 
 import org.selectiverenderer.tracker.live.PoseSink;
 
-/** Cuts bytes into lines that end with LF or CR LF. Empty lines are passed over. */
+/** Splits bytes into lines that end with LF or CR LF. Empty lines are skipped. */
 public final class LineSplitter {
-  /** A longer line is no record: what was read of it is thrown away up to its end. */
+  /** Maximum length of a line; a longer one is not a record and is discarded. */
   public static final int LONGEST = 256;
 
-  /** What is done with a line. */
+  /** Parses a line. */
   public interface Records {
     /**
      * Reads a line.
      *
-     * @param line bytes; valid during the call only
+     * @param line bytes of the line; valid during the call only
      * @param length of the line, without its end
-     * @return whether it was a record that could be read
+     * @return whether the line was a valid record
      */
     boolean read(byte[] line, int length, long arrival, PoseSink intake);
   }
@@ -26,14 +26,14 @@ public final class LineSplitter {
   private boolean whole;
 
   /**
-   * @param whole whether the first bytes begin a line; else they are passed over up to its end
+   * @param whole whether the first bytes begin a line; if not, they are skipped up to the line end
    */
   public LineSplitter(Records records, boolean whole) {
     this.records = records;
     this.whole = whole;
   }
 
-  /** Takes bytes as they arrived, and tells the intake of each line that is complete. */
+  /** Splits bytes as they arrived, and passes the record of each complete line to the sink. */
   public void take(byte[] bytes, int count, long arrival, PoseSink intake) {
     for (int i = 0; i < count; i++) {
       if (bytes[i] == '\n') {

@@ -1,7 +1,7 @@
 /**
- * Trackers that send text: bytes to lines, lines to angles, without allocating per line.
+ * Parsers of text records: bytes to lines, lines to poses, without allocating per line.
  *
- * <p>In: bytes in pieces as they arrive. Out: angles into a {@link
+ * <p>In: bytes in chunks as they arrive. Out: records into a {@link
  * org.selectiverenderer.tracker.live.PoseSink}. Uses {@code tracker.live} and FastDoubleParser.
  */
 @NullMarked

@@ -11,7 +11,7 @@ import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Polygons of parts of a scene against their budgets. */
+/** Checks the polygons of parts of a scene against their budgets. */
 final class BudgetCheck implements SceneCheck {
   @Override
   public void check(SceneView view, Findings findings) {
@@ -24,7 +24,7 @@ final class BudgetCheck implements SceneCheck {
         } else if (fit instanceof BudgetMatch.Slip slip) {
           Object[] words = {slip.kind(), slip.name(), slip.near()};
           report(view, BudgetRules.NO_SUCH_BUDGET, slip.group(), findings, words);
-        } // What is neither may be for another scene: UnusedBudgetCheck.
+        } // A budget without a match may be for another scene: UnusedBudgetCheck.
       }
     }
   }

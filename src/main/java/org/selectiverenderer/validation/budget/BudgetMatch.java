@@ -11,26 +11,27 @@ import org.selectiverenderer.schema.SchemaNames;
 import org.selectiverenderer.validation.Budget;
 
 /**
- * Whether a budget is for a scene. A group is found by its DEF name, else by the only one that
- * differs in letter case.
+ * The result of matching a budget to a scene. A group is found by its DEF name, else by the only
+ * DEF name that differs in letter case.
  */
 sealed interface BudgetMatch {
   /**
-   * It is.
+   * The budget applies to the scene.
    *
    * @param group DEF name; empty for the whole scene
-   * @param states in which it holds, one at least
+   * @param states the states that the budget is for, at least one
    */
   record Holds(String group, List<State> states) implements BudgetMatch {}
 
   /**
-   * The scene has nearly what the budget names.
+   * The scene has a group or schema with a name similar to that in the budget, probably a
+   * misspelling.
    *
-   * @param group that the schema is missed in, or the group itself
+   * @param group the group in which the schema is missing, or the group with the similar name
    */
   record Slip(String group, String kind, String name, String near) implements BudgetMatch {}
 
-  /** The scene does not have what the budget names. */
+  /** The scene has nothing that the budget names. */
   record None() implements BudgetMatch {}
 
   static BudgetMatch of(Budget budget, SceneModel model) {
@@ -49,7 +50,7 @@ sealed interface BudgetMatch {
             .orElseGet(None::new);
       }
     }
-    // What no area activates on entering holds where the viewer is in none.
+    // Schemas that no area activates on entering are active where the viewer is in no area.
     Set<String> active = new HashSet<>(budget.schemas());
     active.retainAll(entered(model));
     List<State> states =

@@ -8,13 +8,16 @@ import org.selectiverenderer.polygon.count.SceneModel.State;
 import org.selectiverenderer.validation.Budget;
 
 /**
- * How a scene stands to a budget that is for it.
+ * The polygon count of a scene compared with a budget that applies to it.
  *
  * @param group DEF name; empty for the whole scene
- * @param worst the state with the most polygons of those in which the budget holds
+ * @param worst the state with the most polygons among those that the budget is for
  */
 public record BudgetStatus(Budget budget, String group, State worst) {
-  /** Empty where the budget is not for the scene, or has a slip. */
+  /**
+   * Returns the status; empty where the budget does not apply to the scene or names something
+   * misspelt.
+   */
   public static Optional<BudgetStatus> of(Budget budget, SceneModel model) {
     return BudgetMatch.of(budget, model) instanceof BudgetMatch.Holds holds
         ? Optional.of(of(budget, holds))
@@ -26,16 +29,16 @@ public record BudgetStatus(Budget budget, String group, State worst) {
     State worst =
         states.stream()
             .max(Comparator.comparingLong(State::polygons))
-            .orElseThrow(); // one at least
+            .orElseThrow(); // there is at least one
     return new BudgetStatus(budget, holds.group(), worst);
   }
 
-  /** Polygons that are too many; 0 where the budget holds. */
+  /** Returns the number of polygons above the budget; 0 if it is met. */
   public long over() {
     return Math.max(0, worst.polygons() - budget.polygons());
   }
 
-  /** Whether there are more polygons than allowed. */
+  /** Returns whether the budget is exceeded. */
   public boolean broken() {
     return over() > 0;
   }

@@ -10,7 +10,7 @@ import org.selectiverenderer.validation.OutlinedFile;
 import org.selectiverenderer.validation.RunCheck;
 import org.selectiverenderer.validation.SceneView;
 
-/** Budgets that are for none of the scenes, so that nothing is held against them. */
+/** Finds budgets that apply to none of the scenes and are therefore never checked. */
 final class UnusedBudgetCheck implements RunCheck {
   @Override
   public void check(List<SceneView> scenes, Settings settings, Findings findings) {
@@ -20,7 +20,7 @@ final class UnusedBudgetCheck implements RunCheck {
         return;
       }
       SceneModel model = OutlinedFile.model(scene);
-      // A slip is told of in the scene that has what is meant.
+      // A misspelt name is reported in the scene that has the similar name.
       unused.removeIf(budget -> !(BudgetMatch.of(budget, model) instanceof BudgetMatch.None));
     }
     for (Budget budget : unused) {

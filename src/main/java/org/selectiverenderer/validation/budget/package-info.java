@@ -1,5 +1,6 @@
 /**
- * Polygon budgets of a configuration, SR5xx, against the worst state that a viewer can reach.
+ * Rules of polygon budgets, SR5xx: the budgets of the settings are compared with the worst state
+ * that a viewer can reach.
  *
  * <p>In: {@code SceneView} with its settings. Out: findings. Uses {@code validation}, {@code
  * polygon.count}, {@code schema}, {@code x3d.read} and {@code base.problem}.

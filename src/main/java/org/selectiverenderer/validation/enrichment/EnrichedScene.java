@@ -16,13 +16,13 @@ import org.selectiverenderer.validation.SceneView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * A scene as the controller sees it.
+ * A scene with its areas and versioned objects, as the controller sees it.
  *
  * @param files the scene's own file and those that it inlines, by the name in their locations
  * @param nodes all nodes of these files, parents first, the scene's own file first
  * @param areas the ProximitySensors that name schemas
  * @param objects the Switches that name schemas
- * @param counts what the polygon counts make of it; null where there is neither area nor object
+ * @param counts the enrichment with polygon counts; null if there is neither area nor object
  */
 record EnrichedScene(
     SceneView view,
@@ -69,17 +69,17 @@ record EnrichedScene(
     return object.nodes("children").size();
   }
 
-  /** The file that a node stands in. */
+  /** Returns the file that contains a node. */
   FileOutline file(ParsedNode node) {
     return files.getOrDefault(node.location().file(), view.main());
   }
 
-  /** Present where there is an area or an object. */
+  /** Returns the enrichment with polygon counts; present if there is an area or an object. */
   Optional<SceneModel> model() {
     return Optional.ofNullable(counts);
   }
 
-  /** Whether something may set a field: a route that leads to it, or a script. */
+  /** Returns whether a route or a script may set a field. */
   boolean driven(ParsedNode node, String field) {
     int index = node.type().indexOf(field);
     return scripted()
@@ -87,7 +87,7 @@ record EnrichedScene(
             .anyMatch(route -> route.to() == node && route.toField() == index);
   }
 
-  /** Whether a route starts at a node, or a script may listen to it. */
+  /** Returns whether a route starts at a node, or a script may observe it. */
   boolean heard(ParsedNode node) {
     return scripted()
         || file(node).scene().routes().stream().anyMatch(route -> route.from() == node)

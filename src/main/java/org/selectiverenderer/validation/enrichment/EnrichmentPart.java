@@ -2,7 +2,7 @@ package org.selectiverenderer.validation.enrichment;
 
 import org.selectiverenderer.validation.Findings;
 
-/** Looks at one side of a scene's enrichment. Without state. */
+/** A check of one aspect of a scene's enrichment. Implementations are stateless. */
 interface EnrichmentPart {
   void check(EnrichedScene scene, Findings findings);
 }

@@ -1,6 +1,6 @@
 package org.selectiverenderer.validation.enrichment;
 
-/** Pieces of scenes that the rules' examples are made of: a desk area, and a lamp that follows. */
+/** Scene fragments for the examples of rules: a desk area, and a lamp whose versions follow it. */
 final class Examples {
   static final String ENTER_DESK = string("enterTimeSchema", "Desk");
   static final String EXIT_OFFICE = string("exitTimeSchema", "Office");
@@ -15,24 +15,24 @@ final class Examples {
 
   private Examples() {}
 
-  /** The area of a desk, as it should be. */
+  /** Returns a correct area of a desk. */
   static String desk() {
     return sensor("3 2 3", ENTER_DESK + EXIT_OFFICE);
   }
 
-  /** An area. */
+  /** Returns an area. */
   static String sensor(String size, String strings) {
     return "<ProximitySensor DEF='DeskProx' size='%s'>\n%s</ProximitySensor>\n"
         .formatted(size, set("metadata", strings).indent(2));
   }
 
-  /** An object in versions. */
+  /** Returns a versioned object. */
   static String lamp(String choice, String sets, String versions) {
     return "<Switch DEF='Lamp' whichChoice='%s'>\n%s%s</Switch>\n"
         .formatted(choice, set("metadata", sets).indent(2), versions);
   }
 
-  /** What a MetadataSet says of one version. */
+  /** Returns the MetadataSet of one version. */
   static String choice(String degree, String schema) {
     return set(
         "value", string("degreeOfConsistency", degree) + string("schemaBelonginess", schema));

@@ -4,7 +4,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Which of several schemas activated together a Switch follows: the last one that it knows. */
+/**
+ * Determines which of several schemas activated together a Switch follows: the last one that its
+ * metadata names.
+ */
 final class LastNamed {
   private LastNamed() {}
 

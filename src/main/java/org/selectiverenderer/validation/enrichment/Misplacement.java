@@ -4,7 +4,7 @@ import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SchemaField.Owner;
 import org.selectiverenderer.schema.nodes.NodeMetadata;
 
-/** Why metadata in a place means nothing. */
+/** Words why metadata in the wrong place have no effect. */
 final class Misplacement {
   static final String IN_AREA = "it describes a version of an object, not an area";
 

@@ -10,7 +10,7 @@ import org.selectiverenderer.schema.Choice;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.validation.Findings;
 
-/** The versions of each object against what the metadata says of them. */
+/** Checks the polygons and sizes of each object's versions against their metadata. */
 final class ObjectVersionCheck implements EnrichmentPart {
   private static final double MOST_OFF = 0.02;
 
@@ -29,7 +29,7 @@ final class ObjectVersionCheck implements EnrichmentPart {
                         }));
   }
 
-  /** Of the pairs that are the wrong way round the one that differs most. */
+  /** Reports, of the pairs of versions in the wrong order, the pair that differs most. */
   private static void polygons(VersionedSwitch object, Findings findings) {
     Pair worst = null;
     for (Choice a : object.schemas().choices()) {
@@ -56,7 +56,7 @@ final class ObjectVersionCheck implements EnrichmentPart {
   /**
    * Two versions of an object.
    *
-   * @param lighter should have fewer polygons
+   * @param lighter the version that should have fewer polygons
    */
   private record Pair(VersionedSwitch object, Choice lighter, Choice heavier) {
     boolean wrong() {
@@ -71,7 +71,11 @@ final class ObjectVersionCheck implements EnrichmentPart {
       return lighter.consistency() > heavier.consistency();
     }
 
-    /** Whether the first is a version of the second although the metadata makes them equal. */
+    /**
+     * Returns whether the first version is a reduction of the second although the metadata give
+     * both the same consistency: the second is the original, and the first comes later in the
+     * Switch.
+     */
     boolean reduced() {
       return heavier.index() == object.schemas().mostDetailed()
           && lighter.index() > heavier.index()
@@ -111,7 +115,10 @@ final class ObjectVersionCheck implements EnrichmentPart {
     return version.exact() && !version.bounds().isEmpty();
   }
 
-  /** How far the sides lie apart at most, as a part of the first's largest extent. */
+  /**
+   * Returns the largest distance between corresponding sides of the boxes, as a share of the first
+   * one's largest extent.
+   */
   private static double off(Bounds a, Bounds b) {
     Vector3d low = b.min().sub(a.min()).absolute();
     Vector3d high = b.max().sub(a.max()).absolute();

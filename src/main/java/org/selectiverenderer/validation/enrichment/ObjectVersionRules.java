@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** What can be wrong with the versions themselves and when they are shown. */
+/** Rules about the versions of objects and about when they are shown. */
 final class ObjectVersionRules {
   private static final String DESK = Examples.choice("low", "Desk");
   private static final String OFFICE = Examples.choice("high", "Office");
@@ -120,7 +120,7 @@ final class ObjectVersionRules {
 
   private ObjectVersionRules() {}
 
-  /** Two areas that overlap. */
+  /** Returns a scene with two overlapping areas. */
   private static String overlap(String first, String second) {
     String shelf =
         Examples.sensor("2 4 2", Examples.string("enterTimeSchema", "Shelf") + Examples.EXIT_OFFICE)

@@ -9,8 +9,8 @@ import org.selectiverenderer.polygon.count.SceneModel.VersionedSwitch;
 import org.selectiverenderer.validation.Findings;
 
 /**
- * Areas that overlap and claim an object for different choices. An area within another one is
- * always entered last, as a desk in an office is, and left first.
+ * Finds overlapping areas that show different versions of an object. An area inside another one,
+ * such as a desk in an office, is no conflict: it is always entered last and left first.
  */
 final class OverlapCheck implements EnrichmentPart {
   @Override

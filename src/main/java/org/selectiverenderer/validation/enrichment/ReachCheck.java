@@ -11,9 +11,12 @@ import org.selectiverenderer.polygon.count.SensorBox;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Whether the viewer can get into the box of each area. */
+/** Checks whether the viewer can enter the box of each area. */
 final class ReachCheck implements EnrichmentPart {
-  /** Beyond what is shown a viewer may stand: this part of its extent, and some metres. */
+  /**
+   * A viewer may stand outside of the scene's bounding box by this share of its extent plus {@link
+   * #METRES}.
+   */
   private static final double PART = 0.5;
 
   private static final double METRES = 3;
@@ -32,7 +35,7 @@ final class ReachCheck implements EnrichmentPart {
       EnrichedScene scene, ParsedNode sensor, Optional<Bounds> reach, Findings findings) {
     float[] size = sensor.floats("size");
     if (!SensorCheck.hasVolume(sensor)) {
-      if (Math.min(size[0], Math.min(size[1], size[2])) >= 0) { // Less is SR105's.
+      if (Math.min(size[0], Math.min(size[1], size[2])) >= 0) { // SR105 reports negative sizes.
         findings.addAt(SensorRules.NO_VOLUME, scene.file(sensor), sensor, "size");
       }
     } else if (scene.areas().containsKey(sensor)) {
@@ -60,7 +63,7 @@ final class ReachCheck implements EnrichmentPart {
     }
   }
 
-  /** Where a viewer can be expected; empty where that cannot be known. */
+  /** Returns the box in which a viewer can be expected; empty if it cannot be known. */
   private static Optional<Bounds> reach(EnrichedScene scene, SceneModel model) {
     boolean moving =
         scene.files().values().stream()

@@ -12,7 +12,10 @@ import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Schemas that areas and objects do not share, as the controller mentions them when it starts. */
+/**
+ * Finds schemas that only areas or only objects name; the controller reports the same ones when it
+ * starts.
+ */
 final class SchemaNamesCheck implements EnrichmentPart {
   @Override
   public void check(EnrichedScene scene, Findings findings) {
@@ -28,7 +31,7 @@ final class SchemaNamesCheck implements EnrichmentPart {
     for (Unmatched<ParsedNode> found : use.unmatched()) {
       String schema = found.schema();
       if (explained.contains(schema)) {
-        continue; // It is what another one, which was told of, should be called.
+        continue; // It is the suggested spelling of another name, which is reported already.
       }
       if (found.meant().isPresent()) {
         String meant = found.meant().get();

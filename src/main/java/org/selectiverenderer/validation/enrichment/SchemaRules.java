@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** What can be wrong with names: of schemas, and of the metadata that name them. */
+/** Rules about the names of schemas and of metadata. */
 final class SchemaRules {
   private static final String GOOD = Examples.desk() + Examples.LAMP;
 

@@ -9,7 +9,7 @@ import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** The metadata of each ProximitySensor by itself. */
+/** Checks the metadata of each ProximitySensor by itself. */
 final class SensorCheck implements EnrichmentPart {
   @Override
   public void check(EnrichedScene scene, Findings findings) {
@@ -53,13 +53,13 @@ final class SensorCheck implements EnrichmentPart {
     }
   }
 
-  /** Whether the box has sides of more than nothing. */
+  /** Returns whether all sides of the box are longer than 0. */
   static boolean hasVolume(ParsedNode sensor) {
     float[] size = sensor.floats("size");
     return size[0] > 0 && size[1] > 0 && size[2] > 0;
   }
 
-  /** Whether a size is given that is none, which is told of already. */
+  /** Returns whether an invalid size is given, which another rule reports. */
   private static boolean slipOfSize(EnrichedScene scene, ParsedNode sensor) {
     return sensor.given(sensor.type().indexOf("size"))
         && !hasVolume(sensor)

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** What can be wrong with an area. */
+/** Rules about areas. */
 final class SensorRules {
   static final Rule WITHOUT_SCHEMAS =
       Rule.warning(

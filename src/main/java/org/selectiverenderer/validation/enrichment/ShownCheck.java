@@ -11,7 +11,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Versions that are never shown. */
+/** Finds versions that are never shown. */
 final class ShownCheck implements EnrichmentPart {
   @Override
   public void check(EnrichedScene scene, Findings findings) {
@@ -25,7 +25,9 @@ final class ShownCheck implements EnrichmentPart {
     }
   }
 
-  /** A version whose schemas are activated only together with others that overrule them. */
+  /**
+   * Finds versions whose schemas are only activated together with later ones that override them.
+   */
   private static void enriched(
       EnrichedScene scene, ParsedNode object, SwitchSchemas schemas, Findings findings) {
     Map<String, Integer> choices = schemas.choiceBySchema();
@@ -52,7 +54,7 @@ final class ShownCheck implements EnrichmentPart {
     }
   }
 
-  /** Versions of an object, by the looks of it, that nothing ever switches. */
+  /** Finds Switches whose children look like versions, but which nothing ever switches. */
   private static void bare(EnrichedScene scene, ParsedNode node, Findings findings) {
     List<? extends NodeView> children = node.nodes("children");
     int choice = node.integer("whichChoice");

@@ -14,9 +14,12 @@ import org.selectiverenderer.schema.Activation;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** What each object shows at the start against what holds where the viewer starts. */
+/**
+ * Checks whether each object initially shows the version that the schemas at the start viewpoint
+ * require.
+ */
 final class StartCheck implements EnrichmentPart {
-  /** A choice, and the schema that asks for it. */
+  /** A choice with the schema that requires it. */
   private record Claim(int choice, String schema) {}
 
   @Override
@@ -54,7 +57,7 @@ final class StartCheck implements EnrichmentPart {
     }
   }
 
-  /** What entering the areas around the viewer changes. */
+  /** Returns the choices that entering the areas around the viewer sets. */
   private static Map<ParsedNode, Claim> entered(SceneModel model, List<SensedArea> inside) {
     Activation<ParsedNode, ParsedNode> activation = model.activation();
     Map<ParsedNode, Claim> claims = new HashMap<>();
@@ -72,7 +75,7 @@ final class StartCheck implements EnrichmentPart {
         .anyMatch(object.schemas().choiceBySchema()::containsKey);
   }
 
-  /** What leaving shows, if all areas that have to do with the object agree. */
+  /** Returns the choice that leaving the areas sets, if all areas that affect the object agree. */
   private static Optional<Claim> mainSchema(SceneModel model, VersionedSwitch object) {
     Map<String, Integer> choices = object.schemas().choiceBySchema();
     Set<Claim> claims = new HashSet<>();

@@ -6,7 +6,7 @@ import org.joml.Vector3d;
 import org.selectiverenderer.polygon.count.SceneModel;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Where viewers start. */
+/** Finds the start positions of viewers. */
 final class StartPositions {
   private StartPositions() {}
 
@@ -14,7 +14,7 @@ final class StartPositions {
     return node.type().name().equals("Viewpoint") || node.type().name().equals("OrthoViewpoint");
   }
 
-  /** A viewpoint's places in the world. */
+  /** Returns the world positions of all instances of a viewpoint. */
   static List<Vector3d> eyes(ParsedNode viewpoint, SceneModel model) {
     float[] p = viewpoint.floats("position");
     return model.places(viewpoint).stream()
@@ -23,8 +23,8 @@ final class StartPositions {
   }
 
   /**
-   * Where the viewer is at first: at the first viewpoint of the scene's own file (X3D 4.0, 23.3.1).
-   * Empty if there is none, or if something moves it.
+   * Returns the initial position of the viewer: the first viewpoint of the scene's own file (X3D
+   * 4.0, 23.3.1). Empty if there is no viewpoint, or if a route or script may move it.
    */
   static Optional<Vector3d> start(EnrichedScene scene, SceneModel model) {
     for (ParsedNode node : scene.view().main().nodes()) {

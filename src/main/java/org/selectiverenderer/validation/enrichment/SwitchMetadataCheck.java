@@ -19,7 +19,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** The metadata of each Switch by itself, against its children. */
+/** Checks the metadata of each Switch against its children. */
 final class SwitchMetadataCheck implements EnrichmentPart {
   @Override
   public void check(EnrichedScene scene, Findings findings) {
@@ -95,7 +95,7 @@ final class SwitchMetadataCheck implements EnrichmentPart {
     return "'" + at.values().get(0) + "'";
   }
 
-  /** Schemas that several sets name. */
+  /** Finds schemas that several sets name. */
   private static void claims(SwitchSchemas schemas, ParsedNode node, Findings findings) {
     Map<String, List<Integer>> claims = new LinkedHashMap<>();
     for (Choice choice : schemas.choices()) {

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.enrichment;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** What can be wrong with the metadata of an object in versions. */
+/** Rules about the metadata of versioned objects. */
 final class SwitchRules {
   private static final String DESK = Examples.choice("low", "Desk");
   private static final String OFFICE = Examples.choice("high", "Office");

@@ -13,7 +13,10 @@ import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** The names of metadata, wherever they stand: in Fig 40's spelling, misspelt, or misplaced. */
+/**
+ * Checks the names of metadata anywhere in the scene: Fig 40's spelling, misspellings, and metadata
+ * in the wrong place.
+ */
 final class VocabularyCheck implements EnrichmentPart {
   private static final int SLIPS = 2;
   private static final List<String> NAMES =
@@ -57,7 +60,7 @@ final class VocabularyCheck implements EnrichmentPart {
     findings.addAt(SchemaRules.MISPLACED, file, at.node(), "name", at.name().strip(), reason);
   }
 
-  /** All metadata of a node that is no set. */
+  /** Visits all metadata of a node except sets. */
   private static void words(ParsedNode node, Consumer<NodeMetadata> consumer) {
     if (!node.type().is("X3DMetadataObject")) {
       NodeMetadata.of(node).ifPresent(metadata -> words(metadata, new HashSet<>(), consumer));

@@ -11,9 +11,9 @@ import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Files that inline themselves, directly or through others. */
+/** Finds files that inline themselves, directly or through others. */
 final class CircleCheck implements SceneCheck {
-  /** A file on the way down, and which of its nodes is next. */
+  /** A file on the path of the depth-first traversal, with the index of its next node. */
   private static final class Step {
     final FileOutline file;
     int next;
@@ -23,7 +23,7 @@ final class CircleCheck implements SceneCheck {
     }
   }
 
-  // Without recursion: a chain of files may be longer than the stack.
+  // The traversal is iterative, since a chain of files may be deeper than the call stack.
   @Override
   public void check(SceneView scene, Findings findings) {
     Set<FileOutline> open = Collections.newSetFromMap(new IdentityHashMap<>());

@@ -110,7 +110,8 @@ public final class FileRules {
           .see("docs/validate.md");
 
   static final Rule FOREIGN_MOVIE =
-      Rule.warning("SR313", "no url of the MovieTexture names a film of a kind that X3D promises")
+      Rule.warning(
+              "SR313", "no url of the MovieTexture names a movie in a format that X3D requires")
           .because(
               """
               The standard asks browsers for MPEG-1 only; this program shows that and animated \

@@ -8,7 +8,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneView;
 
-/** How much there is to load. */
+/** Checks the total size of a scene with all its files. */
 final class SizeCheck implements SceneCheck {
   private static final double MEGABYTE = 1e6;
 

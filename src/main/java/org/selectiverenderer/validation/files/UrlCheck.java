@@ -17,15 +17,15 @@ import org.selectiverenderer.x3d.files.ContentRoot.Target;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.script.ProgramChoice;
 
-/** The urls of Inlines, textures, sounds, scripts and shaders. */
+/** Checks the urls of Inlines, textures, sounds, scripts and shaders. */
 final class UrlCheck implements SceneCheck {
   private static final Pattern ABSOLUTE = Pattern.compile("(?i)file:.*|/(?!/).*|[a-z]:[/\\\\].*");
 
-  /** Schemes whose url is the content itself. */
+  /** Schemes of urls that contain the program itself. */
   private static final Pattern CONTENT =
       Pattern.compile("(?is)\\s*(javascript|ecmascript|vrmlscript):.*");
 
-  /** Films that some browsers show, and the standard asks nobody to. */
+  /** Movie formats that some browsers play, but which the standard does not require. */
   private static final Pattern FOREIGN_MOVIE =
       Pattern.compile(
           "(?is)[^?#]*\\.(mp4|m4v|webm|ogv|mov|avi|mkv|wmv)([?#].*)?"
@@ -45,7 +45,7 @@ final class UrlCheck implements SceneCheck {
     }
   }
 
-  /** A url of a node and what is behind it. */
+  /** A url of a node and the target that it refers to. */
   private record Url(String text, Target target) {}
 
   private record Node(SceneView scene, FileOutline file, ParsedNode node, Findings findings) {
@@ -56,11 +56,11 @@ final class UrlCheck implements SceneCheck {
           return;
         }
         if (node.type().is("X3DScriptNode") && ProgramChoice.otherLanguage(text).isPresent()) {
-          continue; // SR604 tells of it.
+          continue; // SR604 reports it.
         }
         urls.add(new Url(text, scene.root().resolve(text, node.base(file.file().base()))));
       }
-      // A link to a place in the scene, or to the web, is what an Anchor is for.
+      // An Anchor may link to a viewpoint of the scene or to the web.
       if (node.type().name().equals("Anchor")) {
         urls.removeIf(url -> url.text.startsWith("#") || refused(url, Cause.NETWORK));
       }
@@ -83,7 +83,10 @@ final class UrlCheck implements SceneCheck {
           || node.type().field("children").isPresent() && !node.nodes("children").isEmpty();
     }
 
-    /** Whoever has the files sees no film; whoever has not is told that. */
+    /**
+     * Reports a MovieTexture with only non-standard formats; missing files have findings of their
+     * own.
+     */
     private void movie(List<Url> urls) {
       if (node.type().name().equals("MovieTexture")
           && urls.stream().allMatch(url -> FOREIGN_MOVIE.matcher(url.text).matches())
@@ -155,15 +158,15 @@ final class UrlCheck implements SceneCheck {
     }
   }
 
-  /** The name in "is missing (there is Desk.x3d, which differs in ...)". */
+  /** Returns the file name in the reason "is missing (there is Desk.x3d, which differs in ...)". */
   private static String similar(String reason) {
     int start = reason.indexOf("there is ") + "there is ".length();
     return reason.substring(start, reason.lastIndexOf(", which differs"));
   }
 
   /**
-   * The name of a file as it is on a disk that takes upper and lower case for the same, where the
-   * url has it otherwise; null where they agree.
+   * Returns the name of a file as it is on a case-insensitive file system if the url spells it with
+   * other case; null if they agree.
    */
   private static @Nullable String caseOf(String url, Path real) {
     String name = url.strip().replaceFirst("#.*", "").replace('\\', '/');

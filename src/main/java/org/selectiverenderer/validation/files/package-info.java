@@ -1,6 +1,6 @@
 /**
- * Rules of the files that a scene names, SR3xx: missing, outside the folders it may name, on the
- * network, in circles.
+ * Rules about the files that a scene refers to, SR3xx: missing files, files outside the allowed
+ * folders or on the network, and Inline cycles.
  *
  * <p>In: {@code SceneView}. Out: findings. Uses {@code validation}, {@code x3d} and {@code
  * base.problem}.

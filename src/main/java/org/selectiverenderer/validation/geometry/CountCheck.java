@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.geometry;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Numbers of values that must agree: of properties, points, faces and heights. */
+/** Checks numbers of values that must agree: normals, colours, points, faces and heights. */
 final class CountCheck implements NodeCheck {
   private static final String[][] PROPERTIES = {
     {"normal", "normalIndex", "normalPerVertex", "normals"},
@@ -39,7 +39,7 @@ final class CountCheck implements NodeCheck {
       boolean perVertex = property[2].isEmpty() || node.bool(property[2]);
       int needed = perVertex ? length(faces) : count(faces);
       if (own.length > 0) {
-        // The last face need not be ended by -1.
+        // The -1 after the last face is optional.
         int given = perVertex ? length(own) : own.length;
         report(node, property[1], given, "indices", needed, findings);
       } else if (!perVertex) {
@@ -66,7 +66,10 @@ final class CountCheck implements NodeCheck {
     }
   }
 
-  /** Points that come in threes or fours, and properties that are as many. */
+  /**
+   * Checks sets of triangles or quads without an index: the number of points must be a multiple of
+   * 3 or 4, and equal to that of normals and colours.
+   */
   private static void groups(ParsedNode node, int size, GeometryFindings findings) {
     int points = points(node, findings);
     if (points > 0 && points % size != 0 && !Vertices.filledLater(node, findings)) {
@@ -83,7 +86,7 @@ final class CountCheck implements NodeCheck {
     }
   }
 
-  /** Points that come in runs of stated lengths. */
+  /** Checks fans, strips and lines, whose points come in runs of given lengths. */
   private static void runs(ParsedNode node, String field, GeometryFindings findings) {
     int points = points(node, findings);
     long needed = 0;
@@ -95,7 +98,7 @@ final class CountCheck implements NodeCheck {
     }
   }
 
-  /** The number of points, against which properties are held. */
+  /** Returns the number of points, which normals and colours must match. */
   private static int points(ParsedNode node, GeometryFindings findings) {
     NodeView coordinates = node.node("coord");
     int points = coordinates == null ? -1 : Vertices.count(coordinates);

@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.geometry;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Geometry that draws nothing, whatever else is wrong with it. */
+/** Finds geometry that draws nothing. */
 final class EmptyCheck implements NodeCheck {
   @Override
   public void check(ParsedNode node, GeometryFindings findings) {

@@ -6,9 +6,9 @@ import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Faces without area, and edges of more than two faces. */
+/** Finds degenerate faces (without area) and non-manifold edges (of more than two faces). */
 final class FaceAreaCheck implements NodeCheck {
-  /** The sine of the angle below which the points of a face lie on a line. */
+  /** Points of a face count as collinear below this sine of their angle. */
   private static final double STRAIGHT = 1e-7;
 
   @Override
@@ -27,7 +27,7 @@ final class FaceAreaCheck implements NodeCheck {
           new Faces(node.ints("index"), points, 4).report(node, "index", findings);
       case "TriangleSet" -> new Faces(inOrder(points), points, 3).report(node, "coord", findings);
       case "QuadSet" -> new Faces(inOrder(points), points, 4).report(node, "coord", findings);
-      // Strips and fans are joined by triangles without area; that is how they are made.
+      // Strips and fans are not checked: degenerate triangles are customary in them.
       default -> {}
     }
   }
@@ -48,7 +48,7 @@ final class FaceAreaCheck implements NodeCheck {
     private int firstFlat;
 
     /**
-     * @param size points of each face; 0 where -1 ends each
+     * @param size number of points of each face; 0 where -1 ends each face
      */
     Faces(int[] indices, float[] points, int size) {
       this.indices = indices;
@@ -101,7 +101,10 @@ final class FaceAreaCheck implements NodeCheck {
       }
     }
 
-    /** Newell's method, against the longest way from the first point. */
+    /**
+     * Computes the area by Newell's method and compares it with the longest distance from the first
+     * point.
+     */
     private boolean hasArea(int from, int to) {
       int origin = 3 * indices[from];
       double longest = 0;

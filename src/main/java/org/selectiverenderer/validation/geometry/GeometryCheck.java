@@ -7,7 +7,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.SceneNodes;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Goes over the nodes of a file once, for all that look at geometry. */
+/** Runs several checks of geometry in one pass over the nodes of a file. */
 record GeometryCheck(List<NodeCheck> parts) implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {

@@ -14,7 +14,10 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Puts findings about fields at the attributes that give them. Serves one file. */
+/**
+ * Adds findings about fields of geometry at the attributes that give their values. One instance
+ * serves one file.
+ */
 final class GeometryFindings {
   private final FileView file;
   private final Findings findings;
@@ -31,8 +34,8 @@ final class GeometryFindings {
   }
 
   /**
-   * At the attribute of that field, or at the child in it; at the node where the value comes from
-   * elsewhere.
+   * Adds a finding at the attribute of that field, or at the child node in it; at the node if the
+   * value comes from elsewhere.
    */
   void addAt(Rule rule, ParsedNode node, String field, Object... words) {
     DocumentElement element = elements().get(node.location());
@@ -49,8 +52,8 @@ final class GeometryFindings {
   }
 
   /**
-   * Whether the values of a node may come while the scene runs, so that the file need not have
-   * them: by IS, by a route, or from a script that knows the node.
+   * Returns whether values of a node may be set at run time, by IS, a route, or a script that
+   * refers to the node, so that the file need not contain them.
    */
   boolean filledLater(NodeView node) {
     Set<Location> known = filled;

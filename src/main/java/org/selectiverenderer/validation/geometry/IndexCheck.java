@@ -4,13 +4,16 @@ import java.util.List;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Indices against what they name. Without an index of its own, a property follows coordIndex. */
+/**
+ * Checks that indices are within the values that they refer to. Normals, colours and texture
+ * coordinates without an index of their own use coordIndex.
+ */
 final class IndexCheck implements NodeCheck {
   /**
    * An index.
    *
-   * @param fallback the index that counts where this one is empty
-   * @param perVertex the field that must be true for the fallback to hold; empty for always
+   * @param fallback the index that is used where this one is empty
+   * @param perVertex the field that must be true for the fallback to be used; empty if it always is
    */
   private record Index(String field, String fallback, String data, String what, String perVertex) {}
 
@@ -40,7 +43,7 @@ final class IndexCheck implements NodeCheck {
     String field = index.field;
     boolean own = !index.field.equals("index") && node.ints(field).length > 0;
     if (!own && !index.perVertex.isEmpty() && !flag(node, index.perVertex)) {
-      return; // one for each face
+      return; // one value per face
     }
     if (!own && !index.fallback.isEmpty()) {
       field = index.fallback;

@@ -2,7 +2,7 @@ package org.selectiverenderer.validation.geometry;
 
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Looks at a node of geometry, or at one that holds its points, normals or colours. */
+/** A check of a geometry node, or of a node with its points, normals or colours. */
 interface NodeCheck {
   void check(ParsedNode node, GeometryFindings findings);
 }

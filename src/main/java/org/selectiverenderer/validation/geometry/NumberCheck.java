@@ -2,7 +2,9 @@ package org.selectiverenderer.validation.geometry;
 
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Points too far away, and normals of another length than 1. */
+/**
+ * Finds points too far from the origin for single precision, and normals that do not have length 1.
+ */
 final class NumberCheck implements NodeCheck {
   private static final float FAR = 1e7f;
   private static final double TOLERANCE = 0.01;

@@ -7,18 +7,26 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** What geometry nodes refer to by index: points, normals, colours, texture coordinates. */
+/**
+ * Accesses the vertex data that geometry nodes refer to by index: points, normals, colours, texture
+ * coordinates.
+ */
 final class Vertices {
   private Vertices() {}
 
-  /** The node in a field, if the type has such a field and the file gives it. */
+  /**
+   * Returns the node in a field; null if the type has no such field or the file does not give it.
+   */
   static @Nullable NodeView in(NodeView geometry, String field) {
     return geometry.type().field(field).filter(f -> f.type() == FieldType.SFNode).isPresent()
         ? geometry.node(field)
         : null;
   }
 
-  /** How many tuples a Coordinate, Normal, Color or TextureCoordinate holds; -1 for other nodes. */
+  /**
+   * Returns the number of tuples in a Coordinate, Normal, Color or TextureCoordinate; -1 for other
+   * nodes.
+   */
   static int count(NodeView data) {
     String field =
         switch (data.type().name()) {
@@ -39,7 +47,7 @@ final class Vertices {
     return length / definition.type().components();
   }
 
-  /** Whether what a geometry node shows may come while the scene runs. */
+  /** Returns whether vertex data of a geometry node may be set at run time. */
   static boolean filledLater(ParsedNode geometry, GeometryFindings findings) {
     if (findings.filledLater(geometry)) {
       return true;

@@ -5,7 +5,10 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** IS: fields of nodes in a prototype's body, connected with those of its interface. */
+/**
+ * Checks IS statements: fields of nodes in a prototype's body, connected with fields of its
+ * interface.
+ */
 final class ConnectCheck implements ScopeCheck {
   @Override
   public void check(DocumentElement element, Scopes scopes, Findings findings) {
@@ -59,7 +62,7 @@ final class ConnectCheck implements ScopeCheck {
     if (inner == null) {
       return;
     }
-    // IS may name the event of an exposed field: set_x, x_changed.
+    // IS may name an event of an inputOutput field: set_x, x_changed.
     Interface.Field field =
         inner
             .field(nodeField)
@@ -86,7 +89,10 @@ final class ConnectCheck implements ScopeCheck {
     }
   }
 
-  /** X3D 4.0, table 4.4: an inputOutput field of a node may be any of the interface. */
+  /**
+   * Returns whether X3D 4.0, table 4.4, allows the connection: an inputOutput field of a node may
+   * be connected with a field of any access in the interface.
+   */
   private static boolean allowed(FieldAccess node, FieldAccess prototype) {
     return node == FieldAccess.INPUT_OUTPUT || node == prototype;
   }

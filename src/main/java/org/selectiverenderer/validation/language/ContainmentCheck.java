@@ -11,9 +11,12 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Which nodes stand in which fields of a node, and at the top of the scene. */
+/**
+ * Checks which nodes are children of which nodes and in which fields, and which are at the top of
+ * the scene.
+ */
 final class ContainmentCheck implements ScopeCheck {
-  /** What the top of a scene may hold (X3D 4.0, 4.3.2). */
+  /** The node types that the top of a scene may contain (X3D 4.0, 4.3.2). */
   private static final Set<String> TOP = Set.of("X3DChildNode", "LayerSet", "X3DMetadataObject");
 
   @Override

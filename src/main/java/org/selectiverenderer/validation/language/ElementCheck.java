@@ -6,9 +6,9 @@ import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Elements that X3D does not know. */
+/** Finds elements that X3D does not define. */
 final class ElementCheck implements FileCheck {
-  /** The nodes of the draft of X3D 4.1 that the catalogue lacks. */
+  /** The nodes of the X3D 4.1 draft that the node catalogue lacks. */
   private static final Set<String> OF_X3D_4_1 =
       Set.of("FontLibrary", "HAnimPose", "InlineGeometry", "RenderedTexture");
 

@@ -14,9 +14,12 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The attributes of nodes against the catalogue: names, access and the syntax of values. */
+/**
+ * Checks the attributes of nodes against the node catalogue: names, access types and the syntax of
+ * values.
+ */
 final class FieldCheck implements FileCheck {
-  /** The XML encoding's own attributes, and those of X3DOM and HTML. */
+  /** Attributes that are not fields: those of the XML encoding, of X3DOM and of HTML. */
   private static final Set<String> GENERAL =
       Set.of("DEF", "USE", "containerField", "class", "id", "style", "");
 
@@ -55,7 +58,7 @@ final class FieldCheck implements FileCheck {
     }
   }
 
-  /** Reports what is wrong with a value. */
+  /** Reports faults in a value. */
   static void value(DocumentAttribute attribute, FieldType type, Findings findings) {
     for (FieldParser.Flaw flaw : attribute.flaws(type)) {
       findings.addAt(

@@ -11,7 +11,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The attributes of the root and the statements of the head. */
+/** Checks the attributes of the root element and the statements of the head. */
 final class HeadCheck implements FileCheck {
   static final List<String> VERSIONS = List.of("3.0", "3.1", "3.2", "3.3", "4.0", "4.1");
   private static final List<String> HEAD_ORDER = List.of("component", "unit", "meta");
@@ -82,7 +82,7 @@ final class HeadCheck implements FileCheck {
         case "unit" -> unit(child, findings);
         case "meta" -> needs(child, findings, "content");
         default -> {
-          // PlacementCheck tells.
+          // {@link PlacementCheck} reports other elements.
         }
       }
     }

@@ -12,12 +12,12 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The fields that routes and IS may name: those of a node type, of a script with its own, or of a
- * prototype.
+ * The interface of a node for routes and IS: the fields of its node type and those that a script or
+ * a prototype declares.
  *
- * @param owner as messages call it
- * @param type of a node; empty for a prototype
- * @param own fields that {@code field} elements declare, by name
+ * @param owner name of the node in messages
+ * @param type the node type; empty for a prototype
+ * @param own the fields that {@code field} elements declare, by name
  */
 record Interface(String owner, Optional<NodeType> type, Map<String, Field> own) {
   /** A field. */
@@ -27,7 +27,10 @@ record Interface(String owner, Optional<NodeType> type, Map<String, Field> own) 
     }
   }
 
-  /** The field that a {@code field} element declares; empty if it is not complete. */
+  /**
+   * Returns the field that a {@code field} element declares; empty if the declaration is
+   * incomplete.
+   */
   static Optional<Field> declared(DocumentElement element) {
     String name = element.text("name").orElse("").strip();
     Optional<FieldType> type = type(element.text("type").orElse(""));
@@ -55,7 +58,9 @@ record Interface(String owner, Optional<NodeType> type, Map<String, Field> own) 
     return Optional.empty();
   }
 
-  /** With the fields that the elements within another declare. */
+  /**
+   * Creates an interface with the fields that {@code field} elements among the given ones declare.
+   */
   static Interface of(String owner, Optional<NodeType> type, List<DocumentElement> elements) {
     Map<String, Field> own = new HashMap<>();
     for (DocumentElement element : elements) {
@@ -66,13 +71,16 @@ record Interface(String owner, Optional<NodeType> type, Map<String, Field> own) 
     return new Interface(owner, type, own);
   }
 
-  /** The field of exactly that name. */
+  /** Returns the field of exactly that name. */
   Optional<Field> field(String name) {
     return Optional.ofNullable(own.get(name))
         .or(() -> type.flatMap(node -> node.field(name)).map(Field::of));
   }
 
-  /** The field that takes or sends events under a name, such as {@code set_x} for {@code x}. */
+  /**
+   * Returns the field that receives or sends events under a name, such as {@code set_x} for {@code
+   * x}.
+   */
   Optional<Field> event(String name, boolean input) {
     Optional<Field> exact = field(name);
     if (exact.isPresent()) {

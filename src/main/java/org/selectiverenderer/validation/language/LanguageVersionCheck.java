@@ -15,10 +15,11 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Nodes and fields that are younger than the version that a file states. */
+/** Finds nodes and fields that were added after the X3D version that a file states. */
 final class LanguageVersionCheck implements FileCheck {
   /**
-   * Of a node {@code Node}, of a field {@code Node.field}, of a field of all nodes {@code field}.
+   * The first X3D version by name: of a node {@code Node}, of a field {@code Node.field}, of a
+   * field of all nodes {@code field}.
    */
   private final Map<String, String> since = new HashMap<>();
 

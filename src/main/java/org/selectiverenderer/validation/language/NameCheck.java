@@ -8,7 +8,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** DEF, USE, IMPORT and EXPORT. */
+/** Checks DEF, USE, IMPORT and EXPORT. */
 final class NameCheck implements ScopeCheck {
   private static final Set<String> WITH_USE =
       Set.of("USE", "DEF", "containerField", "class", "id", "style", "");
@@ -37,7 +37,7 @@ final class NameCheck implements ScopeCheck {
     }
   }
 
-  /** What forbids a name; empty for a good one. */
+  /** Returns why a name is invalid; empty for a valid one. */
   private static String fault(String name) {
     if (name.isEmpty()) {
       return "it is empty";
@@ -93,7 +93,7 @@ final class NameCheck implements ScopeCheck {
     for (Optional<DocumentElement> at = inner.parent(); at.isPresent(); at = at.get().parent()) {
       String name = at.get().name();
       if (name.equals("Script") || name.equals("fieldValue")) {
-        return false; // A script may know what it stands in, and so may a prototype's own.
+        return false; // A Script, or a prototype instance, may refer to its ancestors.
       }
       if (at.get() == outer) {
         return true;

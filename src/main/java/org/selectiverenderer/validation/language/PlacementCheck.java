@@ -9,7 +9,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Where statements stand, and what stands outside the Scene. */
+/** Checks the parents of statements, and elements outside of the Scene. */
 final class PlacementCheck implements FileCheck {
   private static final Map<String, Set<String>> PARENTS =
       Map.ofEntries(
@@ -23,7 +23,7 @@ final class PlacementCheck implements FileCheck {
           Map.entry("ProtoBody", Set.of("ProtoDeclare")),
           Map.entry("fieldValue", Set.of("ProtoInstance")));
 
-  /** Elements that hold statements or nothing, and no nodes. */
+  /** Elements that must not contain nodes. */
   private static final Set<String> NO_NODES =
       Set.of(
           "X3D",
@@ -77,7 +77,7 @@ final class PlacementCheck implements FileCheck {
               || parent.name().equals("ExternProtoDeclare")
               || parentNode != null && Scopes.hasOwnFields(parentNode);
       case "IS" -> parentNode != null || parent.name().equals("ProtoInstance");
-      // ROUTE, IMPORT, EXPORT and prototypes may stand between nodes, wherever those are.
+      // ROUTE, IMPORT, EXPORT and prototypes may be anywhere among nodes.
       default -> !NO_NODES.contains(parent.name());
     };
   }

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** The profiles of X3D and the components that each has (X3D 4.0, annexes A to H). */
+/** The profiles of X3D and the components of each (X3D 4.0, annexes A to H). */
 enum Profile {
   Core("Core 1"),
   Interchange(
@@ -49,7 +49,7 @@ enum Profile {
     }
   }
 
-  /** The profile of that name. */
+  /** Returns the profile of that name. */
   static Optional<Profile> of(String name) {
     return Arrays.stream(values()).filter(profile -> profile.name().equals(name.strip())).findAny();
   }
@@ -58,13 +58,13 @@ enum Profile {
     return Arrays.stream(values()).map(Profile::name).toList();
   }
 
-  /** The level of a component that the profile has; 0 for none. */
+  /** Returns the level at which the profile has a component; 0 for none. */
   int level(String component) {
     return this == Full ? Integer.MAX_VALUE : levels.getOrDefault(component, 0);
   }
 
-  /** The name that X3D 4.0 has for a component. */
+  /** Returns the name of a component in X3D 4.0. */
   static String component(String name) {
-    return name.equals("H-Anim") ? "HAnim" : name; // X3D 3 had both.
+    return name.equals("H-Anim") ? "HAnim" : name; // X3D 3 used both names.
   }
 }

@@ -8,7 +8,10 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The components that the nodes of a file need against those that it declares. */
+/**
+ * Checks that the profile and the components that a file declares include those that its nodes
+ * need.
+ */
 final class ProfileCheck implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {

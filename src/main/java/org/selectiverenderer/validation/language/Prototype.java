@@ -4,7 +4,7 @@ import java.util.List;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * A declared prototype.
+ * The declaration of a prototype.
  *
  * @param element a ProtoDeclare or an ExternProtoDeclare
  */
@@ -28,7 +28,7 @@ record Prototype(DocumentElement element) {
     return Interface.of(name(), java.util.Optional.empty(), fields);
   }
 
-  /** The elements of the body. */
+  /** Returns the elements of the body. */
   List<DocumentElement> body() {
     return element.children().stream()
         .filter(child -> child.name().equals("ProtoBody"))

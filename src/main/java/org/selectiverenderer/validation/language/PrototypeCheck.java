@@ -10,7 +10,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Declarations and instances of prototypes. */
+/** Checks declarations and instances of prototypes. */
 final class PrototypeCheck implements ScopeCheck {
   @Override
   public void check(DocumentElement element, Scopes scopes, Findings findings) {
@@ -20,7 +20,7 @@ final class PrototypeCheck implements ScopeCheck {
       case "ProtoInstance" -> instance(element, scopes, findings);
       case "field" -> field(element, findings);
       default -> {
-        // Other elements have checks of their own.
+        // Other checks handle other elements.
       }
     }
   }
@@ -36,7 +36,7 @@ final class PrototypeCheck implements ScopeCheck {
     }
   }
 
-  /** What the reader has found of it and of its fields. */
+  /** Reports the faults that the reader found in an external declaration and its fields. */
   private static void external(DocumentElement element, Scopes scopes, Findings findings) {
     for (Problem fault : scopes.file().scene().externFaults()) {
       boolean ofField = element.children().stream().anyMatch(field -> at(fault, field));
@@ -118,7 +118,7 @@ final class PrototypeCheck implements ScopeCheck {
     }
   }
 
-  /** At an attribute; at the element where it is missing. */
+  /** Reports a fault at an attribute, or at the element if the attribute is missing. */
   private static void report(
       DocumentElement element, String attribute, String fault, Findings findings) {
     DocumentAttribute at = element.attribute(attribute).orElse(null);
@@ -133,7 +133,7 @@ final class PrototypeCheck implements ScopeCheck {
     if (access.isEmpty()) {
       return "a field needs an accessType";
     }
-    // VRML 97's words, which are nothing like those of X3D.
+    // The words of VRML 97, which differ too much from those of X3D for a spelling suggestion.
     String now =
         switch (access) {
           case "field" -> "initializeOnly";

@@ -61,12 +61,12 @@ final class PrototypeRules {
 
   static final Rule EXTERNAL =
       Rule.error("SR156", "{fault}")
-          .about("a prototype of another file that cannot be had, or whose interface is another")
+          .about("an external prototype that cannot be read, or whose interface differs")
           .because(
               """
-              Instances of a prototype that cannot be read are left out. Where its file says \
-              otherwise than the declaration here, the file counts. A declaration that no \
-              instance uses is not followed.""")
+              Instances of a prototype that cannot be read are left out. Where its file and the \
+              declaration here differ, the file is used. A declaration that no instance uses is \
+              not read.""")
           .bad(
               """
               <ExternProtoDeclare name='Chair' url='"chiars.x3d#Chair"'/>

@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Values that are of their type, but beyond what the standard allows. */
+/** Finds values that are valid for their type, but outside the range that the standard allows. */
 final class RangeCheck implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {
@@ -33,7 +33,8 @@ final class RangeCheck implements FileCheck {
   private static void check(DocumentAttribute attribute, FieldDefinition field, Findings findings) {
     if (FieldLimits.bounded(field)) {
       Object value = attribute.value(field.type());
-      // What is no value of the type is SR103's; what stands for it is not the author's number.
+      // SR103 reports values that are invalid for the type; the default used instead is not the
+      // author's value.
       if (value != null && !flawed(attribute, field.type())) {
         FieldLimits.beyond(field, value)
             .ifPresent(
@@ -60,7 +61,7 @@ final class RangeCheck implements FileCheck {
     boolean open = FieldLimits.open(attribute.element().name(), field);
     for (String word : given) {
       if (!known.contains(word) && !word.isEmpty()) {
-        // In an open list only a slip of letter case is surely one.
+        // In an open list of words, only a difference in letter case is certainly an error.
         boolean slip = known.stream().anyMatch(word::equalsIgnoreCase);
         if (!open || slip) {
           findings.add(

@@ -9,11 +9,11 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The ends of routes, their directions and types. One object serves one file. */
+/** Checks the endpoints of routes, their access and their types. One instance serves one file. */
 final class RouteCheck implements ScopeCheck {
   private static final List<String> NEEDED = List.of("fromNode", "fromField", "toNode", "toField");
 
-  /** What a ROUTE connects; scopes are compared by identity. */
+  /** The scope and endpoints of a ROUTE; scopes are compared by identity. */
   private record Connection(Scopes.Scope scope, List<String> ends) {}
 
   private final Set<Connection> seen = new HashSet<>();
@@ -45,7 +45,7 @@ final class RouteCheck implements ScopeCheck {
     repeated(element, scopes, findings);
   }
 
-  /** The field at an end, or null when there is none or it cannot be known. */
+  /** Returns the field at an end; null if it does not exist or cannot be determined. */
   private static Interface.@Nullable Field end(
       DocumentElement route, String end, boolean input, Scopes scopes, Findings findings) {
     DocumentAttribute node = route.attribute(end + "Node").orElseThrow();

@@ -6,7 +6,7 @@ import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The checks that need to know what names mean. */
+/** Runs the checks that need the name scopes of a file. */
 final class ScopeChecks implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {

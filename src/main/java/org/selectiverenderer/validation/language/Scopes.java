@@ -15,19 +15,20 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Which names mean what where: a scope for the scene and one for each prototype (X3D 4.0, 4.4.3 and
- * 4.4.4.3). Names of a scope are unknown outside; prototypes are known in the scopes within, too.
+ * The name scopes of a file: one for the scene and one for each prototype (X3D 4.0, 4.4.3 and
+ * 4.4.4.3). Names of a scope are not visible outside of it; prototypes are also visible in nested
+ * scopes.
  */
 final class Scopes {
   private static final int DEEPEST = 20;
 
-  /** A scope with all its names, filled once the whole file has been looked at. */
+  /** A scope with all its names, complete once the whole file has been read. */
   static final class Scope {
     final @Nullable Scope enclosing;
     final Map<String, List<DocumentElement>> names = new LinkedHashMap<>();
     final Map<String, List<Prototype>> prototypes = new HashMap<>();
 
-    /** Names of nodes that are not known here: of inlined files, and of unknown elements. */
+    /** Names of nodes of unknown type: nodes of inlined files, and unknown elements. */
     final Set<String> imported = new TreeSet<>();
 
     Scope(@Nullable Scope enclosing) {
@@ -56,7 +57,7 @@ final class Scopes {
     }
   }
 
-  /** The scope that the children of an element are in. */
+  /** Returns the scope of an element's children. */
   private Scope inside(DocumentElement element) {
     Scope own = inner.get(element);
     return own != null ? own : of(element);
@@ -81,7 +82,7 @@ final class Scopes {
               .ifPresent(scope.imported::add);
       default -> {
         if (!file.knows(element)) {
-          // It has been told of; what it defines is no further slip.
+          // The unknown element is reported already; uses of its DEF name are no further errors.
           element.text("DEF").ifPresent(scope.imported::add);
         }
         if (isNode(element) && element.attribute("USE").isEmpty()) {
@@ -99,7 +100,7 @@ final class Scopes {
     return file;
   }
 
-  /** The scope that an element stands in. */
+  /** Returns the scope that contains an element. */
   Scope of(DocumentElement element) {
     Scope scope = scopes.get(element);
     if (scope == null) {
@@ -108,21 +109,21 @@ final class Scopes {
     return scope;
   }
 
-  /** Whether an element stands for a node. */
+  /** Returns whether an element represents a node. */
   boolean isNode(DocumentElement element) {
     return element.name().equals("ProtoInstance")
         || file.catalogue().find(element.name()).isPresent();
   }
 
-  /** Whether {@code a} begins before {@code b}. */
+  /** Returns whether {@code a} begins before {@code b}. */
   boolean before(DocumentElement a, DocumentElement b) {
     return order.getOrDefault(a, 0) < order.getOrDefault(b, 0);
   }
 
-  /** The node that a USE at an element would mean: the last of that name before it. */
+  /** Returns the node that a USE at an element refers to: the last one of that name before it. */
   Optional<DocumentElement> before(String name, DocumentElement at) {
     List<DocumentElement> all = of(at).names.getOrDefault(name, List.of());
-    // They are in document order, and may be many.
+    // The nodes are in document order, and may be many: binary search.
     int low = 0;
     int high = all.size();
     while (low < high) {
@@ -136,13 +137,16 @@ final class Scopes {
     return low == 0 ? Optional.empty() : Optional.of(all.get(low - 1));
   }
 
-  /** The node that a ROUTE at an element means: the last before it, or else the first after it. */
+  /**
+   * Returns the node that a ROUTE at an element refers to: the last one before it, or else the
+   * first one after it.
+   */
   Optional<DocumentElement> named(String name, DocumentElement at) {
     return before(name, at)
         .or(() -> of(at).names.getOrDefault(name, List.of()).stream().findFirst());
   }
 
-  /** The prototype that an instance at an element means. */
+  /** Returns the prototype that an instance at an element refers to. */
   Optional<Prototype> prototype(String name, DocumentElement at) {
     for (Scope scope = of(at); scope != null; scope = scope.enclosing) {
       List<Prototype> all = scope.prototypes.getOrDefault(name, List.of());
@@ -155,7 +159,7 @@ final class Scopes {
     return Optional.empty();
   }
 
-  /** Names of the prototypes that an instance at an element may be of. */
+  /** Returns the names of the prototypes visible at an element. */
   Set<String> prototypes(DocumentElement at) {
     Set<String> names = new TreeSet<>();
     for (Scope scope = of(at); scope != null; scope = scope.enclosing) {
@@ -165,8 +169,8 @@ final class Scopes {
   }
 
   /**
-   * The type of the node that an element stands for: of an instance, that of the first node of its
-   * prototype's body. Empty where that cannot be known.
+   * Returns the type of the node that an element represents; for a prototype instance, that of the
+   * first node in the prototype's body. Empty where it cannot be determined.
    */
   Optional<NodeType> type(DocumentElement element) {
     return type(element, 0);
@@ -185,7 +189,10 @@ final class Scopes {
         .flatMap(first -> type(first, depth + 1));
   }
 
-  /** What routes to and from a node may name. Empty where that cannot be known. */
+  /**
+   * Returns the fields that routes to and from a node may name; empty where they cannot be
+   * determined.
+   */
   Optional<Interface> fields(DocumentElement node) {
     if (node.name().equals("ProtoInstance")) {
       return node.text("name")
@@ -198,7 +205,7 @@ final class Scopes {
         .map(type -> Interface.of(type.name(), Optional.of(type), node.children()));
   }
 
-  /** Whether nodes of a type declare fields of their own: scripts and shaders. */
+  /** Returns whether nodes of a type declare fields of their own, as scripts and shaders do. */
   static boolean hasOwnFields(NodeType type) {
     return type.field("field").isPresent() || type.is("X3DScriptNode") || type.is("Script");
   }

@@ -10,7 +10,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Keys of interpolators and sequencers, and ranges of levels of detail. */
+/** Checks the keys of interpolators and sequencers, and the ranges of LOD nodes. */
 final class SequenceCheck implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {
@@ -35,7 +35,7 @@ final class SequenceCheck implements FileCheck {
   private static void keys(DocumentElement element, NodeType type, Findings findings) {
     float[] keys = floats(element, "key");
     if (keys == null) {
-      return; // Its keys come by IS or an event.
+      return; // Its keys are set by IS or an event.
     }
     int at = firstWrong(keys, false);
     if (at > 0) {
@@ -53,7 +53,7 @@ final class SequenceCheck implements FileCheck {
       return;
     }
     int count = Array.getLength(list) / Math.max(1, valueType.components());
-    // Interpolators of whole shapes have several points for each key.
+    // Coordinate and normal interpolators have several values for each key.
     boolean several =
         type.name().startsWith("CoordinateInterpolator")
             || type.name().equals("NormalInterpolator");
@@ -64,7 +64,10 @@ final class SequenceCheck implements FileCheck {
     }
   }
 
-  /** The index of the first number that is less than the one before it, or not greater; or 0. */
+  /**
+   * Returns the index of the first number that is less than the one before it, or, if {@code
+   * growing}, not greater; 0 if there is none.
+   */
   private static int firstWrong(float[] numbers, boolean growing) {
     for (int i = 1; i < numbers.length; i++) {
       if (growing ? numbers[i] <= numbers[i - 1] : numbers[i] < numbers[i - 1]) {

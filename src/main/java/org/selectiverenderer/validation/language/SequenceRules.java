@@ -3,7 +3,7 @@ package org.selectiverenderer.validation.language;
 import java.util.List;
 import org.selectiverenderer.validation.Rule;
 
-/** SR16x: lists whose numbers depend on each other. */
+/** SR16x: sequences of numbers, such as keys and ranges. */
 final class SequenceRules {
   static final Rule KEY_COUNT =
       Rule.warning("SR161", "{field} has {count} values, but {needed} for {keys} keys")

@@ -7,7 +7,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Attributes that a statement, such as the root, ROUTE or field, does not have. */
+/** Finds unknown attributes of statements, such as the root element, ROUTE or field. */
 final class StatementCheck implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {

@@ -7,9 +7,12 @@ import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The attributes of elements that are no nodes (X3D 4.0 XML encoding, 4.3). */
+/** The attributes of statements, the elements that are not nodes (X3D 4.0 XML encoding, 4.3). */
 final class Statements {
-  /** What every element may have for the sake of HTML; empty for another language's namespace. */
+  /**
+   * Attributes that every element may have for HTML; the empty name stands for attributes of other
+   * namespaces.
+   */
   static final List<String> GENERAL = List.of("class", "id", "style", "");
 
   private static final Map<String, List<String>> ATTRIBUTES =
@@ -35,12 +38,12 @@ final class Statements {
 
   private Statements() {}
 
-  /** The attributes of a statement; empty for an element that is none. */
+  /** Returns the attributes of a statement; empty for other elements. */
   static Optional<List<String>> attributes(DocumentElement element) {
     return Optional.ofNullable(ATTRIBUTES.get(element.name()));
   }
 
-  /** Whether a statement, which is no node, does not know an attribute of its own. */
+  /** Returns whether an attribute is unknown to the statement that it is on. */
   static boolean unknown(DocumentAttribute attribute) {
     return attributes(attribute.element())
         .filter(names -> !names.contains(attribute.name()))
@@ -49,8 +52,8 @@ final class Statements {
   }
 
   /**
-   * Whether an attribute is missing, and not only misspelt: a misspelt one is told as unknown, with
-   * the name that is meant.
+   * Returns whether an attribute is missing. A misspelt one does not count as missing, since it is
+   * reported as unknown with a suggestion.
    */
   static boolean lacks(DocumentElement element, String needed) {
     List<String> names = attributes(element).orElse(List.of());

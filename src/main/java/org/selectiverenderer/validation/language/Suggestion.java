@@ -4,13 +4,17 @@ import java.util.Collection;
 import org.selectiverenderer.base.problem.Spelling;
 
 /**
- * The question whether another name was meant, as the end of a message; empty if no candidate is
- * near. It is looked for when the message is written, since a file may have a million slips.
+ * A spelling suggestion ("did you mean ...?") as the end of a message; empty if no candidate is
+ * similar. It is computed only when the message is formatted, since a file may have a million
+ * errors.
  */
 record Suggestion(String name, Collection<String> candidates) {
   private static final int LONGEST = 100;
 
-  /** Thousands of slips among thousands of names are no author's. */
+  /**
+   * With more candidates than this no suggestion is made: such files are generated, and the
+   * comparison would take too long.
+   */
   private static final int MOST_CANDIDATES = 2000;
 
   static Suggestion of(String name, Collection<String> candidates) {

@@ -9,16 +9,16 @@ import org.selectiverenderer.base.files.Sha256;
 import org.selectiverenderer.validation.Finding;
 
 /**
- * Names of findings that stay the same when lines move, so that other programs can tell old
- * findings from new ones: of rule, file, node and message, and of the number of equal ones before
- * it.
+ * Computes fingerprints of findings, which stay the same when lines move, so that other programs
+ * can distinguish old findings from new ones. A fingerprint is a hash of rule, file, node and
+ * message, and of the number of equal findings before it.
  */
 public final class Fingerprints {
   private static final int DIGITS = 32;
 
   private Fingerprints() {}
 
-  /** One for each finding, in their order: 32 hexadecimal digits. */
+  /** Returns a fingerprint for each finding, in their order: 32 hexadecimal digits. */
   public static List<String> of(List<Finding> findings) {
     Map<String, Integer> before = new HashMap<>();
     List<String> prints = new ArrayList<>(findings.size());

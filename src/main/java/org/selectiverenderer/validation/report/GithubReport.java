@@ -4,7 +4,10 @@ import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Report;
 
-/** Workflow commands of GitHub Actions, which appear beside the lines of a pull request. */
+/**
+ * Writes the report as workflow commands of GitHub Actions, which annotate the lines of a pull
+ * request.
+ */
 final class GithubReport {
   private GithubReport() {}
 

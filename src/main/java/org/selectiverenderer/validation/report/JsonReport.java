@@ -7,7 +7,10 @@ import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Report;
 
-/** The report as {@code report.schema.json} describes it; also what {@code --baseline} reads. */
+/**
+ * Writes the report in the JSON format of {@code report.schema.json}, which {@code --baseline}
+ * reads too.
+ */
 final class JsonReport {
   private JsonReport() {}
 

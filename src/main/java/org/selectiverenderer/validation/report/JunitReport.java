@@ -11,8 +11,8 @@ import org.selectiverenderer.validation.Report;
 import org.selectiverenderer.validation.SourceFile;
 
 /**
- * JUnit's XML as CI systems read it: each file is a test, which fails when a finding of it makes
- * the run fail; lesser findings are its output.
+ * Writes the report as JUnit XML for CI systems: each file is a test case, which fails if it has a
+ * finding that makes the run fail; lesser findings are its output.
  */
 final class JunitReport {
   private JunitReport() {}

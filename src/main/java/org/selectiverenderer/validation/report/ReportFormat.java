@@ -4,25 +4,25 @@ import java.util.function.BiFunction;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Report;
 
-/** The formats of {@code --format}. */
+/** The report formats of {@code --format}. */
 public enum ReportFormat {
-  /** For people. */
+  /** Plain text for people. */
   TEXT((report, style) -> new TextReport(style.colours()).of(report)),
-  /** For programs; the schema is {@code report.schema.json} beside this class. */
+  /** JSON for programs; the schema is {@code report.schema.json} beside this class. */
   JSON((report, style) -> JsonReport.of(report)),
   /** SARIF 2.1.0, for code scanning services. */
   SARIF((report, style) -> SarifReport.of(report, style)),
-  /** JUnit's XML, for CI systems that show tests. */
+  /** JUnit XML, for CI systems that show test results. */
   JUNIT((report, style) -> JunitReport.of(report, style.failOn())),
   /** Annotations of GitHub Actions. */
   GITHUB((report, style) -> GithubReport.of(report));
 
   /**
-   * What some formats need besides the report.
+   * Parameters that some formats need besides the report.
    *
-   * @param colours whether a terminal will show it
+   * @param colours whether to use terminal colours
    * @param failOn the least severity that makes a run fail
-   * @param version of the program
+   * @param version version of the program
    */
   public record Style(boolean colours, Severity failOn, String version) {}
 
@@ -32,7 +32,7 @@ public enum ReportFormat {
     this.writer = writer;
   }
 
-  /** The report as text, its last line ended. */
+  /** Returns the report as text; its last line is terminated. */
   public String write(Report report, Style style) {
     return writer.apply(report, style);
   }

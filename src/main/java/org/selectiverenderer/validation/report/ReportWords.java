@@ -5,23 +5,23 @@ import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.Report;
 
-/** Words that several formats use. */
+/** Words and phrases that several formats use. */
 final class ReportWords {
   private ReportWords() {}
 
-  /** error, warning or info. */
+  /** Returns {@code error}, {@code warning} or {@code info}. */
   static String of(Severity severity) {
     return severity.name().toLowerCase(Locale.ROOT);
   }
 
-  /** A number of things. */
+  /** Returns a number with its noun, in the plural where needed. */
   static String count(int number, String what) {
     return number + " " + what + (number == 1 ? "" : "s");
   }
 
-  /** Says that a report is not complete. */
+  /** Returns the sentence that the report is incomplete. */
   static String dropped(Report report) {
-    return "%d findings beyond %d of a rule and a file are not reported"
+    return "%d findings are not reported: more than %d of one rule in one file"
         .formatted(report.dropped(), Findings.LIMIT);
   }
 }

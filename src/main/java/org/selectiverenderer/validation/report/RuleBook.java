@@ -5,19 +5,22 @@ import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 
-/** The rules as people read them: a list, one explained, and the page {@code docs/rules.md}. */
+/**
+ * Writes the documentation of rules: a list, the explanation of one rule, and the page {@code
+ * docs/rules.md}.
+ */
 public final class RuleBook {
   private static final int SCREEN_WIDTH = 78;
   private static final int PAGE_WIDTH = 120;
 
   private final RuleCatalogue catalogue;
 
-  /** A book of all rules of a catalogue. */
+  /** Creates the documentation of all rules of a catalogue. */
   public RuleBook(RuleCatalogue catalogue) {
     this.catalogue = catalogue;
   }
 
-  /** A line for each rule, group by group. */
+  /** Returns a line for each rule, group by group. */
   public String list() {
     StringBuilder text = new StringBuilder();
     for (RuleGroup group : catalogue.groups()) {
@@ -30,7 +33,7 @@ public final class RuleBook {
     return text.toString();
   }
 
-  /** One rule with its explanation and examples. */
+  /** Returns one rule with its explanation and examples. */
   public static String explain(Rule rule) {
     return rule.id()
         + " ("
@@ -48,7 +51,7 @@ public final class RuleBook {
         + "\n";
   }
 
-  /** The page {@code docs/rules.md}. */
+  /** Returns the page {@code docs/rules.md}. */
   public String page() {
     StringBuilder page =
         new StringBuilder(

@@ -12,7 +12,7 @@ import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Report;
 import org.selectiverenderer.validation.Rule;
 
-/** SARIF 2.1.0 (OASIS): the rules that were broken, and a result for each finding. */
+/** Writes the report as SARIF 2.1.0 (OASIS): the violated rules, and a result for each finding. */
 final class SarifReport {
   private static final String SCHEMA =
       "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
@@ -140,8 +140,9 @@ final class SarifReport {
   }
 
   /**
-   * A relative reference (RFC 3986, 4.2). A colon is escaped, since {@code a:b.x3d} would be a
-   * scheme; letters of other scripts are as the name has them, composed or not.
+   * Returns a relative reference (RFC 3986, 4.2). A colon is escaped, since {@code a:b.x3d} would
+   * begin with a scheme; non-ASCII letters are encoded as in the file name, without Unicode
+   * normalisation.
    */
   private static String uri(String file) {
     StringBuilder uri = new StringBuilder();

@@ -12,17 +12,17 @@ import org.selectiverenderer.validation.SourceFile;
 import org.selectiverenderer.x3d.source.SourceLines;
 
 /**
- * Shows the lines that findings are about. The files are read again, one at a time and only those
- * with findings: to keep them all would take memory by their number.
+ * Reads the source lines of findings. Files are read again, one at a time and only those with
+ * findings, since keeping all of them would take too much memory.
  */
 final class SourceExcerpts {
   private static final int WIDTH = 100;
   private static final int LEFT = 60;
 
   /**
-   * A part of a line of a file.
+   * A snippet: a part of a line of a file.
    *
-   * @param before white space as wide as what stands before the place, tabs kept
+   * @param before white space as wide as the text before the location, tabs kept
    */
   public record Excerpt(String text, String before) {}
 
@@ -34,7 +34,9 @@ final class SourceExcerpts {
     files.forEach(file -> this.files.put(file.name(), file));
   }
 
-  /** The line of a place, as much of it as a terminal shows; empty for a file as a whole. */
+  /**
+   * Returns the line of a location, cut to the width of a terminal; empty for a file as a whole.
+   */
   public Optional<Excerpt> at(Location location) {
     if (location.line() == 0 || location.column() == 0) {
       return Optional.empty();
@@ -64,7 +66,7 @@ final class SourceExcerpts {
         try (InputStream in = file.open()) {
           lines = SourceLines.read(in, file.size());
         } catch (IOException e) {
-          lines = null; // It was there a moment ago: the finding stands without its line.
+          lines = null; // The file is gone: the finding is shown without its line.
         }
       }
     }

@@ -8,9 +8,9 @@ import org.selectiverenderer.validation.Finding;
 import org.selectiverenderer.validation.Report;
 
 /**
- * For people, as compilers write it: a line for each finding that editors and terminals link, the
- * line of the file, a caret at the place; and a sum. Of one rule in one file {@value #LISTED} are
- * listed: whoever has more mends a few and runs again.
+ * Writes the report as text in the style of compilers: a line for each finding, which editors and
+ * terminals can link, the source line with a caret at the location, and a summary. At most {@value
+ * #LISTED} findings of one rule in one file are listed.
  */
 final class TextReport {
   private static final int LISTED = 50;
@@ -19,7 +19,7 @@ final class TextReport {
   private static final String BOLD = "\u001b[1m";
   private static final String GREEN = "\u001b[1;32m";
 
-  /** Findings of one rule in one file. */
+  /** Identifies the findings of one rule in one file. */
   private record Many(String file, String rule) {}
 
   private final boolean colours;

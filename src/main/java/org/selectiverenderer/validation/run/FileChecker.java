@@ -20,7 +20,7 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
-/** Parses a file and runs the checks that need no other file. Safe for use by several threads. */
+/** Parses a file and runs the checks that need no other file. Thread-safe. */
 final class FileChecker {
   private final NodeCatalogue catalogue = NodeCatalogue.load();
   private final X3dReader reader = new X3dReader(catalogue);
@@ -38,7 +38,7 @@ final class FileChecker {
   /**
    * Checks a file.
    *
-   * @param root which files it may name, when it is read for the first time
+   * @param root decides which files it may refer to
    * @throws IOException if it cannot be read
    */
   FileResult check(SourceFile file, ContentRoot root) throws IOException {
@@ -47,7 +47,7 @@ final class FileChecker {
     try (InputStream in = file.open()) {
       document = reader.document(file.name(), in, size);
     }
-    // What the reader says of the scene is for who shows it; here the checks speak.
+    // Problems that the reader reports are ignored, since the checks report them.
     X3dFile scene =
         reader.with(new FileLibraries(reader, root), file.base()).scene(document, new Problems());
     Suppressions suppressions = Suppressions.of(document, ids);

@@ -5,11 +5,11 @@ import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.Finding;
 
 /**
- * A file that has been checked by itself.
+ * The result of checking a file by itself.
  *
- * @param findings of the file's own checks, those that are wanted
- * @param dropped how many more there are
- * @param suppressions by comments in it
+ * @param findings findings of the file's own checks that are not suppressed
+ * @param dropped number of further findings beyond the limit
+ * @param suppressions suppressions by comments in the file
  */
 record FileResult(
     FileOutline outline, List<Finding> findings, int dropped, Suppressions suppressions) {}

@@ -8,8 +8,8 @@ import org.selectiverenderer.validation.GeometryMeasure;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * Measures geometry nodes: those that hold most of a scene's polygons by counting, the others,
- * which are small, by making their mesh. Safe for use by several threads.
+ * Measures polygons and bounds of geometry nodes: IndexedFaceSets, which have most of a scene's
+ * polygons, by counting; other nodes, which are small, by tessellation. Thread-safe.
  */
 final class GeometryMeasurer {
   private static final float[] NOTHING = {};
@@ -18,12 +18,15 @@ final class GeometryMeasurer {
     Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY
   };
 
-  /** Corners of a face up to which it has two triangles less than corners, however it is split. */
+  /**
+   * Up to this number of corners, a face has two triangles fewer than corners, however it is
+   * triangulated.
+   */
   private static final int SPLIT_SIMPLY = 4;
 
   private final Tessellator tessellator = new Tessellator();
 
-  /** Nothing for a node that is not drawn. */
+  /** Returns the measure of a node; empty if it is not drawn. */
   Optional<GeometryMeasure> measure(NodeView geometry) {
     GeometryMeasure counted =
         geometry.type().name().equals("IndexedFaceSet") ? faceSet(geometry) : null;
@@ -36,7 +39,10 @@ final class GeometryMeasurer {
             mesh -> new GeometryMeasure(mesh.polygons(), mesh.isEmpty() ? NOTHING : mesh.bounds()));
   }
 
-  /** Null for faces of which only the tessellator knows how they are split. */
+  /**
+   * Returns the measure of an IndexedFaceSet; null if only the tessellator can determine how its
+   * faces are triangulated.
+   */
   private static @Nullable GeometryMeasure faceSet(NodeView faces) {
     NodeView coordinates = faces.node("coord");
     if (coordinates == null || !coordinates.type().name().equals("Coordinate")) {
@@ -62,7 +68,10 @@ final class GeometryMeasurer {
     return new GeometryMeasure(polygons, polygons == 0 ? NOTHING : bounds);
   }
 
-  /** As the tessellator: a face with a point that is not there, or nowhere, is left out. */
+  /**
+   * Returns whether a face is drawn: like the tessellator, leaves out faces with a missing or
+   * non-finite point.
+   */
   private static boolean drawn(int[] indices, int from, int to, float[] points) {
     for (int i = from; i < to; i++) {
       int at = 3 * indices[i];

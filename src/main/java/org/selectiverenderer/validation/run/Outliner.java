@@ -16,7 +16,7 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
-/** Makes outlines: measures the geometry of a file, then lets its long values go. */
+/** Builds file outlines: measures the geometry of a file, then releases its long values. */
 final class Outliner {
   private static final int LONG = 256;
 
@@ -48,7 +48,7 @@ final class Outliner {
     return places;
   }
 
-  /** The attributes that scene checks speak of. */
+  /** Returns the attributes that scene checks report. */
   private static List<String> told(String element) {
     return switch (element) {
       case "Switch" -> List.of("whichChoice");

@@ -13,14 +13,14 @@ import org.selectiverenderer.validation.language.LanguageRules;
 import org.selectiverenderer.validation.script.ScriptRules;
 import org.selectiverenderer.validation.xml.XmlRules;
 
-/** All that the validator can say, group by group. */
+/** The catalogue of all rules, group by group. */
 public record RuleCatalogue(List<RuleGroup> groups) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes defensive copies, so that the record is immutable. */
   public RuleCatalogue {
     groups = List.copyOf(groups);
   }
 
-  /** The program's own rules. */
+  /** Returns the program's own rules. */
   public static RuleCatalogue standard() {
     return new RuleCatalogue(
         List.of(
@@ -33,19 +33,19 @@ public record RuleCatalogue(List<RuleGroup> groups) {
             ScriptRules.group()));
   }
 
-  /** All rules in the order of their ids. */
+  /** Returns all rules in the order of their ids. */
   public List<Rule> rules() {
     return groups.stream().flatMap(group -> group.rules().stream()).toList();
   }
 
-  /** The rule of an id in any case. */
+  /** Returns the rule with an id, ignoring case. */
   public Optional<Rule> find(String id) {
     return rules().stream().filter(rule -> rule.id().equalsIgnoreCase(id)).findFirst();
   }
 
   /**
-   * What a user means by an id or by the beginning of ids, such as {@code sr2}: as rules are
-   * compared with it; empty if it fits none.
+   * Resolves an id or a prefix of ids that a user typed, such as {@code sr2}, to its canonical
+   * spelling; empty if no rule matches.
    */
   public Optional<String> resolve(String id) {
     String wanted = id.strip().toUpperCase(Locale.ROOT);

@@ -9,14 +9,14 @@ import org.selectiverenderer.validation.SourceFile;
 
 /** Finds the scenes that a user means by the name of a file or folder, a pattern, or {@code -}. */
 public final class SceneFinder {
-  /** Standard input. */
+  /** The name that stands for standard input. */
   public static final String STANDARD_INPUT = "-";
 
   private final Path base;
   private final InputStream input;
 
   /**
-   * @param base the folder that reports name files from
+   * @param base the folder that names in reports are relative to
    * @param input standard input
    */
   public SceneFinder(Path base, InputStream input) {
@@ -25,7 +25,7 @@ public final class SceneFinder {
   }
 
   /**
-   * What {@link FileFinder#find} finds, or what standard input holds.
+   * Returns the files that {@link FileFinder#find} finds, or the scene on standard input.
    *
    * @throws IOException if there is no such file, or a folder cannot be read, or nothing is found
    */

@@ -12,17 +12,17 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
 /**
- * Findings that an author does not want to hear of: a comment <code>
- * validate-ignore SR102 SR103: why
- * </code> before an element is for that element and all within it; before the root element, for the
- * whole file.
+ * The suppressions of a file: a comment <code> validate-ignore SR102 SR103: why </code> before an
+ * element suppresses findings about that element and all its descendants; before the root element,
+ * those of the whole file.
  */
 final class Suppressions {
   /**
-   * One comment and its element.
+   * A suppression: a comment and the element that it applies to.
    *
-   * @param ids of rules, or beginnings of ids
-   * @param outer the one for an element around this one, or for the same; null if there is none
+   * @param ids ids of rules, or prefixes of ids
+   * @param outer the suppression of an enclosing element, or an earlier one of the same element;
+   *     null if there is none
    */
   private record Suppression(
       Set<String> ids, Location from, Location to, @Nullable Suppression outer) {
@@ -40,7 +40,7 @@ final class Suppressions {
   }
 
   /**
-   * Those of a document.
+   * Returns the suppressions of a document.
    *
    * @param rules ids of all rules
    */
@@ -87,7 +87,10 @@ final class Suppressions {
     return false;
   }
 
-  /** The last that begins at a place or before; they are in document order, and may be many. */
+  /**
+   * Returns the last suppression that begins at or before a location, by binary search: they are in
+   * document order, and may be many.
+   */
   private @Nullable Suppression lastBefore(Location at) {
     int low = 0;
     int high = list.size();

@@ -31,11 +31,11 @@ import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * One run of the validator: begins to check every file as soon as something names it, then checks
- * the scenes. No task waits for another.
+ * One run of the validator: starts to check each file as soon as a scene refers to it, then checks
+ * the scenes. No task blocks on another.
  */
 final class ValidationRun {
-  /** A scene while its files come in. */
+  /** A scene while its files are being checked. */
   private record Scene(
       FileOutline main,
       ContentRoot root,
@@ -90,7 +90,7 @@ final class ValidationRun {
     return report(scenes);
   }
 
-  /** Begins to check a file, unless another scene has asked for it already. */
+  /** Starts to check a file, unless another scene has requested it already. */
   private CompletableFuture<FileResult> start(SourceFile file, ContentRoot root) {
     return started.computeIfAbsent(
         file.key(), key -> CompletableFuture.supplyAsync(() -> check(file, root), executor));
@@ -104,7 +104,7 @@ final class ValidationRun {
     }
   }
 
-  /** Begins to check what a file of a scene inlines. */
+  /** Starts to check the files that a file of a scene inlines. */
   private void follow(Scene scene, FileOutline outline) {
     if (!scene.followed.add(outline)) {
       return;
@@ -121,7 +121,7 @@ final class ValidationRun {
   }
 
   private Report report(List<Scene> scenes) {
-    // A file of several scenes has its findings once.
+    // A file of several scenes contributes its findings once.
     Set<Finding> all = new HashSet<>();
     int dropped = 0;
     Map<String, Suppressions> suppressions = new LinkedHashMap<>();
@@ -164,7 +164,7 @@ final class ValidationRun {
     return findings;
   }
 
-  /** The scenes that others inline; of scenes that inline each other, all but one. */
+  /** Returns the scenes that other scenes inline; of scenes that inline each other, all but one. */
   private static Set<Scene> parts(List<Scene> scenes) {
     Set<Scene> parts = Collections.newSetFromMap(new IdentityHashMap<>());
     for (Scene scene : scenes) {

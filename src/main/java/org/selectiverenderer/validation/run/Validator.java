@@ -13,7 +13,10 @@ import org.selectiverenderer.validation.ValidationSettings;
 
 /** Checks scenes with all that they inline, on all processors. */
 public final class Validator {
-  /** What USEs nest is as deep as a file is long, and is counted by recursion. */
+  /**
+   * The stack size of worker threads: USEs can nest as deeply as a file is long, and polygons are
+   * counted recursively.
+   */
   private static final long STACK_BYTES = 256L << 20;
 
   private final RuleCatalogue rules;
@@ -21,7 +24,7 @@ public final class Validator {
   private final Path base;
 
   /**
-   * @param base the folder that reports name files from
+   * @param base the folder that names in reports are relative to
    */
   public Validator(RuleCatalogue rules, ValidationSettings settings, Path base) {
     this.rules = rules;

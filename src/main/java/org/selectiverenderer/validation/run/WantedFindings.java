@@ -6,7 +6,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.ValidationSettings;
 
-/** Leaves out what the user does not want to hear of: by the settings, and by comments in files. */
+/** Filters out findings that the settings ignore or that comments in files suppress. */
 record WantedFindings(ValidationSettings settings, Map<String, Suppressions> suppressions)
     implements BiPredicate<Rule, Location> {
   @Override

@@ -1,13 +1,13 @@
 /**
- * A run of the validator: finds the files, reads each once, makes the checks, gathers what they
- * find.
+ * Runs the validator: finds the files, reads each once, runs the checks and collects their
+ * findings.
  *
  * <p>In: files and folders, {@link org.selectiverenderer.validation.ValidationSettings}. Out: a
  * {@link org.selectiverenderer.validation.Report}. {@link
- * org.selectiverenderer.validation.run.Validator} is the door; {@link
- * org.selectiverenderer.validation.run.RuleCatalogue} knows the packages of all groups of rules,
- * which know nothing of a run. Uses these, {@code validation}, {@code geometry}, {@code x3d} and
- * {@code base.problem}.
+ * org.selectiverenderer.validation.run.Validator} is the entry point; {@link
+ * org.selectiverenderer.validation.run.RuleCatalogue} depends on the packages of all groups of
+ * rules, which do not depend on this package. Uses these, {@code validation}, {@code geometry},
+ * {@code x3d} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.validation.run;

@@ -9,7 +9,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Fields of a Script or a shader that have a name twice. */
+/** Finds fields of a Script or a shader that are declared twice. */
 final class FieldNameCheck implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {
@@ -21,7 +21,7 @@ final class FieldNameCheck implements FileCheck {
     }
   }
 
-  /** What ClassicVRML declares anew for each IS that it has. */
+  /** Returns the names that ClassicVRML declares again for each IS. */
   private static Set<String> connectedTwice(DocumentElement element) {
     Set<String> once = new HashSet<>();
     Set<String> twice = new HashSet<>();

@@ -14,8 +14,8 @@ import org.selectiverenderer.x3d.script.ProgramChoice;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
- * Programs in files of their own, and those in other languages; one that cannot be read is a matter
- * of its url.
+ * Checks Script programs in separate files, and reports those in other languages; {@code UrlCheck}
+ * reports files that cannot be read.
  */
 final class FileProgramCheck implements SceneCheck {
   @Override
@@ -43,7 +43,7 @@ final class FileProgramCheck implements SceneCheck {
     try {
       ProgramReport.of(node, ScriptProgram.read(file), findings);
     } catch (IOException e) {
-      // SR309 tells of files that cannot be read.
+      // SR309 reports files that cannot be read.
     }
   }
 }

@@ -8,7 +8,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.script.ProgramSyntax;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
-/** Says what is wrong with the program of a Script. */
+/** Reports syntax errors and missing event functions in the program of a Script. */
 final class ProgramReport {
   private ProgramReport() {}
 

@@ -10,7 +10,10 @@ import org.selectiverenderer.validation.SceneNodes;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
-/** Programs that stand in the scene; that of a prototype once, however many instances there are. */
+/**
+ * Checks Script programs embedded in the scene; that of a prototype is checked once, however many
+ * instances there are.
+ */
 final class TextProgramCheck implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {

@@ -10,9 +10,9 @@ import org.selectiverenderer.base.json.JsonTree;
 import org.selectiverenderer.validation.Report;
 
 /**
- * The findings of an earlier run, which are not to be heard of again: a report in JSON. A finding
- * is old if the report has one of that rule, file, node and message, wherever in the file; of two
- * equal ones where the report has one, the second is new.
+ * A baseline: the findings of an earlier run, read from its JSON report, which are not reported
+ * again. A finding is old if the baseline has one with the same rule, file, node and message, at
+ * any line; if the baseline has one of two equal findings, the second is new.
  */
 public final class Baseline {
   private record Key(String rule, String file, String node, String message) {}
@@ -21,7 +21,7 @@ public final class Baseline {
 
   private Baseline() {}
 
-  /** Of a run without earlier ones. */
+  /** Returns an empty baseline. */
   public static Baseline none() {
     return new Baseline();
   }
@@ -29,7 +29,7 @@ public final class Baseline {
   /**
    * Reads a report.
    *
-   * @throws IOException if it cannot be read or is no report, with a message of one line
+   * @throws IOException if it cannot be read or is not a report, with a message of one line
    */
   public static Baseline read(Path file) throws IOException {
     JsonNode report = JsonTree.read(file);
@@ -50,7 +50,7 @@ public final class Baseline {
     return baseline;
   }
 
-  /** What is new in a report. */
+  /** Returns the report without the findings of the baseline. */
   public Report without(Report report) {
     Map<Key, Integer> left = new HashMap<>(known);
     return new Report(

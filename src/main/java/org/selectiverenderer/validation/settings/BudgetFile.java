@@ -17,8 +17,8 @@ import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 
 /**
- * Changes the budgets of a settings file. All else in it, comments and blanks too, stays as its
- * author wrote it; a file with faults is not touched.
+ * Edits the budgets of a settings file. Everything else, including comments and white space, is
+ * preserved; a file with faults is not changed.
  */
 public final class BudgetFile {
   private static final String KEY = "budgets";
@@ -28,8 +28,8 @@ public final class BudgetFile {
   private final RuleCatalogue rules;
 
   /**
-   * @param file which need not be there yet
-   * @param rules that it may name
+   * @param file the settings file, which need not exist yet
+   * @param rules the rules that it may name
    */
   public BudgetFile(Path file, RuleCatalogue rules) {
     this.file = file;
@@ -37,9 +37,9 @@ public final class BudgetFile {
   }
 
   /**
-   * Reads the settings; the standard ones where there is no file.
+   * Reads the settings; returns the default ones if there is no file.
    *
-   * @return empty when it has faults, which are then in {@code problems}
+   * @return empty when the file has faults, which are reported to {@code problems}
    * @throws IOException if it cannot be read at all
    */
   public Optional<ValidationSettings> read(Problems problems) throws IOException {
@@ -49,7 +49,7 @@ public final class BudgetFile {
   }
 
   /**
-   * Sets the polygons of a part and state, for which there may be a budget already.
+   * Sets the budget of a part and state; replaces an existing one.
    *
    * @throws IOException with a message of one line if the file has faults or cannot be written
    */
@@ -63,9 +63,9 @@ public final class BudgetFile {
   }
 
   /**
-   * Takes away the budget of a part and state, if there is one.
+   * Removes the budget of a part and state, if there is one.
    *
-   * @param unwanted whose polygons do not count
+   * @param unwanted the budget to remove; its number of polygons is ignored
    * @throws IOException with a message of one line if the file has faults or cannot be written
    */
   public void remove(Budget unwanted) throws IOException {
@@ -86,7 +86,7 @@ public final class BudgetFile {
     Optional<ValidationSettings> settings = read(problems);
     if (settings.isEmpty()) {
       throw new IOException(
-          problems.list().get(0) + "; correct the settings file first, nothing is written");
+          problems.list().get(0) + "; the budget is not saved: correct the settings file first");
     }
     String before = Files.exists(file) ? Files.readString(file, StandardCharsets.UTF_8) : NEW;
     String after =
@@ -105,7 +105,7 @@ public final class BudgetFile {
     return -1;
   }
 
-  /** Whether two budgets are for the same part and state. */
+  /** Returns whether two budgets are for the same part and state. */
   public static boolean same(Budget one, Budget other) {
     return one.scope().equals(other.scope())
         && new HashSet<>(one.schemas()).equals(new HashSet<>(other.schemas()));

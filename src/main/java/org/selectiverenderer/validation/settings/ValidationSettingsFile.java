@@ -30,8 +30,8 @@ import org.selectiverenderer.x3d.files.AllowedKeys;
  * </pre>
  *
  * <p>Each key may be left out, and so may a budget's {@code scope} (the whole scene) and {@code
- * schemas} (the worst state). The file is read as {@link org.selectiverenderer.base.json} says: a
- * key that is not known is an error, since a slip would otherwise go unnoticed.
+ * schemas} (the worst state). The file is read as {@link org.selectiverenderer.base.json}
+ * describes: an unknown key is an error, since a misspelling would otherwise go unnoticed.
  */
 public final class ValidationSettingsFile {
   private static final JsonSettings JSON =
@@ -45,7 +45,7 @@ public final class ValidationSettingsFile {
   private final RuleCatalogue rules;
 
   /**
-   * @param rules that the file may name
+   * @param rules the rules that the file may name
    */
   public ValidationSettingsFile(Path file, RuleCatalogue rules) {
     this.file = file;
@@ -55,7 +55,7 @@ public final class ValidationSettingsFile {
   /**
    * Reads the file.
    *
-   * @return empty when it has faults, which are then in {@code problems}
+   * @return empty when the file has faults, which are reported to {@code problems}
    * @throws IOException if it cannot be read at all
    */
   public Optional<ValidationSettings> read(Problems problems) throws IOException {

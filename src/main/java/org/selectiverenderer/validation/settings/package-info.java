@@ -1,11 +1,10 @@
 /**
- * What a project keeps in files for the validator: its settings, and the findings that it lives
- * with.
+ * The files that a project keeps for the validator: its settings, and a baseline of known findings.
  *
  * <p>In: {@code .selective-renderer-validate.json} and baselines. Out: {@link
- * org.selectiverenderer.validation.ValidationSettings}, and a report without the findings that were
- * known. Uses {@code validation}, the catalogue of {@code validation.run} for the names of rules,
- * {@code base.json} and {@code base.problem}.
+ * org.selectiverenderer.validation.ValidationSettings}, and a report without the known findings.
+ * Uses {@code validation}, the catalogue of {@code validation.run} for the names of rules, {@code
+ * base.json} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.validation.settings;

@@ -8,7 +8,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.IgnoreComment;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
-/** Comments that are meant to suppress findings. */
+/** Finds suppression comments that have no effect. */
 final class CommentCheck implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {

@@ -6,7 +6,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.x3d.source.DocumentFault;
 
-/** What the parser said. */
+/** Reports the faults that the parser found. */
 final class FaultCheck implements FileCheck {
   @Override
   public void check(FileView file, Findings findings) {

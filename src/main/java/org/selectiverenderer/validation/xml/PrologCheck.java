@@ -10,7 +10,7 @@ import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
-/** The file's name, its DOCTYPE and its root element. */
+/** Checks the file's name, its DOCTYPE and its root element. */
 final class PrologCheck implements FileCheck {
   private static final Pattern VERSION = Pattern.compile("DTD X3D (\\d\\.\\d)");
 

@@ -5,7 +5,7 @@ import org.selectiverenderer.validation.FileView;
 import org.selectiverenderer.validation.Findings;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Text between elements. */
+/** Finds text between elements. */
 final class TextCheck implements FileCheck {
   private static final int SHOWN = 40;
 
@@ -17,7 +17,7 @@ final class TextCheck implements FileCheck {
               .find(element.name())
               .filter(type -> type.field("sourceCode").isPresent())
               .isPresent();
-      // Scripts of prototypes and other languages' elements are left alone.
+      // Text in scripts, in shaders and in elements of other namespaces is allowed.
       if (!element.text().isEmpty() && !script && file.knows(element)) {
         String text = element.text().strip();
         String shown = text.length() > SHOWN ? text.substring(0, SHOWN) + "..." : text;

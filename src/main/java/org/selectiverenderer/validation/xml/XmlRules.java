@@ -19,7 +19,7 @@ public final class XmlRules {
 
   static final Rule NO_X3D =
       Rule.error("SR002", "{fault}")
-          .about("the file is of no encoding of X3D that is read")
+          .about("the file is not in an X3D encoding that this program reads")
           .because(
               """
               X3D in XML, ClassicVRML and JSON is read, and VRML97. Scenes of VRML 1.0 and Inventor \

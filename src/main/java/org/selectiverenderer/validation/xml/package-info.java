@@ -1,6 +1,5 @@
 /**
- * Rules of the file and its XML, SR0xx: what is to be known before a file says anything about a
- * scene.
+ * Rules of the file and its XML, SR0xx: encoding, well-formedness, prolog and comments.
  *
  * <p>In: {@code FileView}. Out: findings. Uses {@code validation}, {@code x3d} and {@code
  * base.problem}.

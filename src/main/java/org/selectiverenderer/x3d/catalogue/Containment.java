@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** Which field of a node takes a child (ISO/IEC 19776-1, 4.3.6: containerField). */
+/** Determines the field of a parent that takes a child node (containerField, 19776-1, 4.3.6). */
 public final class Containment {
   private Containment() {}
 
   /**
-   * The field that a child asks for, if it is there and takes such a node.
+   * Returns the field that a child's containerField names, if it exists and accepts the child.
    *
-   * @param containerField as the file gives it, or null for the one that nodes of its type go into
+   * @param containerField the value in the file, or null for the default of the child's type
    */
   public static Optional<FieldDefinition> wanted(
       NodeType parent, NodeType child, @Nullable String containerField) {
@@ -23,16 +23,16 @@ public final class Containment {
     return Optional.ofNullable(field).filter(found -> accepts(found, child));
   }
 
-  /** The name of the field that a child goes into when the file does not say. */
+  /** Returns the default containerField of a child in a parent. */
   public static String usual(NodeType parent, NodeType child) {
-    // The catalogue's default is that of metadata in a MetadataSet.
+    // the catalogue's default applies to metadata in a MetadataSet
     return child.is("X3DMetadataObject") && parent.field("value").isEmpty()
         ? "metadata"
         : child.containerField();
   }
 
   /**
-   * What X3D 4.0 calls a field of such a node that earlier editions called otherwise: the children
+   * Returns the X3D 4.0 name of a node field that earlier editions named differently: the children
    * of a Switch or LOD in VRML97, the sides of a ComposedCubeMapTexture in X3D 3.
    */
   public static Optional<String> renamed(NodeType parent, String name) {
@@ -49,12 +49,12 @@ public final class Containment {
     };
   }
 
-  /** All fields of a node that take such a child, in the order of the catalogue. */
+  /** Returns all fields of a parent that accept a child, in the order of the catalogue. */
   public static List<FieldDefinition> fitting(NodeType parent, NodeType child) {
     return parent.fields().stream().filter(field -> accepts(field, child)).toList();
   }
 
-  /** Whether a file may put a node of that type into the field. */
+  /** Returns whether a file may put a node of a type into a field. */
   public static boolean accepts(FieldDefinition field, NodeType child) {
     if (!field.type().isNode() || !field.access().initialisable()) {
       return false;

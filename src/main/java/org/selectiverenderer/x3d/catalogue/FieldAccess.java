@@ -1,14 +1,14 @@
 package org.selectiverenderer.x3d.catalogue;
 
-/** How a field takes part in the event model (X3D 4.0, 4.4.2.2). */
+/** The access types of fields, which define their part in the event model (X3D 4.0, 4.4.2.2). */
 public enum FieldAccess {
-  /** A value given in the file, fixed afterwards. */
+  /** Has a value given in the file that cannot change. */
   INITIALIZE_ONLY("initializeOnly"),
-  /** Receives events, holds no value. */
+  /** Receives events, and has no value. */
   INPUT_ONLY("inputOnly"),
   /** Sends events; its value is the last one sent. */
   OUTPUT_ONLY("outputOnly"),
-  /** Holds a value, receives and sends events. */
+  /** Has a value, and receives and sends events. */
   INPUT_OUTPUT("inputOutput");
 
   private final String spelling;
@@ -17,28 +17,28 @@ public enum FieldAccess {
     this.spelling = spelling;
   }
 
-  /** The standard's own spelling, for example {@code inputOutput}. */
+  /** Returns the standard's spelling, for example {@code inputOutput}. */
   public String spelling() {
     return spelling;
   }
 
-  /** Whether a file may give the field a value. */
+  /** Returns whether a file may give the field a value. */
   public boolean initialisable() {
     return this == INITIALIZE_ONLY || this == INPUT_OUTPUT;
   }
 
-  /** Whether the field may be the end of a ROUTE. */
+  /** Returns whether the field may be the destination of a ROUTE. */
   public boolean acceptsEvents() {
     return this == INPUT_ONLY || this == INPUT_OUTPUT;
   }
 
-  /** Whether the field may be the start of a ROUTE. */
+  /** Returns whether the field may be the source of a ROUTE. */
   public boolean sendsEvents() {
     return this == OUTPUT_ONLY || this == INPUT_OUTPUT;
   }
 
   /**
-   * The access type of that spelling.
+   * Returns the access type of a spelling.
    *
    * @throws IllegalArgumentException if there is none
    */

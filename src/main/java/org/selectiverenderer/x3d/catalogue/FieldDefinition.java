@@ -5,14 +5,14 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * A field of a node type, as the standard defines it.
+ * The definition of a field of a node type.
  *
  * @param index position among the fields of its node type, from 0
  * @param name for example {@code whichChoice}
- * @param defaultText the default as X3D text; empty when the standard gives none
- * @param min lower bound as the catalogue writes it ({@code 0}, {@code >0}); empty when unbounded
- * @param max upper bound, likewise
- * @param values the values that the standard allows for a string; empty when any
+ * @param defaultText the default as X3D text; empty if the standard gives none
+ * @param min lower bound as the catalogue writes it ({@code 0}, {@code >0}); empty if unbounded
+ * @param max upper bound, in the same form
+ * @param values the values that the standard allows for a string; empty if any is allowed
  * @param nodeTypes names of the node types that an SFNode or MFNode accepts
  * @param defaultValue the default, as {@link FieldType} represents it; null for an SFNode
  */
@@ -29,9 +29,9 @@ public record FieldDefinition(
     @Nullable Object defaultValue) {
 
   /**
-   * A field that a node's author declares: without bounds, and nodes of any type fit.
+   * Returns the definition of an author-defined field, without bounds and for nodes of any type.
    *
-   * @param index among the fields of the node's own type
+   * @param index the index among the fields of the node's own type
    */
   public static FieldDefinition own(int index, String name, FieldType type, FieldAccess access) {
     return new FieldDefinition(

@@ -6,12 +6,12 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** What the standard allows for the values of a field beyond their type: bounds and words. */
+/** The constraints of the standard on field values beyond their type: bounds and keywords. */
 public final class FieldLimits {
-  /** Directions and planes need no unit length in the standard's text, though its model says so. */
+  /** Fields whose bounds are ignored: the standard's text does not require unit length. */
   private static final Set<String> ANY_LENGTH = Set.of("direction", "vector", "plane");
 
-  /** Lists of words that browsers may add to. */
+  /** Fields whose list of keywords browsers may extend. */
   private static final Set<String> OPEN =
       Set.of(
           "family",
@@ -29,7 +29,7 @@ public final class FieldLimits {
           "objectType",
           "language");
 
-  /** Types whose field {@code type} or {@code mode} is closed all the same. */
+  /** Node types whose field {@code type} or {@code mode} may not be extended. */
   private static final Set<String> CLOSED =
       Set.of(
           "BiquadFilter",
@@ -42,25 +42,25 @@ public final class FieldLimits {
   private static final String BOX_SIZE = "must be at least 0, or -1 -1 -1 for unknown";
 
   /**
-   * A value that is not allowed.
+   * A value out of bounds.
    *
-   * @param value the first such number, or all of a box's size
-   * @param bound what it must be: {@code must be more than 0}
+   * @param value the first number out of bounds, or the whole size of a box
+   * @param bound the violated bound, such as {@code must be more than 0}
    */
   public record Beyond(String value, String bound) {}
 
   private FieldLimits() {}
 
-  /** Whether a value's numbers have bounds. */
+  /** Returns whether the numbers of a field have bounds. */
   public static boolean bounded(FieldDefinition field) {
     boolean any = !field.min().isEmpty() || !field.max().isEmpty();
     return field.name().equals("bboxSize") || any && !ANY_LENGTH.contains(field.name());
   }
 
   /**
-   * The first number of a value beyond the field's bounds.
+   * Returns the first number of a value that is out of the field's bounds.
    *
-   * @param value of the field's type, as {@link org.selectiverenderer.x3d.field.FieldType}
+   * @param value a value of the field's type, as {@link org.selectiverenderer.x3d.field.FieldType}
    *     represents it
    */
   public static Optional<Beyond> beyond(FieldDefinition field, Object value) {
@@ -88,7 +88,7 @@ public final class FieldLimits {
     return Optional.empty();
   }
 
-  /** Sides of a box, or the sign that they are to be computed (X3D 4.0, 10.2.2). */
+  /** Returns whether this is a box size, or -1 -1 -1 for unknown (X3D 4.0, 10.2.2). */
   private static boolean isBoxSize(float[] size) {
     return size[0] >= 0 && size[1] >= 0 && size[2] >= 0
         || size[0] == -1 && size[1] == -1 && size[2] == -1;
@@ -101,7 +101,7 @@ public final class FieldLimits {
       }
       boolean open = cell.startsWith(">") || cell.startsWith("<");
       String text = open ? cell.substring(1) : cell;
-      // The catalogue rounds multiples of pi up; a float of them is larger by less than that.
+      // the catalogue rounds multiples of pi up, by more than the error of a float
       return new Bound(Double.parseDouble(text), open, text);
     }
   }
@@ -118,8 +118,8 @@ public final class FieldLimits {
   }
 
   /**
-   * The words that may stand in a field of strings, one by one; empty for any. They are the
-   * standard's, and {@code GEOMETRY} of shaders, which X_ITE and Castle have too.
+   * Returns the keywords allowed in a string field; empty if any string is allowed. They are the
+   * standard's, and {@code GEOMETRY} for shaders, as in X_ITE and Castle.
    */
   public static Set<String> words(FieldDefinition field) {
     Set<String> known = new LinkedHashSet<>();
@@ -137,7 +137,7 @@ public final class FieldLimits {
   }
 
   /**
-   * Whether other words than those may stand there too.
+   * Returns whether a field may have other words than the known keywords, too.
    *
    * @param node the name of the node type
    */

@@ -9,9 +9,9 @@ import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * The table of all fields, whose rows stand together for each node. Cells that repeat from node to
- * node (260 times {@code metadata}) are kept once. A second table has fields that nodes of the
- * first have besides, and nodes of its own. Safe for use by several threads.
+ * The table of all fields, in which the rows of a node are consecutive. Repeated cells (260 times
+ * {@code metadata}) are stored once. A second table has further fields of nodes of the first table,
+ * and further nodes. Thread-safe.
  */
 final class FieldTable {
   private static final int COLUMNS = 9;
@@ -22,9 +22,9 @@ final class FieldTable {
   private final FieldParser parser = new FieldParser();
 
   /**
-   * A table as text, and where the rows of each node begin in it.
+   * A table as text, and the offset of the first row of each node.
    *
-   * @param starts by the node's name and a tab
+   * @param starts offsets by the node's name and a tab
    */
   private record Rows(String table, Map<String, Integer> starts) {
     static Rows of(String table) {
@@ -41,13 +41,13 @@ final class FieldTable {
     }
   }
 
-  /** Tables of lines that end with a line feed, the first being the heading. */
+  /** Creates the table from texts of LF-terminated lines, of which the first is the header. */
   FieldTable(String table, String further) {
     tables.add(Rows.of(table));
     tables.add(Rows.of(further));
   }
 
-  /** The fields of a node in the table's order. */
+  /** Returns the fields of a node in the table's order. */
   synchronized List<FieldDefinition> of(String node) {
     String first = node + "\t";
     List<FieldDefinition> fields = new ArrayList<>(32);
@@ -105,8 +105,8 @@ final class FieldTable {
   }
 
   /**
-   * The allowed values. The table quotes each; those of an MFString are quoted X3D text themselves
-   * ({@code ""MIDDLE" "END""}), which stays.
+   * Returns the allowed values. The table quotes each of them; those of an MFString are quoted X3D
+   * text themselves ({@code ""MIDDLE" "END""}), whose inner quotes are kept.
    */
   private static List<String> allowed(FieldType type, String cell) {
     if (cell.isEmpty()) {
@@ -123,7 +123,7 @@ final class FieldTable {
     return List.copyOf(values);
   }
 
-  /** A row cut at its tabs. */
+  /** Splits a row at its tabs. */
   static String[] cells(String row, int columns) {
     String[] cells = new String[columns];
     int at = 0;

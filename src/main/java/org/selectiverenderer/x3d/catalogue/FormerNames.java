@@ -4,9 +4,9 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What X3D 4.0 calls the fields that earlier standards called otherwise: VRML97 (ISO/IEC 14772-1,
- * 6; X3D 4.0, 10.4) and X3D 3.2 and 3.3 (35.3.1, X3DLayerNode). Files of all encodings and versions
- * have the old names, so that they are read in all.
+ * Maps field names of earlier standards to those of X3D 4.0: VRML97 (ISO/IEC 14772-1, 6; X3D 4.0,
+ * 10.4) and X3D 3.2 and 3.3 (35.3.1, X3DLayerNode). Since files of all encodings and versions use
+ * the old names, they are accepted in all.
  */
 public final class FormerNames {
   private static final Map<String, Map<String, String>> NAMES =
@@ -19,7 +19,7 @@ public final class FormerNames {
 
   private FormerNames() {}
 
-  /** The name of a field or of its events, in X3D. */
+  /** Returns the X3D 4.0 name of a field or of its events. */
   public static String now(@Nullable NodeType type, String name) {
     Map<String, String> names = type == null ? null : NAMES.get(type.name());
     if (names == null) {

@@ -18,12 +18,11 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.base.problem.Spelling;
 
 /**
- * All concrete node types of X3D 4.0, read from two tables that are part of the program: {@code
- * x3d-4.0-nodes.tsv} and {@code x3d-4.0-fields.tsv}; and the nodes and fields of today's browsers
- * that are drafts of X3D 4.1, or X_ITE's own, from {@code x3d-4.1-nodes.tsv} and {@code
- * x3d-4.1-fields.tsv} (X_ITE 11, castle-engine 7). One instance is made at the start and handed to
- * whoever needs it; any thread may use it. A type is made when it is first asked for, since a scene
- * has some 20 of the 260 and a program's start should not pay for the others.
+ * The catalogue of all concrete node types, read from four resources: the nodes and fields of X3D
+ * 4.0 from {@code x3d-4.0-nodes.tsv} and {@code x3d-4.0-fields.tsv}, and further nodes and fields,
+ * from drafts of X3D 4.1 or specific to X_ITE 11 and castle-engine 7, from {@code
+ * x3d-4.1-nodes.tsv} and {@code x3d-4.1-fields.tsv}. One instance is loaded at start-up and passed
+ * on; thread-safe. A node type is created on its first use, since a scene uses some 20 of the 260.
  */
 public final class NodeCatalogue {
   private static final int COLUMNS = 5;
@@ -43,7 +42,7 @@ public final class NodeCatalogue {
   /**
    * Reads the tables.
    *
-   * @throws IllegalStateException if a table is missing, which is a fault of the build
+   * @throws IllegalStateException if a table is missing, which is an error of the build
    */
   public static NodeCatalogue load() {
     Map<String, String> rows = new TreeMap<>(ALPHABETICAL);
@@ -61,15 +60,15 @@ public final class NodeCatalogue {
     }
   }
 
-  /** The node type of exactly that name. */
+  /** Returns the node type of exactly this name. */
   public Optional<NodeType> find(String name) {
     NodeType type = types.get(name);
     return type != null ? Optional.of(type) : make(name);
   }
 
   /**
-   * The node type of a name that is known to be in the catalogue; for code that names the
-   * standard's own nodes.
+   * Returns the node type of a name that is known to be in the catalogue, for code that names nodes
+   * of the standard.
    *
    * @throws IllegalArgumentException if there is none
    */
@@ -78,7 +77,7 @@ public final class NodeCatalogue {
         .orElseThrow(() -> new IllegalArgumentException("X3D 4.0 has no node " + name));
   }
 
-  /** All node types in alphabetical order. */
+  /** Returns all node types in alphabetical order. */
   public List<NodeType> all() {
     List<NodeType> all = new ArrayList<>(rows.size());
     for (String name : rows.keySet()) {
@@ -87,12 +86,12 @@ public final class NodeCatalogue {
     return Collections.unmodifiableList(all);
   }
 
-  /** The names of all node types, in alphabetical order. */
+  /** Returns the names of all node types in alphabetical order. */
   public Set<String> names() {
     return rows.keySet();
   }
 
-  /** The node that somebody who wrote an unknown name probably meant. */
+  /** Returns the node type name most similar to an unknown one, if any. */
   public Optional<String> suggestion(String name) {
     return Spelling.nearest(name, rows.keySet());
   }
@@ -111,7 +110,7 @@ public final class NodeCatalogue {
             cells[3],
             new HashSet<>(Arrays.asList(cells[4].split(" "))),
             fields.of(name));
-    // Types are compared by identity, so the first of two threads wins.
+    // types are compared by identity, so that only the first of two threads may publish its type
     NodeType first = types.putIfAbsent(name, made);
     return Optional.of(first != null ? first : made);
   }
@@ -119,10 +118,10 @@ public final class NodeCatalogue {
   private static String resource(String name) {
     try (InputStream in = NodeCatalogue.class.getResourceAsStream(name)) {
       if (in == null) {
-        throw new IllegalStateException("the program's own table " + name + " is missing");
+        throw new IllegalStateException("the program's resource " + name + " is missing");
       }
       String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
-      // A checkout may have changed the ends of the lines.
+      // git may have converted the line ends at checkout
       return text.indexOf('\r') < 0 ? text : text.replace("\r\n", "\n");
     } catch (IOException e) {
       throw new UncheckedIOException(e);

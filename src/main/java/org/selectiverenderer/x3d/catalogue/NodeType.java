@@ -9,9 +9,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * A concrete node type of the catalogue, one with fields of a single node's own besides (see {@link
- * #with}), or that of a prototype's instances ({@link #ofPrototype}). Immutable. Those of the
- * catalogue may be compared by identity, all by {@link #name()} and {@link #is}.
+ * A node type: a concrete one of the catalogue, one extended by a single node's author-defined
+ * fields ({@link #with}), or that of a prototype's instances ({@link #ofPrototype}). Immutable.
+ * Types of the catalogue may be compared by identity, all types by {@link #name()} and {@link #is}.
  */
 public final class NodeType {
   private static final String INSTANCE = "X3DPrototypeInstance";
@@ -57,11 +57,11 @@ public final class NodeType {
   }
 
   /**
-   * The type of a node with fields of its own, as the author of a Script or a shader declares them
-   * (X3D 4.0, 29.2.2): name, component and ancestors are this type's, and its fields keep their
-   * indices.
+   * Returns this type extended by the fields that the author of a Script or shader node declares
+   * (X3D 4.0, 29.2.2). Name, component, ancestors and the indices of the other fields are
+   * unchanged.
    *
-   * @param own the further fields, whose indices go on where this type's end
+   * @param own the author-defined fields, whose indices follow those of this type's fields
    */
   public NodeType with(List<FieldDefinition> own) {
     List<FieldDefinition> all = new ArrayList<>(fields.size() + own.size());
@@ -71,11 +71,11 @@ public final class NodeType {
   }
 
   /**
-   * The type of the instances of a prototype as the rest of the scene sees them: what the prototype
-   * calls itself and the fields of its interface, and the abstract types of the first node of its
-   * body, in whose places an instance may stand (X3D 4.0, 4.4.4.3).
+   * Returns the type of a prototype's instances as the rest of the scene sees them: the prototype's
+   * name, the fields of its interface, and the abstract types of the first node of its body, in
+   * whose place an instance may be used (X3D 4.0, 4.4.4.3).
    *
-   * @param first of the body
+   * @param first the type of the first node of the body
    */
   public static NodeType ofPrototype(String name, NodeType first, List<FieldDefinition> fields) {
     Set<String> ancestors = new HashSet<>(first.ancestors);
@@ -83,63 +83,65 @@ public final class NodeType {
     return new NodeType(name, "Core", 1, first.containerField, ancestors, fields, 0);
   }
 
-  /** Whether it is the type of a prototype's instances. */
+  /** Returns whether this is the type of a prototype's instances. */
   public boolean isPrototype() {
     return ancestors.contains(INSTANCE);
   }
 
-  /** The index from which fields are a node's own; how many there are if it has none. */
+  /** Returns the index of the first author-defined field, or the number of fields if none. */
   public int ownFrom() {
     return ownFrom;
   }
 
-  /** The standard's name, such as {@code Box}. */
+  /** Returns the name in the standard, such as {@code Box}. */
   public String name() {
     return name;
   }
 
-  /** The component that defines the node, for example {@code Grouping}. */
+  /** Returns the component that defines the node, for example {@code Grouping}. */
   public String component() {
     return component;
   }
 
-  /** The level of that component from which the node is supported. */
+  /** Returns the level of the component from which on the node is supported. */
   public int level() {
     return level;
   }
 
-  /** The field of a parent that takes such a node when the file does not say. */
+  /** Returns the default containerField. */
   public String containerField() {
     return containerField;
   }
 
-  /** Whether the node is of that concrete or abstract type, for example {@code X3DGroupingNode}. */
+  /** Returns whether this is, or derives from, a type, for example {@code X3DGroupingNode}. */
   public boolean is(String typeName) {
     return name.equals(typeName) || ancestors.contains(typeName);
   }
 
-  /** The abstract types that the node descends from. */
+  /** Returns the abstract types from which the node derives. */
   public Set<String> ancestors() {
     return ancestors;
   }
 
-  /** Its fields, in the standard's order. */
+  /** Returns the fields in the order of the standard. */
   public List<FieldDefinition> fields() {
     return fields;
   }
 
-  /** The field of exactly that name. */
+  /** Returns the field of exactly this name. */
   public Optional<FieldDefinition> field(String fieldName) {
     return Optional.ofNullable(fieldsByName.get(fieldName));
   }
 
-  /** The field that takes an event sent to that name: {@code size} or {@code set_size}. */
+  /**
+   * Returns the field that receives events sent to a name, such as {@code size}, {@code set_size}.
+   */
   public Optional<FieldDefinition> input(String fieldName) {
     return eventField(fieldName, fieldName.startsWith("set_") ? fieldName.substring(4) : null)
         .filter(field -> field.access().acceptsEvents());
   }
 
-  /** The field that sends events under that name: {@code size} or {@code size_changed}. */
+  /** Returns the field that sends events of a name, such as {@code size}, {@code size_changed}. */
   public Optional<FieldDefinition> output(String fieldName) {
     return eventField(
             fieldName,
@@ -158,7 +160,8 @@ public final class NodeType {
   }
 
   /**
-   * The index of a field that is known to exist; for code that names the standard's own fields.
+   * Returns the index of a field that is known to exist, for code that names fields of the
+   * standard.
    *
    * @throws IllegalArgumentException if the node type has no such field
    */

@@ -2,7 +2,7 @@ package org.selectiverenderer.x3d.field;
 
 import java.util.Locale;
 
-/** What the scanners of floats and doubles share. */
+/** Parses decimal numbers, for the scanners of floats and doubles. */
 final class DecimalScan {
   private static final double[] TENS = {
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
@@ -12,11 +12,11 @@ final class DecimalScan {
   private DecimalScan() {}
 
   /**
-   * The value of a well-formed word whose digits are known, rounded once, or NaN when that takes
-   * more.
+   * Returns the value of a well-formed number with known digits, correctly rounded, or NaN if this
+   * fast path does not apply (Clinger 1990).
    *
-   * @param number the digits before the exponent, at most 2<sup>53</sup>
-   * @param scale how many of them stand after the point
+   * @param number the digits before the exponent as an integer, at most 2<sup>53</sup>
+   * @param scale the number of digits after the decimal point
    */
   static double exact(char[] text, int word, int end, long number, int scale) {
     int at = word;
@@ -45,7 +45,7 @@ final class DecimalScan {
     return text[word] == '-' ? -value : value;
   }
 
-  /** Whether a word is sign, digits with at most one point, and exponent, as X3D writes numbers. */
+  /** Returns whether a word has the form of an X3D number: sign, digits, point, exponent. */
   static boolean wellFormed(char[] text, int word, int end) {
     int at = word;
     if (at < end && (text[at] == '-' || text[at] == '+')) {
@@ -84,7 +84,7 @@ final class DecimalScan {
     return c >= '0' && c <= '9';
   }
 
-  /** What to say about a word that is no number, not finite, or larger than its type holds. */
+  /** Returns the message for a word that is not a number, not finite, or too large for its type. */
   static String complaint(char[] text, int word, int end) {
     String quoted = Tokens.quote(new String(text, word, Math.min(end - word, 100)));
     if (wellFormed(text, word, end)) {

@@ -3,7 +3,7 @@ package org.selectiverenderer.x3d.field;
 import ch.randelshofer.fastdoubleparser.JavaDoubleParser;
 import java.util.Arrays;
 
-/** Reads doubles, correctly rounded. They are rare in scenes, so this is the plain way. */
+/** Reads doubles, correctly rounded; not optimized, since they are rare in scenes. */
 final class DoubleScanner extends NumberScanner {
   private double[] values;
 

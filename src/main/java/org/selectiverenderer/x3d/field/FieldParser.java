@@ -5,23 +5,24 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * Turns the text of a field (X3D 4.0 XML encoding, ISO/IEC 19776-1, clause 5) into the value that
- * {@link FieldType} describes. What is wrong with the text is told beside the value, and as much of
- * the value as can be used is kept. Keeps buffers between calls, so one instance serves one thread.
+ * Parses the text of a field (X3D 4.0 XML encoding, ISO/IEC 19776-1, clause 5) to the value that
+ * {@link FieldType} describes. Errors are returned beside the value, of which the usable part is
+ * kept. Reuses buffers between calls; not thread-safe.
  */
 public final class FieldParser {
   /**
-   * Something wrong in a value.
+   * An error in the text of a value.
    *
-   * @param offset of the offending word in the text, from 0
-   * @param message what is wrong and what is done about it
+   * @param offset the offset of the offending word in the text, from 0
+   * @param message a sentence that says what is wrong and what the program does about it
    */
   public record Flaw(int offset, Problem.Severity severity, String message) {}
 
   /**
-   * A value and what is wrong with its text.
+   * A value and the errors in its text.
    *
-   * @param value as {@link FieldType} represents it; null when nothing of the text can be used
+   * @param value the value as {@link FieldType} represents it; null if nothing of the text is
+   *     usable
    */
   public record Parsed(@Nullable Object value, List<Flaw> flaws) {}
 
@@ -30,7 +31,7 @@ public final class FieldParser {
   private final IntScanner ints = new IntScanner();
 
   /**
-   * Reads a value.
+   * Parses a value.
    *
    * @throws IllegalArgumentException for SFNode and MFNode, which text cannot express
    */
@@ -41,8 +42,7 @@ public final class FieldParser {
   }
 
   /**
-   * The value that a text stands for, as {@link FieldType} says; what is wrong with it goes to
-   * {@code flaws}.
+   * Parses a value to its representation by {@link FieldType}, or null; errors go to {@code flaws}.
    */
   @Nullable
   public Object parse(FieldType type, String text, Flaws flaws) {
@@ -52,7 +52,7 @@ public final class FieldParser {
     return parse(type, text.toCharArray(), 0, text.length(), flaws);
   }
 
-  /** The same from a part of a buffer, for all but strings; offsets count from {@code start}. */
+  /** Parses a value, not of strings, in a part of a buffer; offsets count from {@code start}. */
   @Nullable
   public Object parse(FieldType type, char[] text, int start, int end, Flaws flaws) {
     return switch (type.kind()) {
@@ -82,7 +82,7 @@ public final class FieldParser {
     };
   }
 
-  /** How many of the numbers found make up whole tuples, or the one tuple of a single value. */
+  /** Returns how many of the numbers form complete tuples, or the one tuple of a single value. */
   private static int tuples(
       FieldType type, int found, char[] text, int start, int end, Flaws flaws) {
     int size = type.components();

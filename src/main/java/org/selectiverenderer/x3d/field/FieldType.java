@@ -4,8 +4,7 @@ import java.util.List;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * The field types of X3D (X3D 4.0, 5.3) and the Java values that stand for them everywhere in this
- * program.
+ * The field types of X3D (X3D 4.0, 5.3) and the Java types that represent them in this program.
  *
  * <table>
  * <caption>Values</caption>
@@ -25,7 +24,7 @@ import org.selectiverenderer.x3d.catalogue.NodeView;
  * <tr><td>MFNode</td><td>{@code List<? extends NodeView>}, immutable</td></tr>
  * </table>
  *
- * <p>Arrays are shared, not copied: whoever is handed one must not write into it.
+ * <p>Arrays are shared, not copied, and must not be modified.
  */
 public enum FieldType {
   /** True or false. */
@@ -113,7 +112,7 @@ public enum FieldType {
   /** Images, one after the other. */
   MFImage(Kind.INT, 0, true);
 
-  /** What one component of a value is. */
+  /** The type of one component of a value. */
   public enum Kind {
     /** True or false. */
     BOOLEAN,
@@ -139,27 +138,27 @@ public enum FieldType {
     this.multiple = multiple;
   }
 
-  /** What one component is. */
+  /** Returns the type of one component. */
   public Kind kind() {
     return kind;
   }
 
-  /** Components of one tuple: 3 for SFVec3f and MFVec3f; 0 for images, whose length varies. */
+  /** Returns the components per tuple: 3 for SFVec3f and MFVec3f; 0 for images of any length. */
   public int components() {
     return components;
   }
 
-  /** Whether the type holds any number of tuples (MF...). */
+  /** Returns whether the type has any number of tuples (MF...). */
   public boolean multiple() {
     return multiple;
   }
 
-  /** Whether the value consists of nodes. */
+  /** Returns whether the values are nodes. */
   public boolean isNode() {
     return kind == Kind.NODE;
   }
 
-  /** The value of a field of this type whose default the standard leaves out: zero, empty, NULL. */
+  /** Returns the default for fields without one in the standard: zero, empty or NULL. */
   public Object zero() {
     return switch (kind) {
       case BOOLEAN -> multiple ? new boolean[0] : Boolean.FALSE;

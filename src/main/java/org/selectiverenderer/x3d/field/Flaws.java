@@ -5,10 +5,10 @@ import java.util.List;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * Collects what is wrong with the text of one value. A value of a million bad numbers costs little.
+ * Collects the errors in the text of one value, up to a limit, for values of a million bad numbers.
  */
 public final class Flaws {
-  /** Flaws kept per value; the rest are counted. */
+  /** The maximum number of errors kept per value; the rest are counted. */
   private static final int LIMIT = 10;
 
   private final List<FieldParser.Flaw> list = new ArrayList<>();
@@ -30,7 +30,7 @@ public final class Flaws {
     }
   }
 
-  /** One flaw instead of those so far, since nothing of the value is used: the first, or this. */
+  /** Replaces all errors by one that says that the default is used: the first one, or this. */
   void unusable(String message) {
     FieldParser.Flaw first = list.isEmpty() ? null : list.get(0);
     list.clear();
@@ -42,12 +42,12 @@ public final class Flaws {
     }
   }
 
-  /** Whether nothing is wrong. */
+  /** Returns whether there are no errors. */
   public boolean isEmpty() {
     return list.isEmpty();
   }
 
-  /** What is wrong, in the order in which it was found. */
+  /** Returns the errors in the order in which they were found. */
   public List<FieldParser.Flaw> list() {
     if (more > 0) {
       FieldParser.Flaw last = list.get(LIMIT - 1);

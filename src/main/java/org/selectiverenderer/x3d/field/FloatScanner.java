@@ -4,13 +4,13 @@ import ch.randelshofer.fastdoubleparser.JavaFloatParser;
 import java.util.Arrays;
 
 /**
- * Reads floats, correctly rounded. Coordinates are most of what a scene's text is, and their usual
- * form, up to 18 digits and a small exponent, is read without a general parser:
+ * Reads floats, correctly rounded. Most of a scene's text is coordinates, and their usual form, up
+ * to 18 digits and a small exponent, is parsed by a fast path (Clinger 1990).
  *
- * <p>Up to 2<sup>24</sup> the digits are an exact float, and so are the powers of ten up to 10;
- * their quotient is then rounded once, that is, correctly. Up to 2<sup>53</sup> and 10<sup>22</sup>
- * the same holds for doubles; rounding that double to a float again is right unless the double lies
- * just in the middle between two floats. Everything else is left to FastDoubleParser.
+ * <p>Integers up to 2<sup>24</sup> and powers of ten up to 10<sup>10</sup> are exact floats, so
+ * that their quotient is rounded only once, hence correctly. The same holds for doubles up to
+ * 2<sup>53</sup> and 10<sup>22</sup>; rounding such a double to a float is correct unless it lies
+ * exactly midway between two floats. All other numbers are parsed by FastDoubleParser.
  */
 final class FloatScanner extends NumberScanner {
   private static final int FLOAT_DIGITS = 1 << 24;
@@ -82,7 +82,7 @@ final class FloatScanner extends NumberScanner {
     return at;
   }
 
-  /** A number that is long, has an exponent or is none. */
+  /** Parses a number that is long, has an exponent or is invalid. */
   private static float rare(
       char[] text, int start, int word, int end, long number, int digits, int scale, Flaws flaws) {
     boolean wellFormed = DecimalScan.wellFormed(text, word, end);

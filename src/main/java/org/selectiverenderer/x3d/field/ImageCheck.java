@@ -3,13 +3,13 @@ package org.selectiverenderer.x3d.field;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
-/** Checks SFImage and MFImage values: width, height, components, then width x height pixels. */
+/** Validates SFImage and MFImage values: width, height, components, then the pixels. */
 final class ImageCheck {
   private static final int HEAD = 3;
 
   private ImageCheck() {}
 
-  /** The numbers of an image, or of several, as far as they are complete. */
+  /** Returns the numbers of the complete images, or null if there is none. */
   static int @Nullable [] check(int[] numbers, boolean several, Flaws flaws) {
     int at = 0;
     while (at < numbers.length) {

@@ -2,7 +2,7 @@ package org.selectiverenderer.x3d.field;
 
 import java.util.Arrays;
 
-/** Reads whole numbers, decimal or hexadecimal ({@code 0xFF8000}). */
+/** Reads 32-bit integers, decimal or hexadecimal ({@code 0xFF8000}). */
 final class IntScanner extends NumberScanner {
   private int[] values;
 
@@ -39,7 +39,7 @@ final class IntScanner extends NumberScanner {
       at++;
     }
     int digits = at - from;
-    // Nine digits always fit.
+    // nine digits never overflow
     if (digits > 0 && digits <= 9 && (at == end || Tokens.separates(text[at]))) {
       values[index] = negative ? -number : number;
       return at;
@@ -62,7 +62,7 @@ final class IntScanner extends NumberScanner {
             word - start, Tokens.quote(shown) + " does not fit into 32 bits; 0 is used instead");
         return 0;
       }
-      // A double holds every 32-bit number exactly.
+      // every 32-bit integer is an exact double
       if (value != Math.rint(value) || shown.indexOf('.') >= 0) {
         flaws.error(
             word - start,
@@ -74,7 +74,7 @@ final class IntScanner extends NumberScanner {
     return 0;
   }
 
-  /** Whether a word is {@code 0x} and one to eight hexadecimal digits. */
+  /** Returns whether a word is {@code 0x} and one to eight hexadecimal digits. */
   private static boolean hexadecimal(String word) {
     if (word.length() < 3 || word.length() > 10 || !word.regionMatches(true, 0, "0x", 0, 2)) {
       return false;

@@ -1,11 +1,13 @@
 package org.selectiverenderer.x3d.field;
 
-/** Reads the numbers of a value, one after the other, into a buffer that is kept between values. */
+/** Reads the numbers of a value into a buffer that is reused for the next value. */
 abstract class NumberScanner {
   private int capacity;
 
   /**
-   * @param capacity of the buffer
+   * Creates a scanner.
+   *
+   * @param capacity the initial capacity of the buffer
    */
   NumberScanner(int capacity) {
     this.capacity = capacity;
@@ -26,17 +28,17 @@ abstract class NumberScanner {
     return count;
   }
 
-  /** Makes room in the buffer. */
+  /** Enlarges the buffer. */
   abstract void grow(int wanted);
 
   /**
-   * Reads one number and returns where it ends. A method of its own, since the virtual machine
-   * takes compiled code for a new call much sooner than within a loop that runs for a whole file.
+   * Reads one number and returns the offset after it. This is a method of its own, since HotSpot
+   * switches to compiled code much sooner at a new call than within a loop over a whole file.
    *
-   * @param start of the value, from which flaws count
-   * @param word where the number starts
-   * @param end of the value
-   * @param index in the buffer
+   * @param start the offset of the value, from which offsets of errors count
+   * @param word the offset of the number
+   * @param end the offset after the value
+   * @param index the index in the buffer
    */
   abstract int number(char[] text, int start, int word, int end, int index, Flaws flaws);
 }

@@ -3,7 +3,7 @@ package org.selectiverenderer.x3d.field;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Reads the strings of an MFString, each in quotes, {@code \"} and {@code \\} within them. */
+/** Reads the quoted strings of an MFString, with the escapes {@code \"} and {@code \\}. */
 final class StringScanner {
   private static final String[] NONE = {};
 
@@ -50,7 +50,7 @@ final class StringScanner {
     return strings.toArray(NONE);
   }
 
-  /** Reads up to the closing quote and returns the offset after it, or -1 when there is none. */
+  /** Reads up to the closing quote and returns the offset after it, or -1 if there is none. */
   private static int quoted(String text, int at, StringBuilder into) {
     while (at < text.length()) {
       char c = text.charAt(at++);

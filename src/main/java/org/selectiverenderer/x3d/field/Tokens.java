@@ -1,12 +1,12 @@
 package org.selectiverenderer.x3d.field;
 
-/** The words of a value: what stands between white space and commas. */
+/** Splits the text of a value into words separated by white space and commas. */
 public final class Tokens {
   private static final int QUOTED_LENGTH = 40;
 
   private Tokens() {}
 
-  /** White space of XML, and the comma, which X3D reads as white space between values. */
+  /** Returns whether a character is white space or a comma, which X3D treats alike. */
   static boolean separates(char c) {
     return c <= ' ' || c == ',';
   }
@@ -33,7 +33,7 @@ public final class Tokens {
     return count;
   }
 
-  /** Where the word of that index starts, counted from {@code start}. */
+  /** Returns the offset from {@code start} of the word with an index. */
   static int offset(char[] text, int start, int end, int index) {
     int at = skipSeparators(text, start, end);
     for (int i = 0; i < index; i++) {
@@ -42,7 +42,7 @@ public final class Tokens {
     return at - start;
   }
 
-  /** How many characters of white space a text starts with. */
+  /** Returns the number of white space characters at the start of a text. */
   public static int leading(String text) {
     int at = 0;
     while (at < text.length() && text.charAt(at) <= ' ') {
@@ -51,12 +51,12 @@ public final class Tokens {
     return at;
   }
 
-  /** A string as one of an MFString (ISO/IEC 19776-1, 5.15). */
+  /** Quotes a string for an MFString (ISO/IEC 19776-1, 5.15). */
   public static String string(String content) {
     return '"' + content.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
   }
 
-  /** A word for a message: in quotes, shortened, without what would disturb a terminal. */
+  /** Quotes a word for a message, shortened and without control characters. */
   public static String quote(String word) {
     StringBuilder text = new StringBuilder("'");
     word.codePoints()

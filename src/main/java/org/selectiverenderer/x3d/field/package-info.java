@@ -1,10 +1,10 @@
 /**
- * The values of fields: their types, and text that is turned into them. Values are the plain Java
- * values that {@link org.selectiverenderer.x3d.field.FieldType} lists ({@code float[]} for MFVec3f,
- * and so on). They are shared, never copied, and nobody writes into an array that was handed over.
+ * Field types, and the parser of field values. Values are plain Java values as listed in {@link
+ * org.selectiverenderer.x3d.field.FieldType} ({@code float[]} for MFVec3f, and so on). Arrays are
+ * shared, not copied, and must not be modified.
  *
- * <p>In: the text of a field. Out: its value, or what is wrong with the text. Uses {@code
- * base.problem} and FastDoubleParser.
+ * <p>In: the text of a field. Out: its value, and the errors in the text. Uses {@code base.problem}
+ * and FastDoubleParser.
  */
 @NullMarked
 package org.selectiverenderer.x3d.field;

@@ -8,22 +8,23 @@ import org.selectiverenderer.base.json.JsonMembers;
 import org.selectiverenderer.base.json.JsonValue;
 
 /**
- * The keys of a settings file that say what scenes may name besides their own files: {@code
- * "allow"}, folders as seen from the file, and {@code "allowNet"}, hosts.
+ * The keys of a settings file for the folders and hosts that scenes may read from in addition to
+ * their own files: {@code "allow"}, folders relative to the settings file, and {@code "allowNet"},
+ * hosts.
  */
 public final class AllowedKeys {
-  /** Names folders that scenes may read from. */
+  /** The key for the folders that scenes may read from. */
   public static final String FOLDERS = "allow";
 
-  /** Names hosts that scenes may load from. */
+  /** The key for the hosts that scenes may load from. */
   public static final String HOSTS = "allowNet";
 
   private AllowedKeys() {}
 
   /**
-   * Reads them; what is wrong with them is a fault of the file.
+   * Reads the keys; errors in them are reported for the file.
    *
-   * @param file that the keys stand in
+   * @param file the settings file
    */
   public static ContentAccess of(JsonMembers keys, Path file) {
     Path parent = file.getParent();
@@ -35,7 +36,7 @@ public final class AllowedKeys {
         folders.add(folder);
       } else {
         keys.fault(
-            value, "there is no folder '%s' as seen from this file".formatted(value.toString()));
+            value, "there is no folder '%s' relative to this file".formatted(value.toString()));
       }
     }
     List<HostPattern> hosts = new ArrayList<>();

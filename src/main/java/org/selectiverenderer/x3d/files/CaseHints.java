@@ -11,13 +11,13 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Finds files whose names differ in letter case only from one that is missing. Each folder is
- * listed once: a scene may name very many files that are missing. Thread-safe.
+ * Finds files whose names differ from that of a missing file in letter case only. Each folder is
+ * listed once, as a scene may refer to very many missing files. Thread-safe.
  */
 final class CaseHints {
   private final Map<Path, Map<String, List<String>>> listed = new ConcurrentHashMap<>();
 
-  /** A hint for a name that works on some systems and not on others; else empty. */
+  /** Returns a hint at a file whose name differs in letter case only; else "". */
   String of(Path path) {
     Path parent = path.getParent();
     Path name = path.getFileName();
@@ -34,7 +34,7 @@ final class CaseHints {
         .orElse("");
   }
 
-  /** The names in a folder, by what they are in one case. */
+  /** Returns the names in a folder by their case-folded form. */
   private static Map<String, List<String>> list(Path folder) {
     if (!Files.isDirectory(folder)) {
       return Map.of();
@@ -44,7 +44,7 @@ final class CaseHints {
           .map(file -> String.valueOf(file.getFileName()))
           .collect(Collectors.groupingBy(CaseHints::folded));
     } catch (IOException e) {
-      return Map.of(); // It stays without a hint where the folder cannot be listed.
+      return Map.of(); // no hint if the folder cannot be listed
     }
   }
 

@@ -8,40 +8,40 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * What a url means and may be read: a file, something fetched from the network, or the data in the
- * url itself. {@link ContentRoot} gives it; who reads it need not know which it is.
+ * The readable content of a url: a local file, a file fetched from the network, or the data in a
+ * data: url. Resolved by {@link ContentRoot}; readers need not distinguish the three.
  */
 public sealed interface Content {
-  /** Equal for the same content, however it is named: what is read once is known by it. */
+  /** Returns a cache key, which is equal for the same content. */
   String key();
 
-  /** As messages name it. */
+  /** Returns the name for messages. */
   String name();
 
-  /** Where the relative urls in it start. */
+  /** Returns the base of the relative urls in the content. */
   ContentBase base();
 
-  /** Bytes, about; 0 where that is not known. */
+  /** Returns the approximate size in bytes; 0 if unknown. */
   long size();
 
   /**
-   * Opens it; the caller closes it.
+   * Opens the content; the caller closes the stream.
    *
-   * @throws IOException when it cannot be read
+   * @throws IOException if it cannot be read
    */
   InputStream open() throws IOException;
 
-  /** The file, where it is one of this machine. */
+  /** Returns the path of a local file; else empty. */
   default Optional<Path> file() {
     return Optional.empty();
   }
 
   /**
-   * Reads all of it.
+   * Reads all bytes.
    *
-   * @param most bytes
-   * @throws IOException when it cannot be read or is larger, with a clause that reads after its
-   *     name
+   * @param most the maximum number of bytes
+   * @throws IOException if it cannot be read or is larger; the message is a predicate that follows
+   *     the content's name
    */
   default byte[] bytes(int most) throws IOException {
     try (InputStream in = open()) {
@@ -54,7 +54,7 @@ public sealed interface Content {
   }
 
   /**
-   * A file of this machine.
+   * A local file.
    *
    * @param path the real path
    */
@@ -86,7 +86,7 @@ public sealed interface Content {
     }
   }
 
-  /** Bytes in memory: of a {@code data:} url, or fetched. Nobody changes them. */
+  /** Bytes in memory, of a {@code data:} url or fetched; they must not be modified. */
   record OfBytes(String key, String name, ContentBase base, byte[] data) implements Content {
     @Override
     public long size() {

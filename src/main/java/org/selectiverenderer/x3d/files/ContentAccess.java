@@ -5,30 +5,31 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * What a user lets scenes read besides the files of their own project.
+ * The folders and hosts that the user allows scenes to read in addition to the files of their own
+ * project.
  *
- * @param folders whose files, those below included, every scene may name
- * @param network what may be fetched, and what has been; one object serves a session, so that
- *     nothing is fetched twice
- * @param named what the scenes have named so far
+ * @param folders folders whose files, including subfolders, every scene may refer to
+ * @param network the allowed hosts with a cache; one object is shared in a session, so that nothing
+ *     is fetched twice
+ * @param named collects the local files to which scenes have referred
  */
 public record ContentAccess(List<Path> folders, Network network, FilesNamed named) {
-  /** Keeps copies, so that it stays as it is. */
+  /** Makes a defensive copy of the list. */
   public ContentAccess {
     folders = List.copyOf(folders);
   }
 
-  /** With nothing named yet. */
+  /** Creates an access without files referred to yet. */
   public ContentAccess(List<Path> folders, Network network) {
     this(folders, network, new FilesNamed());
   }
 
-  /** Nothing more. */
+  /** Returns an access without further folders and hosts. */
   public static ContentAccess none() {
     return new ContentAccess(List.of(), Network.none());
   }
 
-  /** What either allows. */
+  /** Returns an access to the folders and hosts of both. */
   public ContentAccess and(ContentAccess more) {
     if (more.folders.isEmpty() && more.network.hosts().isEmpty()) {
       return this;

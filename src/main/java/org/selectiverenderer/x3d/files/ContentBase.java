@@ -3,30 +3,30 @@ package org.selectiverenderer.x3d.files;
 import java.net.URI;
 import java.nio.file.Path;
 
-/** Where relative urls start (X3D 4.0, 9.2). */
+/** The base against which relative urls are resolved (X3D 4.0, 9.2). */
 public sealed interface ContentBase {
-  /** A folder of this machine. */
+  /** A local folder. */
   record Folder(Path path) implements ContentBase {}
 
   /**
-   * A file of the network.
+   * A file on the network.
    *
-   * @param uri its whole address, the file's name included
+   * @param uri the complete address, including the file name
    */
   record Web(URI uri) implements ContentBase {}
 
   /**
-   * Two places, of which the second counts where the first has no such file: a prototype's body
-   * means files beside the one that declares it, or beside the one that uses it.
+   * Two bases, of which the second is used if the first has no such file: urls in a prototype's
+   * body refer to files beside the declaring file, or else beside the file that uses it.
    */
   record FirstOf(ContentBase first, ContentBase second) implements ContentBase {}
 
-  /** Urls that start in a folder. */
+  /** Returns a base for urls relative to a folder. */
   static ContentBase folder(Path path) {
     return new Folder(path);
   }
 
-  /** This place, or where it has no such file the other one. */
+  /** Returns a base that resolves against this one, and if that fails against another. */
   default ContentBase or(ContentBase other) {
     return equals(other) ? this : new FirstOf(this, other);
   }

@@ -11,59 +11,63 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Which files a scene may name:
+ * Resolves the urls of a scene, and decides whether the scene may read the files that they refer
+ * to. A scene may read:
  *
  * <ul>
- *   <li>those in the folder of the scene that the user opened and below it, and those in a folder
- *       {@value #INLINE_FOLDER} beside that folder and below it, where the thesis keeps the
- *       versions of objects ({@code scenes/} and {@code inlineNodes/} are siblings);
- *   <li>those of its project: of the nearest folder above that holds a marker ({@code .git}, {@code
- *       x3d-project}), unless a folder's name on the way begins with a dot. The user's home is no
- *       project;
- *   <li>those in folders that the user allows, and on hosts that the user allows;
- *   <li>always, data in the url itself.
+ *   <li>files in and below the folder of the scene that the user opened, and in and below a folder
+ *       {@value #INLINE_FOLDER} beside that folder, where the thesis keeps the versions of objects
+ *       ({@code scenes/} and {@code inlineNodes/} are siblings);
+ *   <li>files of its project, which is the nearest folder above that contains a marker ({@code
+ *       .git}, {@code x3d-project}), except below folders whose name begins with a dot. The user's
+ *       home folder is never a project;
+ *   <li>files in folders and on hosts that the user allows;
+ *   <li>the data in data: urls.
  * </ul>
  *
- * The same holds for the files that those name in turn. Links are followed and must not lead
- * outside.
+ * The same holds for urls in those files. Symbolic links are followed and must not lead outside.
  *
  * <p>Messages name a file relative to the scene's folder as the user wrote it. Thread-safe.
  */
 public final class ContentRoot {
-  /** The folder beside the scenes that holds what they inline. */
+  /** The name of the folder beside the scenes for the files that they inline. */
   public static final String INLINE_FOLDER = "inlineNodes";
 
-  /** At least two letters before the colon: a single one is a drive of Windows. */
+  /** A scheme has at least two letters; a single letter before a colon is a Windows drive. */
   private static final Pattern SCHEME = Pattern.compile("[a-zA-Z][a-zA-Z0-9+.-]+:");
 
-  /** Characters above which a url is not looked at: more than the file systems' longest names. */
+  /** The maximum length of a url, more than the longest path of any file system. */
   static final int MAX_URL = 4096;
 
-  /** What is wrong with a url. */
+  /** The reasons why a url cannot be read. */
   public enum Cause {
-    /** It is no name of a file. */
+    /** It is not a file name. */
     NO_FILE_NAME,
-    /** It names something on another machine that is not allowed, or of an unknown scheme. */
+    /** It refers to a host that is not allowed, or has an unknown scheme. */
     NETWORK,
-    /** The user allows it, but it could not be fetched. */
+    /** Its host is allowed, but it could not be fetched. */
     UNREACHABLE,
-    /** The file is none that the scene may name. */
+    /** The scene may not read the file. */
     OUTSIDE,
-    /** There is no such file. */
+    /** The file does not exist. */
     MISSING,
-    /** It is missing, but there is a file whose name differs in letter case only. */
+    /** The file does not exist, but one whose name differs in letter case only. */
     CASE
   }
 
-  /** What a url means, or why it is not read. */
+  /** The result of resolving a url. */
   public sealed interface Target {
     /**
-     * @param fragment what stands behind the sign # of the url; empty for nothing
+     * The content of a url.
+     *
+     * @param fragment the part of the url after the sign #; empty if there is none
      */
     record Found(Content content, String fragment) implements Target {}
 
     /**
-     * @param reason a clause that reads after "url ... "
+     * A url that cannot be read.
+     *
+     * @param reason a predicate that follows "url ... "
      */
     record Refused(Cause cause, String reason) implements Target {}
   }
@@ -77,14 +81,16 @@ public final class ContentRoot {
   private final List<Path> allowed = new ArrayList<>();
   private final CaseHints hints = new CaseHints();
 
-  /** With no more than the scene's own files and those of its project. */
+  /** Creates a resolver for the scene's own files and those of its project only. */
   public ContentRoot(Path sceneFolder) {
     this(sceneFolder, ContentAccess.none());
   }
 
   /**
+   * Creates a resolver.
+   *
    * @param sceneFolder the folder of the scene that the user opened, as the user names it
-   * @param access what the user allows besides
+   * @param access what the user allows in addition
    */
   public ContentRoot(Path sceneFolder, ContentAccess access) {
     this(sceneFolder, access, Path.of(System.getProperty("user.home", "")));
@@ -95,7 +101,7 @@ public final class ContentRoot {
     this.access = access;
     folder = LocalUrl.real(sceneFolder);
     Path above = folder.getParent();
-    // Not its real path: were it a link, it would open what it leads to.
+    // not its real path: a link would give access to its target
     inlineFolder = (above == null ? folder : above).resolve(INLINE_FOLDER);
     Path realHome = LocalUrl.real(home);
     wide = ProjectFolder.wide(folder, realHome);
@@ -103,22 +109,22 @@ public final class ContentRoot {
     access.folders().forEach(allow -> allowed.add(LocalUrl.real(allow)));
   }
 
-  /** What the user allows besides the scene's own files. */
+  /** Returns what the user allows in addition to the scene's own files. */
   public ContentAccess access() {
     return access;
   }
 
-  /** As {@link #resolve(String, ContentBase)}, for a file in a folder. */
+  /** Resolves a url as {@link #resolve(String, ContentBase)}, relative to a folder. */
   public Target resolve(String url, Path base) {
     return resolve(url, ContentBase.folder(base));
   }
 
   /**
-   * Finds what a url means. Waits for the network where the user allows the url's host; so it is
-   * called by threads that may wait.
+   * Resolves a url. Blocks for the network if the url's host is allowed; must be called by threads
+   * that may block.
    *
-   * @param url as the file gives it, relative to {@code base} or absolute
-   * @param base where relative urls of the file that names it start
+   * @param url the url in the file, relative to {@code base} or absolute
+   * @param base the base of the relative urls of the file that contains it
    */
   public Target resolve(String url, ContentBase base) {
     String trimmed = url.strip();
@@ -138,8 +144,8 @@ public final class ContentRoot {
   }
 
   /**
-   * Notes the file of this machine that a url means, if it means one, as {@link #resolve} does, for
-   * whoever does not read it. Fetches nothing.
+   * Records the local file that a url refers to, if any, as {@link #resolve} does, for callers that
+   * do not read it. Fetches nothing.
    */
   public void note(String url, ContentBase base) {
     String location = url.strip();
@@ -175,7 +181,7 @@ public final class ContentRoot {
     if (base instanceof ContentBase.Web web) {
       return absolute
           ? new Target.Refused(
-              Cause.OUTSIDE, "is a file of this machine, which a file of the network may not name")
+              Cause.OUTSIDE, "is a local file, to which a file from the network may not refer")
           : web(WebUrl.of(location, web.uri()), fragment);
     }
     LocalUrl.Meaning meaning =
@@ -195,7 +201,7 @@ public final class ContentRoot {
 
   private Target web(Optional<URI> address, String fragment) {
     if (address.isEmpty()) {
-      return new Target.Refused(Cause.NO_FILE_NAME, "is no address of the network");
+      return new Target.Refused(Cause.NO_FILE_NAME, "is not a valid network address");
     }
     URI uri = address.get();
     if (!access.network().allows(uri)) {
@@ -230,12 +236,12 @@ public final class ContentRoot {
     return new Target.Found(content(real), fragment);
   }
 
-  /** A file that is known to be one that the scene may name, or that the user named. */
+  /** Returns the content of a file that is known to be allowed, or that the user named. */
   public Content content(Path real) {
     return new Content.OfFile(real, display(real));
   }
 
-  /** Whether a scene may name a file of this machine, or files in a folder. */
+  /** Returns whether a scene may read a local file, or files in a folder. */
   public boolean mayBeNamed(Path path) {
     Path real = LocalUrl.real(path);
     return real.startsWith(folder) && (!wide || open(folder, real))
@@ -244,7 +250,7 @@ public final class ContentRoot {
         || allowed.stream().anyMatch(real::startsWith);
   }
 
-  /** Whether no name on the way begins with a dot: there lies what is not meant to be shown. */
+  /** Returns whether no name on the path begins with a dot, which marks private content. */
   private static boolean open(Path top, Path real) {
     for (Path part : top.relativize(real)) {
       if (part.toString().startsWith(".")) {
@@ -254,18 +260,18 @@ public final class ContentRoot {
     return true;
   }
 
-  /** The folder to allow, as one would type it. */
+  /** Returns the folder to allow, as one would type it. */
   private String hint(Path real) {
     Path parent = real.getParent() == null ? real : real.getParent();
     String shown = display(parent);
     if (!LocalUrl.real(Path.of(shown)).equals(parent)) {
-      shown = parent.toString(); // The user's name of the scene leads through a link.
+      shown = parent.toString(); // the user's path of the scene leads through a link
     }
     String text = shown.isEmpty() ? "." : shown;
     return text.indexOf(' ') < 0 ? text : '"' + text + '"';
   }
 
-  /** A file as messages name it. */
+  /** Returns the name of a file for messages. */
   public String display(Path real) {
     if (!Objects.equals(folder.getRoot(), real.getRoot())) {
       return real.toString();

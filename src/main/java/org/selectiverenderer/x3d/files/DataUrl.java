@@ -10,7 +10,7 @@ import java.util.HexFormat;
 import java.util.Locale;
 import java.util.regex.Pattern;
 
-/** Urls that hold their content: {@code data:[type][;base64],...} (RFC 2397). */
+/** Decodes urls that contain their data: {@code data:[type][;base64],...} (RFC 2397). */
 final class DataUrl {
   private static final Pattern SCHEME = Pattern.compile("(?i)data:");
   private static final int SHOWN = 40;
@@ -22,8 +22,8 @@ final class DataUrl {
   }
 
   /**
-   * Where the sign of the fragment stands, or -1. A scene in VRML that is written as it is begins
-   * with that sign itself.
+   * Returns the offset of the fragment's sign #, or -1. An unencoded VRML scene begins with that
+   * sign itself.
    */
   static int fragment(String url) {
     int comma = url.indexOf(',');
@@ -33,9 +33,11 @@ final class DataUrl {
   }
 
   /**
-   * @param url without a fragment
-   * @param base of the file that names it: its own relative urls start there, too
-   * @throws IOException with a clause that reads after the url
+   * Decodes a url.
+   *
+   * @param url the url without fragment
+   * @param base the base of the file that contains the url, also used for relative urls in the data
+   * @throws IOException with a predicate that follows the url
    */
   static Content read(String url, ContentBase base) throws IOException {
     int comma = url.indexOf(',');
@@ -43,7 +45,7 @@ final class DataUrl {
       throw new IOException("is a data: url without a comma before its data");
     }
     if (url.length() > 4L * Network.MAX_BYTES) {
-      throw new IOException("is a data: url above the limit of size");
+      throw new IOException("is a data: url that is too large");
     }
     boolean base64 =
         url.substring(0, comma).stripTrailing().toLowerCase(Locale.ROOT).endsWith(";base64");
@@ -52,7 +54,7 @@ final class DataUrl {
       try {
         data = Base64.getMimeDecoder().decode(data);
       } catch (IllegalArgumentException e) {
-        throw new IOException("is a data: url whose base64 is damaged", e);
+        throw new IOException("is a data: url with invalid base64", e);
       }
     }
     if (data.length > Network.MAX_BYTES) {
@@ -60,11 +62,11 @@ final class DataUrl {
           "has more than %s MiB of data, which is the limit".formatted(Network.MAX_BYTES >> 20));
     }
     String name = (url.length() <= SHOWN ? url : url.substring(0, SHOWN) + "…");
-    name = name.replaceAll("\\p{Cntrl}+", " "); // It stands in messages, which are one line.
+    name = name.replaceAll("\\p{Cntrl}+", " "); // messages are one line
     return new Content.OfBytes("data:" + digest(data), name, base, data);
   }
 
-  /** Signs % that begin no code stand for themselves. */
+  /** Decodes percent-encoding; a sign % without two hexadecimal digits is kept. */
   private static byte[] percentDecoded(String url, int from) {
     ByteArrayOutputStream out = new ByteArrayOutputStream(url.length() - from);
     int plain = from;

@@ -5,11 +5,11 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
-/** Says why a file cannot be read. */
+/** Formats exceptions of reading files for messages. */
 public final class Failure {
   private Failure() {}
 
-  /** A clause that reads after the file's name. */
+  /** Returns the cause as a predicate that follows the file's name. */
   public static String clause(IOException failure) {
     if (failure instanceof AccessDeniedException) {
       return "cannot be read: no permission";

@@ -5,9 +5,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 
 /**
- * Urls of the scheme {@code file}, as people write them and as RFC 8089 has them: with spaces and
- * letters that should be percent-encoded, with the slashes of Windows, with a drive right after the
- * scheme or where a host belongs.
+ * Parses urls of the scheme {@code file} (RFC 8089), including common malformed ones: with
+ * unencoded spaces and letters, with backslashes, or with a Windows drive right after the scheme or
+ * in the place of the host.
  */
 public final class FileUrl {
   private static final int SCHEME = "file:".length();
@@ -17,17 +17,17 @@ public final class FileUrl {
 
   private FileUrl() {}
 
-  /** Whether a url has the scheme. */
+  /** Returns whether a url has the scheme {@code file}. */
   public static boolean is(String url) {
     return url.regionMatches(true, 0, "file:", 0, SCHEME);
   }
 
   /**
-   * The url as the standards have it: {@code file:///C:/My%20Scenes/a.x3d} for {@code file:C:\My
-   * Scenes\a.x3d}. Which path that is, the system says ({@code Path.of}).
+   * Returns the url in standard form: {@code file:///C:/My%20Scenes/a.x3d} for {@code file:C:\My
+   * Scenes\a.x3d}. {@code Path.of} converts it to a path.
    *
-   * @param url of the scheme, without fragment
-   * @throws IllegalArgumentException when it cannot be a url even so
+   * @param url a url of the scheme {@code file}, without fragment
+   * @throws IllegalArgumentException if it cannot be converted to a valid url
    */
   public static URI uri(String url) {
     String rest = url.substring(SCHEME).replace('\\', '/');

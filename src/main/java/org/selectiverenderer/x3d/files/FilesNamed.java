@@ -6,8 +6,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * The files of this machine that the urls of scenes have meant so far: none of them is to be
- * written over. Thread-safe.
+ * Collects the local files to which the urls of scenes refer, so that no output overwrites one of
+ * them. Thread-safe.
  */
 public final class FilesNamed {
   private final Set<Path> files = ConcurrentHashMap.newKeySet();
@@ -16,7 +16,7 @@ public final class FilesNamed {
     files.add(real);
   }
 
-  /** Their real paths, in order. */
+  /** Returns the real paths in order. */
   public List<Path> list() {
     return files.stream().sorted().toList();
   }

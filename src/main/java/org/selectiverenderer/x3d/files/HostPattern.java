@@ -4,22 +4,24 @@ import java.util.Locale;
 import java.util.regex.Pattern;
 
 /**
- * A host that the user lets scenes fetch from.
+ * A pattern of hosts from which the user allows scenes to fetch.
  *
- * @param text a host's name or address, or {@code *.host} for all hosts below one
+ * @param text the name or address of a host, or {@code *.domain} for all hosts of a domain
  */
 public record HostPattern(String text) {
   private static final Pattern FORM =
       Pattern.compile("(\\*\\.)?[\\p{Alnum}_]([\\p{Alnum}_.-]*[\\p{Alnum}_])?|\\[[0-9a-fA-F:.]+]");
 
   /**
-   * @throws IllegalArgumentException when it is neither, with a sentence for the user
+   * Normalizes and checks the text.
+   *
+   * @throws IllegalArgumentException if it is neither, with a message for the user
    */
   public HostPattern {
     text = text.strip().toLowerCase(Locale.ROOT);
     if (!FORM.matcher(text).matches()) {
       throw new IllegalArgumentException(
-          "'%s' is no host; name one such as example.org, or *.example.org".formatted(text));
+          "'%s' is no host; write one such as example.org or *.example.org".formatted(text));
     }
   }
 

@@ -10,7 +10,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Flow;
 import org.jspecify.annotations.Nullable;
 
-/** Takes the body of an answer up to a limit, whatever length its header tells. */
+/** Receives the body of an HTTP response up to a size limit, whatever its Content-Length. */
 final class LimitedBody implements HttpResponse.BodySubscriber<byte[]> {
   private final int most;
   private final CompletableFuture<byte[]> body = new CompletableFuture<>();
@@ -40,7 +40,7 @@ final class LimitedBody implements HttpResponse.BodySubscriber<byte[]> {
           subscription.cancel();
         }
         body.completeExceptionally(
-            new IOException("it has more than %s bytes, which is the limit".formatted(most)));
+            new IOException("the file has more than %s bytes, which is the limit".formatted(most)));
         return;
       }
       byte[] part = new byte[buffer.remaining()];

@@ -11,14 +11,14 @@ import java.util.regex.Pattern;
 import org.selectiverenderer.x3d.files.ContentRoot.Cause;
 import org.selectiverenderer.x3d.files.ContentRoot.Target;
 
-/** Urls of files: which path one means, before anybody asks whether it may be read. */
+/** Converts the urls of local files to paths; whether these may be read is checked later. */
 final class LocalUrl {
-  /** What Windows takes for a file of another computer: two slashes, of whichever kind. */
+  /** A path that Windows takes for a network share: two slashes or backslashes at its start. */
   private static final Pattern SHARE = Pattern.compile("[/\\\\]{2}.*", Pattern.DOTALL);
 
   private static final Pattern ENCODED = Pattern.compile("(?s)(?:[^%]++|%[0-9a-fA-F]{2})*+");
 
-  /** A path, or why there is none. */
+  /** A path, or the reason why there is none. */
   sealed interface Meaning {
     record File(Path path) implements Meaning {}
 
@@ -28,9 +28,11 @@ final class LocalUrl {
   private LocalUrl() {}
 
   /**
-   * @param location a url without fragment, of the scheme {@code file} or without any
+   * Converts a url.
+   *
+   * @param location a url without fragment, of the scheme {@code file} or without scheme
    * @param absolute whether it has the scheme
-   * @param base the folder of the file that names it
+   * @param base the folder of the file that contains it
    */
   static Meaning meaning(String location, boolean absolute, Path base) {
     try {
@@ -46,9 +48,10 @@ final class LocalUrl {
   }
 
   /**
-   * Whether a url names another computer. Asked before a file system is, which would call there.
+   * Returns whether a url refers to another computer. This is checked before any file system
+   * access, which would contact it.
    *
-   * @throws IllegalArgumentException when the url is malformed
+   * @throws IllegalArgumentException if the url is malformed
    */
   private static boolean share(String location, boolean absolute) {
     if (absolute) {
@@ -62,7 +65,7 @@ final class LocalUrl {
     return SHARE.matcher(path).matches();
   }
 
-  /** As it is where its signs % begin no code. */
+  /** Decodes percent-encoding; a url with an invalid code is returned unchanged. */
   private static String decoded(String location) {
     if (location.indexOf('%') < 0 || !ENCODED.matcher(location).matches()) {
       return location;
@@ -70,7 +73,7 @@ final class LocalUrl {
     return URLDecoder.decode(location.replace("+", "%2B"), StandardCharsets.UTF_8);
   }
 
-  /** Urls are percent-encoded; yet a file that has the name as it is written is meant first. */
+  /** Resolves a relative url; a file with the literal name precedes the percent-decoded one. */
   private static Path relative(String location, Path base) {
     Path literal = base.resolve(location.replace('\\', '/'));
     if (location.indexOf('%') < 0 || Files.exists(literal)) {
@@ -79,7 +82,7 @@ final class LocalUrl {
     return base.resolve(decoded(location).replace('\\', '/'));
   }
 
-  /** Follows links, so that none leads outside; a file that does not exist is only normalised. */
+  /** Resolves symbolic links; of a missing file, those of its existing parent folders. */
   static Path real(Path path) {
     Path absolute = path.toAbsolutePath().normalize();
     Path present = path;

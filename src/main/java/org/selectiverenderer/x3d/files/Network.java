@@ -19,23 +19,22 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What may be fetched from the network: {@code http} and {@code https} from hosts that the user
- * named, nothing from any other. What was fetched is kept in memory and not asked for again; what
- * failed neither, for a minute. Thread-safe.
+ * Fetches files by {@code http} and {@code https} from hosts that the user allows, and from no
+ * others. Files are cached in memory, and failures for a minute. Thread-safe.
  */
 public final class Network {
-  /** Bytes of one file. */
+  /** The maximum size of one file in bytes. */
   public static final int MAX_BYTES = 32 << 20;
 
-  /** Bytes kept; beyond them, what was used longest ago is forgotten. */
+  /** The maximum size of the cache in bytes, from which the least recently used file is evicted. */
   static final long MAX_KEPT = 8L * MAX_BYTES;
 
-  /** For one file, all redirects included. */
+  /** The timeout for one file, including redirects. */
   private static final Duration TIME = Duration.ofSeconds(10);
 
   private static final int REDIRECTS = 5;
 
-  /** For so long a failure is remembered; somebody may mend it while the program runs. */
+  /** The time for which a failure is cached, since its cause may be removed meanwhile. */
   private static final Duration MEMORY = Duration.ofMinutes(1);
 
   private final List<HostPattern> hosts;
@@ -46,7 +45,7 @@ public final class Network {
   private final Map<String, Integer> kept = new LinkedHashMap<>(16, 0.75f, true);
   private long bytesKept;
 
-  /** What became of a request: bytes, or a clause that says why not. */
+  /** The result of a request: bytes, or a predicate that says why it failed. */
   private sealed interface Fetched {
     record Bytes(URI from, byte[] data) implements Fetched {}
 
@@ -57,7 +56,7 @@ public final class Network {
     }
   }
 
-  /** Why one request of several ended. */
+  /** Thrown if a request of a chain of redirects is refused or fails. */
   private static final class Refusal extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -66,7 +65,7 @@ public final class Network {
     }
   }
 
-  /** A network of which some hosts may be asked. */
+  /** Creates a fetcher for some hosts. */
   public Network(List<HostPattern> hosts) {
     this(hosts, TIME, MAX_BYTES);
   }
@@ -77,12 +76,12 @@ public final class Network {
     this.maxBytes = maxBytes;
   }
 
-  /** None of it. */
+  /** Returns a fetcher without any allowed host. */
   public static Network none() {
     return new Network(List.of());
   }
 
-  /** The hosts that the user named. */
+  /** Returns the allowed hosts. */
   public List<HostPattern> hosts() {
     return hosts;
   }
@@ -93,10 +92,10 @@ public final class Network {
   }
 
   /**
-   * Fetches a file, unless that was done before. Waits for it.
+   * Returns a file, from the cache or the network, for which it blocks.
    *
-   * @param uri of an allowed host
-   * @throws IOException with a clause that reads after the url
+   * @param uri an address on an allowed host
+   * @throws IOException with a predicate that follows the url
    */
   Content fetch(URI uri) throws IOException {
     URI plain = withoutFragment(uri);
@@ -153,11 +152,12 @@ public final class Network {
         if (response.statusCode() / 100 != 3 || location == null) {
           return response.statusCode() == 200
               ? new Fetched.Bytes(at, response.body())
-              : new Fetched.Failed("cannot be had: the server answers " + response.statusCode());
+              : new Fetched.Failed(
+                  "cannot be fetched: the server answers " + response.statusCode());
         }
         at = redirected(at, location);
       }
-      return new Fetched.Failed("leads on more than %s times".formatted(REDIRECTS));
+      return new Fetched.Failed("redirects more than %s times".formatted(REDIRECTS));
     } catch (Refusal e) {
       return new Fetched.Failed(String.valueOf(e.getMessage()));
     } catch (IOException e) {
@@ -170,18 +170,18 @@ public final class Network {
     try {
       to = withoutFragment(from.resolve(location));
     } catch (IllegalArgumentException e) {
-      throw new Refusal("leads on to something that is no address");
+      throw new Refusal("redirects to an invalid address");
     }
     String scheme = String.valueOf(to.getScheme()).toLowerCase(Locale.ROOT);
     if (!scheme.equals("https") && !scheme.equalsIgnoreCase(from.getScheme())) {
-      throw new Refusal("leads on to " + scheme + ", which is not followed");
+      throw new Refusal("redirects to " + scheme + ", which is not followed");
     }
     if (to.getHost() == null || to.getUserInfo() != null) {
-      throw new Refusal("leads on to something that is no address");
+      throw new Refusal("redirects to an invalid address");
     }
     if (!allows(to)) {
       throw new Refusal(
-          "leads on to %s; --allow-net %s would allow it".formatted(to.getHost(), to.getHost()));
+          "redirects to %s; --allow-net %s would allow it".formatted(to.getHost(), to.getHost()));
     }
     return to;
   }
@@ -196,7 +196,7 @@ public final class Network {
               .header("User-Agent", "selective-renderer")
               .build();
     } catch (IllegalArgumentException e) {
-      throw new Refusal("is no address of the network");
+      throw new Refusal("is not a valid network address");
     }
     CompletableFuture<HttpResponse<byte[]>> answer =
         client().sendAsync(request, info -> new LimitedBody(maxBytes));
@@ -208,7 +208,7 @@ public final class Network {
     } catch (InterruptedException e) {
       answer.cancel(true);
       Thread.currentThread().interrupt();
-      throw new Refusal("is no longer wanted");
+      throw new Refusal("was not fetched, as the program ends");
     } catch (ExecutionException e) {
       Throwable cause = e.getCause();
       if (cause instanceof java.net.http.HttpTimeoutException) {
@@ -221,7 +221,7 @@ public final class Network {
   }
 
   private Refusal late() {
-    return new Refusal("does not come within %s seconds".formatted(time.toSeconds()));
+    return new Refusal("does not arrive within %s seconds".formatted(time.toSeconds()));
   }
 
   private static String reason(IOException e) {

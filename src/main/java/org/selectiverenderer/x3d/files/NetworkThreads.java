@@ -6,7 +6,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** The threads of a {@link Network}: daemons that end by themselves when nothing is fetched. */
+/** Creates the thread pool of a {@link Network}: daemon threads that end when idle. */
 final class NetworkThreads {
   private static final int MOST = 4;
 

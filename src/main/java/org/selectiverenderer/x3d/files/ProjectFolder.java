@@ -6,19 +6,21 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The folder of the project that a scene belongs to: the nearest one above it, or its own, that
- * holds a marker. A user's home, and what is above it, is no project, whatever lies in it: one
- * scene must not open all that somebody has.
+ * Finds the project folder of a scene: its own folder or the nearest one above it that contains a
+ * marker. A user's home folder and those above it are never projects, since one scene must not have
+ * access to all of a user's files.
  */
 final class ProjectFolder {
-  /** A repository's folder (a file in a linked worktree), and an empty file for any other case. */
+  /** Names that mark a project: that of a git repository, and an empty file for other projects. */
   static final List<String> MARKERS = List.of(".git", "x3d-project");
 
   private ProjectFolder() {}
 
   /**
-   * @param folder of the scene, a real path
-   * @param home of the user, a real path
+   * Returns the project folder, if any.
+   *
+   * @param folder the real path of the scene's folder
+   * @param home the real path of the user's home folder
    */
   static Optional<Path> of(Path folder, Path home) {
     for (Path at = folder; at != null && !wide(at, home); at = at.getParent()) {
@@ -29,7 +31,7 @@ final class ProjectFolder {
     return Optional.empty();
   }
 
-  /** Whether a folder holds the user's home, or all of a disk. */
+  /** Returns whether a folder contains the user's home folder, or is the root of a disk. */
   static boolean wide(Path folder, Path home) {
     return folder.getParent() == null || home.startsWith(folder);
   }

@@ -5,33 +5,33 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
-/** What a node's {@code url} means: the first of its urls that is allowed and there. */
+/** The content of a node's {@code url} field: that of the first of its urls that can be read. */
 public sealed interface UrlChoice {
-  /** Characters of a url that a message shows. */
+  /** The maximum number of characters of a url in a message. */
   int SHOWN = 80;
 
-  /** What a url means. */
+  /** The content of a url. */
   record Found(Content content) implements UrlChoice {}
 
   /**
-   * None can be read.
+   * No url can be read.
    *
-   * @param problem why the first cannot, and what is done about it; a node without any url, which
-   *     an application may give it one day, is worth a remark only
+   * @param problem the reason for the first url and the consequence; only an information for a node
+   *     without any url, as an application may set it later
    */
   record None(Problem problem) implements UrlChoice {}
 
-  /** As {@link #of(NodeView, ContentRoot, ContentBase, String)}, for a file in a folder. */
+  /** Selects as {@link #of(NodeView, ContentRoot, ContentBase, String)}, relative to a folder. */
   static UrlChoice of(NodeView node, ContentRoot root, Path folder, String consequence) {
     return of(node, root, ContentBase.folder(folder), consequence);
   }
 
   /**
-   * Waits for the network where the user allows it.
+   * Selects the first url that can be read. Blocks for the network if the host is allowed.
    *
-   * @param node with a field {@code url}, such as an Inline or a texture
-   * @param base where the relative urls of the node start
-   * @param consequence what is done when there is none, such as "the Inline is left out"
+   * @param node a node with a field {@code url}, such as an Inline or a texture
+   * @param base the base of the node's relative urls
+   * @param consequence the consequence if there is none, such as "the Inline is left out"
    */
   static UrlChoice of(NodeView node, ContentRoot root, ContentBase base, String consequence) {
     @Nullable String reason = null;
@@ -53,7 +53,7 @@ public sealed interface UrlChoice {
                     node.type().name(), reason == null ? "has no url" : reason, consequence)));
   }
 
-  /** A url, or the beginning of a long one, for messages. */
+  /** Returns a url for messages, truncated if it is long. */
   static String shown(String url) {
     return url.length() <= SHOWN ? url : url.substring(0, SHOWN) + "…";
   }

@@ -5,11 +5,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
-/** Urls of the network, as authors write them. */
+/** Parses http and https urls, including ones with unencoded characters. */
 final class WebUrl {
   private static final Pattern SCHEME = Pattern.compile("(?i)https?:");
 
-  /** What may stand in an address as it is (RFC 3986, 2). */
+  /** Characters, other than letters and digits, that need no encoding (RFC 3986, 2). */
   private static final String PLAIN = "-._~:/?[]@!$&'()*+,;=%";
 
   private WebUrl() {}
@@ -19,9 +19,9 @@ final class WebUrl {
   }
 
   /**
-   * The address that a url means; empty when it is none.
+   * Returns the address of a url; empty if it is invalid.
    *
-   * @param location without fragment
+   * @param location the url without fragment
    */
   static Optional<URI> of(String location) {
     try {
@@ -33,7 +33,7 @@ final class WebUrl {
     }
   }
 
-  /** The address of a relative url; empty when it is none of the network. */
+  /** Returns the address of a relative url; empty if it is invalid or not http or https. */
   static Optional<URI> of(String location, URI base) {
     try {
       return of(base.resolve(encoded(location)).toString()).filter(uri -> is(uri.toString()));
@@ -42,7 +42,7 @@ final class WebUrl {
     }
   }
 
-  /** Spaces and letters of other alphabets are common in urls that people write. */
+  /** Percent-encodes spaces and non-ASCII letters, which are common in hand-written urls. */
   private static String encoded(String location) {
     StringBuilder text = new StringBuilder(location.length() + 16);
     for (byte part : location.replace('\\', '/').getBytes(StandardCharsets.UTF_8)) {

@@ -1,6 +1,6 @@
 package org.selectiverenderer.x3d.json;
 
-/** The elements that are in no field of a node, wherever they stand. */
+/** Recognizes the elements that are statements, which are not contained in a field of a node. */
 final class JsonStatement {
   private JsonStatement() {}
 

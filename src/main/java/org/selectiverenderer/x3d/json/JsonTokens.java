@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.source.DocumentBuilder;
 import org.selectiverenderer.x3d.source.SourceText;
 import org.selectiverenderer.x3d.source.XmlFault;
 
-/** The tokens of a text with the offsets at which they start. */
+/** Reads the tokens of a JSON text with their offsets. */
 final class JsonTokens implements AutoCloseable {
   private final DocumentBuilder document;
   private final JsonParser parser;
@@ -32,7 +32,7 @@ final class JsonTokens implements AutoCloseable {
     }
   }
 
-  /** Goes to the next token. */
+  /** Advances to the next token and returns it. */
   JsonToken next() throws XmlFault {
     JsonToken token = advance();
     if (token == null) {
@@ -61,33 +61,33 @@ final class JsonTokens implements AutoCloseable {
         : document.fault(offset, "this is not valid JSON: " + sentence(e));
   }
 
-  /** Without the parser's list of all that would be right. */
+  /** Returns the parser's message without its list of expected tokens. */
   private static String sentence(JsonProcessingException e) {
     return JsonTree.sentence(e)
         .replaceFirst(": (was expecting|expected a valid value) \\(JSON.*", "");
   }
 
-  /** Looks that nothing follows. */
+  /** Checks that no token follows. */
   void end() throws XmlFault {
     if (advance() != null) {
       throw document.fault(start(), "there is text after the end of the scene");
     }
   }
 
-  /** The token gone to last. */
+  /** Returns the current token. */
   JsonToken now() {
     if (now == null) {
-      throw new IllegalStateException("no token has been gone to");
+      throw new IllegalStateException("there is no current token");
     }
     return now;
   }
 
-  /** The offset at which it starts. */
+  /** Returns the offset of the current token. */
   int start() {
     return (int) parser.currentTokenLocation().getCharOffset();
   }
 
-  /** Its text: a name, a string without quotes and escapes, a number as it is written. */
+  /** Returns the text of the current token: a name, an unescaped string, or a number as written. */
   String text() throws XmlFault {
     try {
       return parser.getText();
@@ -98,7 +98,7 @@ final class JsonTokens implements AutoCloseable {
     }
   }
 
-  /** The same of a token that must be a plain value. */
+  /** Returns the text of the current token, which must be a scalar value. */
   String scalar() throws XmlFault {
     if (!now().isScalarValue()) {
       throw document.fault(start(), "a string or a number must stand here");
@@ -106,7 +106,7 @@ final class JsonTokens implements AutoCloseable {
     return text();
   }
 
-  /** Leaves the object or list that has begun, if it is one. */
+  /** Skips the object or array that begins at the current token, if any. */
   void skip() throws XmlFault {
     int depth = 0;
     while (true) {

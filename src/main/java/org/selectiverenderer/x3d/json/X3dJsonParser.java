@@ -10,16 +10,16 @@ import org.selectiverenderer.x3d.source.DocumentBuilder;
 import org.selectiverenderer.x3d.source.ValueCleaner;
 import org.selectiverenderer.x3d.source.XmlFault;
 
-/** Reads a file: elements within elements, from X3D down. */
+/** Parses a scene in the JSON encoding to nested elements. */
 public final class X3dJsonParser implements DocumentBuilder.Parser {
   private final NodeCatalogue catalogue;
 
-  /** A parser that knows the node types of a catalogue. */
+  /** Creates a parser for the node types of a catalogue. */
   public X3dJsonParser(NodeCatalogue catalogue) {
     this.catalogue = catalogue;
   }
 
-  /** Lists of lists, which some programs write, are lists of all their numbers. */
+  /** Flattens arrays of arrays of numbers, which some programs write. */
   @Override
   public ValueCleaner cleaner() {
     return (value, length) -> {
@@ -38,7 +38,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
     }
   }
 
-  /** One file. */
+  /** The parsing of one file. */
   private record Reading(DocumentBuilder document, JsonTokens tokens, NodeCatalogue catalogue) {
     void file() throws XmlFault {
       tokens.next();
@@ -58,16 +58,16 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
       }
       if (!found) {
         throw document.fault(
-            0, "this is JSON, but no scene: that is an object with a member \"X3D\"");
+            0, "this is JSON, but not a scene, which needs an object with a member \"X3D\"");
       }
       tokens.end();
     }
 
     /**
-     * Reads the object that has begun.
+     * Reads the element of the object at the current token.
      *
-     * @param at offset of the element's name
-     * @param field of the node around it that it is in; empty where no field is named
+     * @param at the offset of the element's name
+     * @param field the field of the parent that contains it; empty if unspecified
      */
     private void element(String name, int at, String field) throws XmlFault {
       document.open(name, null, null, at, tokens.start() + 1);
@@ -87,7 +87,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
     private void member(String element, boolean node, String member, int at) throws XmlFault {
       String rest = member.isEmpty() ? "" : member.substring(1);
       switch (member.isEmpty() ? ' ' : member.charAt(0)) {
-        // What has a prefix belongs to another language, as in XML.
+        // a prefix denotes another namespace, as in XML
         case '@' -> attribute(element, rest.indexOf(':') < 0 ? rest : "", at);
         case '-' -> contained(node ? rest : "", at);
         case '#' -> {
@@ -103,7 +103,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
       }
     }
 
-    /** One element, or a list of elements of one name; what is neither says nothing of a scene. */
+    /** Reads an element, or an array of elements of one name; ignores any other value. */
     private void elements(String name, int at) throws XmlFault {
       if (tokens.now() == JsonToken.START_OBJECT) {
         element(name, at, "");
@@ -118,7 +118,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
       }
     }
 
-    /** The elements in a field: an object of one or more, or a list of such. */
+    /** Reads the elements in a field: an object of one or more elements, or an array of such. */
     private void contained(String field, int at) throws XmlFault {
       if (tokens.now() == JsonToken.START_ARRAY) {
         while (tokens.next() != JsonToken.END_ARRAY) {
@@ -134,7 +134,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
           } else if (value == JsonToken.START_OBJECT) {
             element(name, start, field);
           } else {
-            throw unexpected("the members of " + Tokens.quote(name) + " in curly brackets");
+            throw unexpected("an object {...} of " + Tokens.quote(name));
           }
         }
       } else if (tokens.now() != JsonToken.VALUE_NULL) {
@@ -160,7 +160,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
             document.attribute(name, tokens.text(), at, from, from + tokens.text().length());
         case START_ARRAY -> list(name, at, from + 1);
         case VALUE_NULL -> {
-          // As if it were not there.
+          // null means that the attribute is absent
         }
         default -> throw unexpected("the value of " + Tokens.quote(name));
       }
@@ -207,7 +207,7 @@ public final class X3dJsonParser implements DocumentBuilder.Parser {
       }
     }
 
-    /** A string, or a list of strings that are lines of one. */
+    /** Reads a string, or an array of strings that are its lines. */
     private List<String> strings() throws XmlFault {
       if (tokens.now() != JsonToken.START_ARRAY) {
         return List.of(tokens.scalar());

@@ -6,15 +6,15 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * The unit of angles that a file states (X3D 4.0, 4.3.6). Values of the file become radians when
- * they are read, so that nobody else needs to know; a catalogue's defaults are radians anyway.
+ * The unit of angles in a file, given by a UNIT statement (X3D 4.0, 4.3.6). Angles are converted to
+ * radians when they are read; the defaults of the catalogue are in radians.
  *
  * @param factor radians per unit
  */
 record AngleUnit(double factor) {
   static final AngleUnit RADIANS = new AngleUnit(1);
 
-  /** The fields of numbers that are angles; rotations are known by their type. */
+  /** The names of float fields that are angles; rotations are recognized by their type. */
   private static final Set<String> ANGLES =
       Set.of(
           "angle",
@@ -40,15 +40,15 @@ record AngleUnit(double factor) {
           "startAngle",
           "ulimit");
 
-  /** That of a unit statement; radians for a factor that is none. */
+  /** Returns the unit of a UNIT statement; radians for an invalid conversion factor. */
   static AngleUnit of(double factor) {
     return factor > 0 && factor < Double.POSITIVE_INFINITY ? new AngleUnit(factor) : RADIANS;
   }
 
   /**
-   * A value of a field in radians.
+   * Converts the value of a node field to radians if it is an angle.
    *
-   * @param node the type of its node; an OrthoViewpoint's fieldOfView are lengths
+   * @param node the type of the node; the fieldOfView of an OrthoViewpoint consists of lengths
    */
   @Nullable Object radians(String node, FieldDefinition field, @Nullable Object value) {
     if (factor == 1 || value == null) {
@@ -63,13 +63,13 @@ record AngleUnit(double factor) {
         : radians(field.type(), value);
   }
 
-  /** A value of a prototype's field: there only rotations are known to be angles. */
+  /** Converts the value of a prototype field, of which only rotations are known to be angles. */
   @Nullable Object radians(FieldType type, @Nullable Object value) {
     boolean rotation = type == FieldType.SFRotation || type == FieldType.MFRotation;
     return factor == 1 || value == null || !rotation ? value : scaled((float[]) value, 3, 4);
   }
 
-  /** A copy, since what was parsed may be kept by its document. */
+  /** Returns a scaled copy, since the document may keep the parsed value. */
   private float[] scaled(float[] values, int first, int step) {
     float[] scaled = values.clone();
     for (int i = first; i < scaled.length; i += step) {

@@ -9,11 +9,11 @@ import org.selectiverenderer.x3d.catalogue.Containment;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Puts the child nodes of one node into its fields (ISO/IEC 19776-1, 4.3.6: containerField). */
+/** Assigns the child nodes of a node to its fields (containerField, ISO/IEC 19776-1, 4.3.6). */
 final class Children {
   private final ParsedNode parent;
   private final ReadState reading;
-  // Few fields of a node hold lists, so they are looked through instead of hashed.
+  // few fields of a node are lists, so that linear search is faster than hashing
   private final List<FieldDefinition> fields = new ArrayList<>(2);
   private final List<List<ParsedNode>> lists = new ArrayList<>(2);
 
@@ -23,9 +23,9 @@ final class Children {
   }
 
   /**
-   * Puts a child where its containerField says, or else where a node of its type fits.
+   * Assigns a child to the field named by its containerField, or else to one that accepts its type.
    *
-   * @param containerField as the file gives it, or null
+   * @param containerField the value in the file, or null
    */
   void add(ParsedNode child, @Nullable String containerField, Location location) {
     FieldDefinition field = wanted(child.type(), containerField);
@@ -50,7 +50,7 @@ final class Children {
     put(field, child, location);
   }
 
-  /** Puts a child into a field that accepts its type. */
+  /** Assigns a child to a field that accepts its type. */
   void put(FieldDefinition field, ParsedNode child, Location location) {
     if (field.type().multiple()) {
       list(field).add(child);
@@ -73,7 +73,7 @@ final class Children {
     return Spelling.one(type.name());
   }
 
-  /** Makes the lists of nodes values of the parent. */
+  /** Sets the lists of nodes as values of the parent. */
   void finish() {
     for (int i = 0; i < lists.size(); i++) {
       parent.put(fields.get(i).index(), List.copyOf(lists.get(i)));

@@ -1,6 +1,6 @@
 package org.selectiverenderer.x3d.read;
 
-/** What a ProtoInstance may name. */
+/** A prototype that a ProtoInstance may refer to: declared in this file or in another. */
 sealed interface DeclaredPrototype permits ProtoDeclaration, ExternDeclaration {
   String name();
 }

@@ -11,7 +11,7 @@ import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** Reads the elements around the nodes: X3D, head, Scene, IMPORT and EXPORT. */
+/** Reads the document structure: the elements X3D, head, Scene, IMPORT and EXPORT. */
 final class DocumentReader implements NodeReader.Links {
   private final ReadState reading;
   private final RouteReader routes;
@@ -31,7 +31,9 @@ final class DocumentReader implements NodeReader.Links {
   }
 
   /**
-   * @param around whose prototypes the file may use, too
+   * Creates a reader of one file.
+   *
+   * @param around the scope whose prototypes the file may use, too
    */
   DocumentReader(ReadState reading, @Nullable NameScope around) {
     this.reading = reading;
@@ -40,7 +42,7 @@ final class DocumentReader implements NodeReader.Links {
     this.nodes = new NodeReader(reading, routes, this);
   }
 
-  /** Reads a file whose root element has not been entered yet. */
+  /** Reads a file, with the cursor before its root element. */
   X3dFile read(ElementCursor in) {
     if (in.next()) {
       if (in.name().equals("X3D")) {
@@ -51,7 +53,7 @@ final class DocumentReader implements NodeReader.Links {
             "the root element of a scene must be X3D, not " + in.name() + "; nothing can be shown");
         in.skip();
       }
-      // Looks for what should not stand after the root element.
+      // reports content after the root element
       in.next();
     } else if (!in.broken()) {
       reading.error(
@@ -211,7 +213,7 @@ final class DocumentReader implements NodeReader.Links {
         prototypes());
   }
 
-  /** The prototypes of the scene, once all else has been taken from its scope. */
+  /** Returns the scene's prototypes; called last, as it clears the rest of the scope. */
   private @Nullable PrototypeLibrary prototypes() {
     scope.keepPrototypes();
     return scope.prototypeNames().isEmpty()

@@ -7,26 +7,26 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementLocation;
 
 /**
- * Walks through elements: those of the file as it is parsed, or those of a prototype's body that
- * were kept. A reader that has been given an element asks for its attributes first, then calls
- * {@link #next()} until it has returned false, doing the same with every child.
+ * A cursor over elements, either of the file while it is parsed or of a recorded prototype body.
+ * The reader of an element reads its attributes first, then calls {@link #next()} until it returns
+ * false, and reads each child in the same way.
  */
 interface ElementCursor {
   /**
-   * Enters the next child of the current element. False when there is none, or when the file breaks
-   * off: the parent is the current element again, its attributes are gone.
+   * Enters the next child of the current element. Returns false if there is none or the file is
+   * truncated; the parent is then the current element again, without its attributes.
    */
   boolean next();
 
-  /** Whether the file broke off, so that what is missing is no fault of the scene. */
+  /** Returns whether the file is truncated, so that missing parts are not errors of the scene. */
   default boolean broken() {
     return false;
   }
 
-  /** The element's name without prefix; with it where it is of another language's namespace. */
+  /** Returns the element's local name; with its prefix if it is of a foreign namespace. */
   String name();
 
-  /** Whether the element is of another language, such as a signature: no matter of the scene's. */
+  /** Returns whether the element is of a foreign namespace, such as an XML signature. */
   default boolean foreign() {
     return name().indexOf(':') >= 0;
   }
@@ -35,28 +35,28 @@ interface ElementCursor {
 
   int attributes();
 
-  /** An attribute's name without prefix; empty when it belongs to another language's namespace. */
+  /** Returns an attribute's local name; empty if it is of a foreign namespace. */
   String attributeName(int index);
 
-  /** An attribute as it is written, references replaced. */
+  /** Returns the text of an attribute with its references resolved. */
   String attributeText(int index);
 
-  /** An attribute as a value; what is wrong with it is reported. Null when nothing can be used. */
+  /** Parses an attribute and reports its errors; null if nothing of it is usable. */
   @Nullable Object attributeValue(int index, FieldType type);
 
-  /** Gathers the text directly within the current element, and where it begins. */
+  /** Collects the text directly within the current element with its location. */
   void collectText(GatheredText into);
 
-  /** The current element with all within it, for walking through it again; leaves the element. */
+  /** Records the current element with its content for later reading, and leaves the element. */
   DocumentElement record();
 
-  /** The attribute of that name as text, or null. */
+  /** Returns the text of the attribute with a name, or null. */
   default @Nullable String attribute(String name) {
     int index = indexOf(name);
     return index < 0 ? null : attributeText(index);
   }
 
-  /** The index of the attribute of that name, or -1. */
+  /** Returns the index of the attribute with a name, or -1. */
   default int indexOf(String name) {
     for (int i = 0; i < attributes(); i++) {
       if (attributeName(i).equals(name)) {
@@ -66,7 +66,7 @@ interface ElementCursor {
     return -1;
   }
 
-  /** Leaves the current element with all within it. */
+  /** Skips the rest of the current element. */
   default void skip() {
     for (int depth = 1; depth > 0; ) {
       depth += next() ? 1 : -1;

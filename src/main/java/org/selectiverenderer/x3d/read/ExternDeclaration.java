@@ -7,14 +7,14 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.files.ContentBase;
 
 /**
- * A prototype of another file (X3D 4.0, 4.4.5), which is read when there is an instance.
+ * An EXTERNPROTO declaration (X3D 4.0, 4.4.5), whose file is loaded when there is an instance.
  *
- * @param fields that this file expects it to have
- * @param base where its relative urls start
+ * @param fields the fields that this file expects
+ * @param base the base of its relative urls
  */
 record ExternDeclaration(
     String name, List<Field> fields, List<String> urls, ContentBase base, Location location)
     implements DeclaredPrototype {
-  /** A field as this file expects it. */
+  /** An expected field. */
   record Field(String name, FieldType type, FieldAccess access, Location location) {}
 }

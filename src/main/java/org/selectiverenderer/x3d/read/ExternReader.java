@@ -10,9 +10,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * Finds the prototypes of other files when there are instances of them, and compares their
- * interfaces with what the file expects (X3D 4.0, 4.4.5). What is wrong is told once for each
- * declaration, however many instances there are.
+ * Resolves EXTERNPROTO declarations when there are instances, and compares the interface of each
+ * prototype with the expected one (X3D 4.0, 4.4.5). Errors are reported once for each declaration,
+ * however many instances there are.
  */
 final class ExternReader {
   private final ReadState reading;
@@ -24,7 +24,7 @@ final class ExternReader {
     this.reading = reading;
   }
 
-  /** The prototype itself; null when it cannot be had, after a message. */
+  /** Returns the prototype; null, after a message, if it cannot be loaded. */
   @Nullable ProtoDeclaration find(ExternDeclaration extern) {
     Optional<ProtoDeclaration> before = known.get(extern);
     if (before != null) {
@@ -69,10 +69,10 @@ final class ExternReader {
     return declaration == null ? null : compared(extern, declaration, library);
   }
 
-  /** A prototype that the library itself has from another file. */
+  /** Resolves a prototype that the library itself declares as EXTERNPROTO. */
   private @Nullable ProtoDeclaration further(ExternDeclaration extern, ExternDeclaration further) {
     if (open.contains(further)) {
-      leaveOut(extern, "files name one another for it, and none of them declares it");
+      leaveOut(extern, "its ExternProtoDeclares refer to one another, and no file declares it");
       return null;
     }
     return find(further);
@@ -125,7 +125,7 @@ final class ExternReader {
     reading.externFault(
         Problem.Severity.ERROR,
         extern.location(),
-        "the prototype %s cannot be had: %s; its instances are left out"
+        "the prototype %s cannot be loaded: %s; its instances are left out"
             .formatted(extern.name(), why));
   }
 }

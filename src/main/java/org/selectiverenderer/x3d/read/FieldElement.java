@@ -4,9 +4,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** What a {@code field} element declares, in the interface of a prototype or of a Script. */
+/** A field declaration, given by a {@code field} element of a prototype interface or Script. */
 record FieldElement(String name, FieldType type, FieldAccess access) {
-  /** Reads the current element's attributes; null when it is none, or one of them is wrong. */
+  /** Reads the current element; null if it is not a {@code field} or an attribute is invalid. */
   static @Nullable FieldElement of(ElementCursor in) {
     String name = in.attribute("name");
     String typeName = in.attribute("type");

@@ -14,9 +14,9 @@ import org.selectiverenderer.x3d.files.Failure;
 import org.selectiverenderer.x3d.files.UrlChoice;
 
 /**
- * The libraries that the files of one scene name. Each is read once, by the thread that asks first;
- * others wait for it. None waits for another: a library is read without what it names in turn, so
- * that libraries that name one another are no trouble.
+ * Loads the prototype libraries to which the files of one scene refer. Each is read once, by the
+ * first thread that needs it, and other threads wait. A library is read without the libraries that
+ * it refers to, so that cyclic references cannot deadlock.
  */
 public final class FileLibraries implements Libraries {
   private final X3dReader reader;
@@ -24,12 +24,14 @@ public final class FileLibraries implements Libraries {
   private final Map<String, CompletableFuture<Read>> known = new ConcurrentHashMap<>();
 
   /**
-   * @param library null when it could not be read
-   * @param fault why, else empty
+   * The result of reading a library.
+   *
+   * @param library the library; null if it could not be read
+   * @param fault the error, else empty
    */
   private record Read(@Nullable PrototypeLibrary library, String fault) {}
 
-  /** Prototypes of files that a reader reads and a root allows. */
+  /** Creates a loader of the files that a root resolves. */
   public FileLibraries(X3dReader reader, ContentRoot root) {
     this.reader = reader;
     this.root = root;
@@ -65,7 +67,7 @@ public final class FileLibraries implements Libraries {
     try {
       read = new Read(reader.library(content), "");
     } catch (IOException e) {
-      // Its own message names the file by its absolute path.
+      // the exception's message would contain the absolute path
       read =
           new Read(
               null,

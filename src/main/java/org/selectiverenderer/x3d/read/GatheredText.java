@@ -3,7 +3,7 @@ package org.selectiverenderer.x3d.read;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 
-/** The text directly within an element, gathered piece by piece, and where it begins. */
+/** Collects the text directly within an element, and the location of its start. */
 final class GatheredText {
   private final StringBuilder text = new StringBuilder(0);
   private @Nullable Location start;
@@ -12,8 +12,8 @@ final class GatheredText {
   /**
    * Adds a piece.
    *
-   * @param at where its first character stands that is no white space; null for white space only,
-   *     or when the text has begun already
+   * @param at the location of its first non-blank character; null if it is blank or the text has
+   *     begun already
    */
   void add(String piece, @Nullable Location at, int offsetOfIt) {
     text.append(piece);
@@ -23,22 +23,22 @@ final class GatheredText {
     }
   }
 
-  /** Whether there is more than white space. */
+  /** Returns whether the text is not blank. */
   boolean begun() {
     return start != null;
   }
 
-  /** All of it, white space around it included. */
+  /** Returns the text with surrounding white space. */
   String text() {
     return text.toString();
   }
 
-  /** Where the first character stands that is no white space; null if there is none. */
+  /** Returns the location of the first non-blank character; null if there is none. */
   @Nullable Location start() {
     return start;
   }
 
-  /** The offset of the same in its file. */
+  /** Returns the offset in the file of the first non-blank character. */
   int offset() {
     return offset;
   }

@@ -14,19 +14,19 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Notes what the interfaces of instances stand for, when their bodies have been read. */
+/** Records the prototype instances, and which nodes their interface fields are connected to. */
 final class InterfaceReader {
   private final List<ParsedInstance> all = new ArrayList<>();
   private final Map<ParsedNode, Integer> scripts = new IdentityHashMap<>();
   private final Map<DocumentElement, NodeType> types = new IdentityHashMap<>();
   private int begun;
 
-  /** Numbers an instance whose body is about to be read. */
+  /** Returns the number of an instance whose body is about to be read. */
   int begin() {
     return begun++;
   }
 
-  /** Notes a Script in the body of an instance. */
+  /** Records a Script in the body of an instance. */
   void script(ParsedNode script, ProtoInstance within) {
     scripts.put(script, within.number());
   }
@@ -36,9 +36,9 @@ final class InterfaceReader {
   }
 
   /**
-   * Notes an instance.
+   * Records an instance whose body has been read.
    *
-   * @param top the nodes at the top of its body, which has been read to its end; one at least
+   * @param top the top-level nodes of its body, at least one
    */
   void end(ProtoInstance instance, List<ParsedNode> top) {
     ParsedNode first = top.get(0);
@@ -70,7 +70,7 @@ final class InterfaceReader {
     for (ProtoDeclaration.Field field : declaration.fields().values()) {
       fields.add(FieldDefinition.own(fields.size(), field.name(), field.type(), field.access()));
     }
-    if (!declaration.fields().containsKey("metadata")) { // Each node has some (X3D 4.0, 4.4.4.1).
+    if (!declaration.fields().containsKey("metadata")) { // X3D 4.0, 4.4.4.1: a node has it
       fields.add(
           FieldDefinition.own(
               fields.size(), "metadata", FieldType.SFNode, FieldAccess.INPUT_OUTPUT));
@@ -78,7 +78,7 @@ final class InterfaceReader {
     return NodeType.ofPrototype(declaration.name(), first.type(), fields);
   }
 
-  /** Adds what a field stands for; true if one of that has the field's value. */
+  /** Adds the links of a field; returns whether a linked node field stores its value. */
   private static boolean links(
       ProtoInstance instance,
       ProtoDeclaration.Field field,
@@ -114,7 +114,7 @@ final class InterfaceReader {
     return !holds.isEmpty();
   }
 
-  /** Adds the fields with values that a name of a node stands for. */
+  /** Adds the node fields with values to which a field name resolves. */
   private static void holding(NameScope.Named named, String name, List<X3dFile.End.Own> into) {
     ProtoInstance instance = named.instance();
     if (instance == null) {

@@ -8,12 +8,12 @@ import org.selectiverenderer.base.problem.Spelling;
 import org.selectiverenderer.x3d.catalogue.Containment;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
-/** Reads IS elements, which connect a field of a node with one of the prototype around it. */
+/** Reads IS elements, which connect node fields with fields of the enclosing prototype. */
 final class IsReader {
   /**
-   * What one connect element says.
+   * A connection given by a connect element.
    *
-   * @param field of the prototype's interface
+   * @param field the field of the prototype's interface
    */
   record Connection(String nodeField, ProtoDeclaration.Field field) {}
 
@@ -24,7 +24,8 @@ final class IsReader {
   }
 
   /**
-   * Reads the IS element of a node in a prototype's body and gives the node the instance's values.
+   * Reads the IS element of a node in a prototype's body and sets the instance's values in the
+   * node.
    */
   void connect(ElementCursor in, NameScope scope, NameScope.Named named, Children children) {
     ProtoInstance instance = scope.instance();
@@ -68,10 +69,10 @@ final class IsReader {
     for (Object child : given) {
       ParsedNode childNode = (ParsedNode) child;
       if (instance.isTurningBack(childNode) && !node.type().is("X3DScriptNode")) {
-        // A script may know what it stands in; what is part of the scene may not hold itself.
+        // a Script may refer to its ancestors, but a part of the scene may not contain itself
         reading.error(
             location,
-            "the %s that %s is given would contain the instance itself; it is left out"
+            "the %s in the field %s would contain the instance itself; it is left out"
                 .formatted(childNode.type().name(), field.name()));
       } else if (field.nodeTypes().isEmpty() || Containment.accepts(field, childNode.type())) {
         children.put(field, childNode, location);
@@ -89,8 +90,8 @@ final class IsReader {
   }
 
   /**
-   * Reads the IS element of an instance in another prototype's body. Its values are given at once;
-   * the connections are returned, to be made when the instance has its nodes.
+   * Reads the IS element of an instance in another prototype's body. The values are set at once;
+   * the connections are returned, to be made when the nodes of the instance exist.
    */
   List<Connection> arguments(ElementCursor in, NameScope scope, ProtoInstance inner) {
     List<Connection> connections = new ArrayList<>();
@@ -119,7 +120,7 @@ final class IsReader {
     return connections;
   }
 
-  /** Reads the attributes of a connect element, or tells what is wrong with it. */
+  /** Reads the attributes of a connect element; null, after a message, if it is invalid. */
   private @Nullable Connection outer(ElementCursor in, NameScope scope) {
     ProtoInstance instance = scope.instance();
     String nodeField = in.attribute("nodeField");

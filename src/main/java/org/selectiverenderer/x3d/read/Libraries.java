@@ -3,29 +3,33 @@ package org.selectiverenderer.x3d.read;
 import java.util.List;
 import org.selectiverenderer.x3d.files.ContentBase;
 
-/** Where a reader gets prototypes of other files. Thread-safe. */
+/** Provides a reader with the prototypes of other files. Thread-safe. */
 public interface Libraries {
-  /** What became of looking for a library. */
+  /** The result of looking for a library. */
   sealed interface Answer {
     /**
-     * @param fragment what stands behind the sign # of the url: the prototype's name there
+     * A library.
+     *
+     * @param fragment the part of the url after the sign #, which is the prototype's name
      */
     record Found(PrototypeLibrary library, String fragment) implements Answer {}
 
     /**
-     * @param reason a clause that reads after "the prototype cannot be had: "
+     * No readable library.
+     *
+     * @param reason a clause that follows "the prototype cannot be loaded: "
      */
     record None(String reason) implements Answer {}
   }
 
   /**
-   * The library that the first readable one of some urls names. May wait until it is read.
+   * Returns the library at the first readable url. May block until it is read.
    *
-   * @param base where relative urls start
+   * @param base the base of relative urls
    */
   Answer find(List<String> urls, ContentBase base);
 
-  /** For who reads a file by itself. */
+  /** Returns a provider without other files. */
   static Libraries none() {
     return (urls, base) -> new Answer.None("it is in another file, which is not read here");
   }

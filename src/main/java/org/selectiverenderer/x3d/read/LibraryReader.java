@@ -9,7 +9,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentFault;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
-/** Finds the prototypes that a file declares for its scene; the scene itself is left alone. */
+/** Reads the prototype declarations of a file, without the nodes of its scene. */
 final class LibraryReader {
   private final ReadState reading;
   private final Problems problems;
@@ -18,7 +18,9 @@ final class LibraryReader {
   private @Nullable String first;
 
   /**
-   * @param problems those that {@code reading} tells
+   * Creates a reader of one file.
+   *
+   * @param problems the problems to which {@code reading} reports
    */
   LibraryReader(ReadState reading, Problems problems) {
     this.reading = reading;

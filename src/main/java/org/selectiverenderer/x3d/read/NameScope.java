@@ -12,11 +12,11 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where names are valid: a scene, or one instance of a prototype's body (X3D 4.0, 4.4.4.3). DEF
- * names of a scope are unknown outside; prototypes are known in the scopes within, too.
+ * A scope of names: a scene, or one instance of a prototype's body (X3D 4.0, 4.4.4.3). The DEF
+ * names of a scope are invisible outside; prototypes are also visible in nested scopes.
  */
 final class NameScope {
-  /** A node that a name stands for, with the interface that hides it when it is an instance. */
+  /** The node of a name, with its prototype interface if it is an instance. */
   record Named(ParsedNode node, @Nullable ProtoInstance instance) {}
 
   private final @Nullable NameScope enclosing;
@@ -34,12 +34,12 @@ final class NameScope {
     this.instance = instance;
   }
 
-  /** The instance whose body this is; null in a scene. */
+  /** Returns the instance whose body this is; null in a scene. */
   @Nullable ProtoInstance instance() {
     return instance;
   }
 
-  /** Gives a node its name and returns the node that had it before, if any. */
+  /** Defines a name and returns the node that had it before, if any. */
   @Nullable Named define(String name, Named node) {
     return names.put(name, node);
   }
@@ -52,7 +52,7 @@ final class NameScope {
     return names;
   }
 
-  /** Marks a node whose end tag has not come: a USE of it would make it a part of itself. */
+  /** Marks a node as open, before its end tag: a USE of it would make it contain itself. */
   void open(ParsedNode node) {
     open.add(node);
   }
@@ -62,10 +62,10 @@ final class NameScope {
   }
 
   /**
-   * From here on no node is open: a Script's field may hold a node that the Script stands in, since
-   * what the field holds is no part of the scene.
+   * Marks all nodes as not open: the field of a Script may refer to the Script's ancestors, since
+   * its value is not part of the scene.
    *
-   * @return what {@link #reopen} takes
+   * @return the open nodes, for {@link #reopen}
    */
   Set<ParsedNode> closeAll() {
     Set<ParsedNode> before = open;
@@ -82,10 +82,10 @@ final class NameScope {
   }
 
   /**
-   * Whether a value of an instance is read: what that holds may be for a Script, so it may name a
-   * node that is open.
+   * Sets whether a field value of an instance is being read, which may be for a Script and so may
+   * refer to an open node.
    *
-   * @return what it was before
+   * @return the setting before
    */
   boolean valued(boolean now) {
     boolean before = valued;
@@ -97,7 +97,7 @@ final class NameScope {
     return valued;
   }
 
-  /** Forgets all but the prototypes, when nothing more is read in the scope. */
+  /** Clears everything but the prototypes, when the scope has been read. */
   void keepPrototypes() {
     names.clear();
     open.clear();
@@ -120,12 +120,12 @@ final class NameScope {
     return null;
   }
 
-  /** Marks the name of a node that is left out, which has been told. */
+  /** Marks the name of a node that was left out, which has been reported. */
   void lose(String name) {
     lost.add(name);
   }
 
-  /** Whether the node of that name is left out for a reason that has been told. */
+  /** Returns whether the node of a name was left out for a reported reason. */
   boolean isLost(String name) {
     return lost.contains(name) && !names.containsKey(name);
   }

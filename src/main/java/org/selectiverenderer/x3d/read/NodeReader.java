@@ -14,12 +14,12 @@ import org.selectiverenderer.x3d.field.Flaws;
 import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.ElementLocation;
 
-/** Turns elements into nodes, and gives the statements between them to who reads those. */
+/** Reads node elements, and delegates statements among them to their readers. */
 final class NodeReader {
   /**
-   * A node and where its element asks to be put.
+   * A node with its containerField.
    *
-   * @param containerField as the file gives it, or null
+   * @param containerField the value in the file, or null
    */
   record Child(NameScope.Named named, @Nullable String containerField, Location location) {
     ParsedNode node() {
@@ -33,7 +33,7 @@ final class NodeReader {
     void link(ElementCursor in);
   }
 
-  /** The schemes of programs that stand in a url (ISO/IEC 19777-1, 4.2; VRML97, C.1). */
+  /** The schemes of inline programs in a url (ISO/IEC 19777-1, 4.2; VRML97, C.1). */
   private static final Pattern PROGRAM =
       Pattern.compile("(?i)\\b(ecmascript|javascript|vrmlscript):");
 
@@ -53,15 +53,15 @@ final class NodeReader {
     this.instances = new ProtoInstanceReader(reading, this, routes, connecting);
   }
 
-  /** Reads the current element to its end. Null when it is no node or is left out. */
+  /** Reads the current element to its end; null if it is not a node or is left out. */
   @Nullable Child read(ElementCursor in, NameScope scope) {
     return read(in, scope, null);
   }
 
   /**
-   * The same for the first node of a prototype's body.
+   * Reads the current element, which may be the first node of a prototype's body.
    *
-   * @param name the instance's DEF name, which the node has instead of its own
+   * @param name the instance's DEF name, which replaces that of the node, or null
    */
   @Nullable Child read(ElementCursor in, NameScope scope, @Nullable String name) {
     if (!reading.enter(in.location())) {
@@ -126,7 +126,7 @@ final class NodeReader {
     return new Child(named, containerField, location);
   }
 
-  /** Gives a node its DEF name in a scope, if it has one. */
+  /** Defines the DEF name of a node in a scope, if it has one. */
   void define(NameScope scope, @Nullable String def, NameScope.Named named, Location location) {
     if (def == null) {
       return;
@@ -144,9 +144,7 @@ final class NodeReader {
     }
   }
 
-  /**
-   * Reads an element with USE: the node that has the name, as long as it is a node of that kind.
-   */
+  /** Reads an element with USE, and returns the node of that name. */
   @Nullable Child use(ElementCursor in, NameScope scope, String name, String element) {
     ElementLocation place = in.place();
     int attribute = in.indexOf("USE");
@@ -182,7 +180,7 @@ final class NodeReader {
     return new Child(found, containerField, place.location());
   }
 
-  /** Leaves an element out, so that what refers to names in it needs no further message. */
+  /** Skips an element and marks its names, so that references to them cause no message. */
   private static void lose(ElementCursor in, NameScope scope) {
     loseName(in, scope);
     for (int depth = 1; depth > 0; ) {
@@ -210,7 +208,7 @@ final class NodeReader {
       if (field == null) {
         switch (name) {
           case "DEF", "USE", "containerField", "class", "id", "style", "" -> {
-            // The XML encoding's own attributes, and those of other languages.
+            // attributes of the XML encoding and of foreign namespaces
           }
           default ->
               reading.warning(
@@ -247,8 +245,8 @@ final class NodeReader {
   }
 
   /**
-   * Notes where a program begins that stands in a {@code url} itself, and gives it back its lines:
-   * a comment behind {@code //} ends with one.
+   * Records where an inline program in a {@code url} begins, and restores its line ends, which XML
+   * attribute normalization removed but which end comments after {@code //}.
    */
   private void program(ElementCursor in, int attribute, ParsedNode node) {
     Matcher scheme = PROGRAM.matcher(in.attributeText(attribute));

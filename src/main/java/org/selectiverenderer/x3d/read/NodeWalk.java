@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** Visits the nodes of a file. */
+/** Traverses the nodes of a file. */
 public final class NodeWalk {
   private NodeWalk() {}
 
@@ -21,7 +21,7 @@ public final class NodeWalk {
     while (!open.isEmpty()) {
       ParsedNode node = open.pop();
       if (node.name() != null && !seen.add(node)) {
-        continue; // Only a node with a DEF name can stand in several places.
+        continue; // only a node with a DEF name can have several parents
       }
       visitor.accept(node);
       for (FieldDefinition field : node.type().fields()) {

@@ -13,11 +13,11 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The {@code field} elements of one Script or shader, which become fields of its own (X3D 4.0,
- * 29.2.2 and 31.2.2.3). All become known when the node ends, and with them what IS connects.
+ * Reads the {@code field} elements of one Script or shader node, its author-defined fields (X3D
+ * 4.0, 29.2.2 and 31.2.2.3). They and their IS connections are added to the node at its end.
  */
 final class OwnFields {
-  /** A field that is there already: ClassicVRML declares it anew for each IS that it has. */
+  /** A repeated declaration of a field, as in ClassicVRML for each further IS of the field. */
   private record Repeated(String name, Location location) {}
 
   private final ParsedNode node;
@@ -57,7 +57,7 @@ final class OwnFields {
     Set<ParsedNode> open = scope.closeAll();
     while (in.next()) {
       if (in.name().equals("IS")) {
-        in.skip(); // A field is connected by the IS of its node (ISO/IEC 19776-1, 4.3.11).
+        in.skip(); // a field is connected by the IS of its node (ISO/IEC 19776-1, 4.3.11)
       } else {
         NodeReader.Child child = nodes.read(in, scope);
         if (child != null) {
@@ -90,7 +90,7 @@ final class OwnFields {
             + " already; this one is left out; give it another name");
   }
 
-  /** Whether IS connects a field with more than one of the prototype. */
+  /** Returns whether IS connects a field with several fields of the prototype. */
   private boolean connectedTwice(String name) {
     return connections.stream()
             .flatMap(is -> is.children().stream())
@@ -134,22 +134,22 @@ final class OwnFields {
     if (inner.size() > 1) {
       reading.error(
           location,
-          declared.name() + " can hold only one node; those behind the first are left out");
+          declared.name() + " can have only one node; those after the first are left out");
     }
     return inner.isEmpty() ? null : inner.get(0);
   }
 
-  /** Keeps the current element, an IS, until all fields are known. */
+  /** Records the current element, an IS, until all fields are known. */
   void connectLater(ElementCursor in) {
     connections.add(in.record());
   }
 
-  /** The IS elements kept. */
+  /** Returns the recorded IS elements. */
   List<DocumentElement> connections() {
     return connections;
   }
 
-  /** Gives the node its fields and their values. */
+  /** Adds the fields and their values to the node. */
   void declare() {
     for (Repeated one : repeated) {
       if (!connectedTwice(one.name())) {

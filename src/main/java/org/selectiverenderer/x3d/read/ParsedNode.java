@@ -12,15 +12,15 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.files.ContentBase;
 
 /**
- * A node as a file gives it. A node that is USEd stands as the same object in every place. Values
- * that the file leaves out read as the catalogue's defaults. Written by the reader only; everybody
- * else treats it as immutable.
+ * A node read from a file. A node with USE is the same object in every place. Fields without a
+ * value in the file have the catalogue's defaults. Only readers modify nodes; for all others they
+ * are immutable.
  */
 public final class ParsedNode implements NodeView {
   /**
-   * Names that a Script's or shader's fields of its own cannot have. Others of the node type's
-   * fields came with later versions of X3D, and scenes of earlier ones have fields of those names;
-   * theirs count.
+   * Names that author-defined fields of a Script or shader cannot have. Other field names of these
+   * node types were added by later versions of X3D; since scenes of earlier versions may define
+   * fields of those names, these take precedence.
    */
   public static final Set<String> TAKEN_NAMES =
       Set.of("url", "directOutput", "mustEvaluate", "metadata", "sourceCode", "parts", "language");
@@ -32,15 +32,15 @@ public final class ParsedNode implements NodeView {
   private @Nullable Object[] values;
   private @Nullable Location textLocation;
 
-  /** A node with all fields at their defaults. */
+  /** Creates a node with all fields at their defaults. */
   public ParsedNode(NodeType type, @Nullable String name, Location location) {
     this(type, name, location, null);
   }
 
   /**
-   * The same of a prototype's body.
+   * Creates a node of a prototype's body.
    *
-   * @param base where its relative urls start, if that is not where those of its file do
+   * @param base the base of its relative urls, if it differs from that of the file
    */
   ParsedNode(NodeType type, @Nullable String name, Location location, @Nullable ContentBase base) {
     this.type = type;
@@ -72,40 +72,40 @@ public final class ParsedNode implements NodeView {
   }
 
   /**
-   * Where the relative urls of the node start: in the folder of the file that it is part of, unless
-   * it came with a prototype of another one.
+   * Returns the base of the node's relative urls: that of the file, unless the node is of a
+   * prototype of another file.
    *
-   * @param ofFile that of the file
+   * @param ofFile the base of the file
    */
   public ContentBase base(ContentBase ofFile) {
     return base == null ? ofFile : base.or(ofFile);
   }
 
-  /** Whether the file gives this field a value. */
+  /** Returns whether the file gives the field a value. */
   public boolean given(int field) {
     return values[field] != null;
   }
 
-  /** Gives a field its value, as {@link FieldType} represents it. For readers. */
+  /** Sets the value of a field, as {@link FieldType} represents it. For readers. */
   public void put(int field, Object value) {
     values[field] = value;
   }
 
-  /** Gives the node fields of its own. For readers, before anybody else has the node. */
+  /** Adds author-defined fields. For readers, before the node is published. */
   void declare(List<FieldDefinition> own) {
     type = type.with(own);
     values = Arrays.copyOf(values, type.fields().size());
   }
 
   /**
-   * Where the text of its program begins, if it has one: the characters between its tags, or those
-   * in its {@code url}. Else where the node was read.
+   * Returns where the text of the node's program begins, between its tags or in its {@code url};
+   * without a program, where the node was read.
    */
   public Location textLocation() {
     return textLocation != null ? textLocation : location;
   }
 
-  /** Notes where the text of its program begins. For readers. */
+  /** Sets where the text of the node's program begins. For readers. */
   public void textLocation(Location place) {
     textLocation = place;
   }

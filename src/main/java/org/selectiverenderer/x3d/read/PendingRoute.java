@@ -4,8 +4,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 
 /**
- * A ROUTE as it is written. Its ends are the nodes that have the names where the ROUTE stands, or,
- * if there are none yet, those that have them at the end of the scope.
+ * A ROUTE statement before resolution. Its names refer to the nodes that have them at the position
+ * of the ROUTE, or, if there are none yet, at the end of the scope.
  */
 record PendingRoute(End from, End to, Location location) {
   /** One end of a ROUTE. */

@@ -10,12 +10,12 @@ import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * A prototype: its interface and its body, kept for making instances (X3D 4.0, 4.4.4).
+ * A prototype declaration with its interface and its recorded body (X3D 4.0, 4.4.4).
  *
- * @param environment the scope that declares it, whose prototypes its body may use
- * @param base where relative urls in its body start; null for the file that is being read
+ * @param environment the scope of the declaration, whose prototypes the body may use
+ * @param base the base of relative urls in its body; null for the file that is being read
  * @param angles the unit of the angles in its body
- * @param lacking fields that somebody expects it to have and that it has not, which was told
+ * @param lacking fields missing in the interface that an EXTERNPROTO expects; already reported
  */
 record ProtoDeclaration(
     String name,
@@ -29,7 +29,7 @@ record ProtoDeclaration(
   /**
    * A field of the interface.
    *
-   * @param value the default, or null when the declaration gives none or gives nodes
+   * @param value the default; null if there is none or it consists of nodes
    * @param nodes the default of an SFNode or MFNode
    */
   record Field(
@@ -43,7 +43,9 @@ record ProtoDeclaration(
     return new ProtoDeclaration(name, fields, body, environment, base, angles, Set.copyOf(missing));
   }
 
-  /** The field that takes or sends events under that name, by either spelling. */
+  /**
+   * Returns the field that receives or sends events of a name, with or without prefix or suffix.
+   */
   @Nullable Field event(String name, boolean input) {
     Field field = fields.get(name);
     if (field == null && input && name.startsWith("set_")) {

@@ -10,9 +10,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/**
- * Reads declarations of prototypes; their bodies are kept as elements until there is an instance.
- */
+/** Reads prototype declarations, whose bodies are recorded as elements to be expanded later. */
 final class ProtoDeclarationReader {
   private final ReadState reading;
 
@@ -48,7 +46,7 @@ final class ProtoDeclarationReader {
       }
     }
     if (body == null && in.broken()) {
-      return; // The text broke off within it, which is told.
+      return; // the file is truncated here, which is reported
     }
     if (name == null || body == null) {
       reading.error(location, "a ProtoDeclare needs a name and a ProtoBody; this one is left out");
@@ -83,7 +81,7 @@ final class ProtoDeclarationReader {
         declared.name(), type, declared.access(), parsed, type.isNode() ? children : List.of());
   }
 
-  /** Reads an ExternProtoDeclare; its file is looked for when there is an instance. */
+  /** Reads an ExternProtoDeclare; its file is loaded when there is an instance. */
   void declareExternal(ElementCursor in, NameScope scope) {
     Location location = in.location();
     String name = in.attribute("name");

@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** One use of a prototype: the values of its fields, and what its body connects them with. */
+/** An instance of a prototype: its field values, and the IS connections of its fields. */
 final class ProtoInstance {
-  /** A field within the body that an IS element connects. */
+  /** A node field in the body that an IS element connects. */
   record Connection(NameScope.Named node, String field) {}
 
   private final ProtoDeclaration declaration;
@@ -21,8 +21,10 @@ final class ProtoInstance {
   private final Set<ParsedNode> turning = Collections.newSetFromMap(new IdentityHashMap<>());
 
   /**
-   * @param number among the instances of the file
-   * @param enclosing the instance in whose body it stands, if any
+   * Creates an instance.
+   *
+   * @param number the number among the instances of the file
+   * @param enclosing the instance whose body contains it, if any
    */
   ProtoInstance(ProtoDeclaration declaration, int number, @Nullable ProtoInstance enclosing) {
     this.declaration = declaration;
@@ -34,7 +36,7 @@ final class ProtoInstance {
     return number;
   }
 
-  /** The number of the instance in whose body it stands; -1 for none. */
+  /** Returns the number of the instance whose body contains it; -1 for none. */
   int within() {
     return within;
   }
@@ -47,18 +49,18 @@ final class ProtoInstance {
     values.put(field, value);
   }
 
-  /** The value of a field; null when neither instance nor declaration gives one. */
+  /** Returns the value of a field; null if neither instance nor declaration gives one. */
   @Nullable Object value(ProtoDeclaration.Field field) {
     Object value = values.get(field.name());
     return value != null ? value : field.value();
   }
 
-  /** A node that it is given leads back to one that the instance stands in. */
+  /** Marks a node given to a field as one that contains an ancestor of the instance. */
   void turnsBack(ParsedNode given) {
     turning.add(given);
   }
 
-  /** The same for all that another instance hands on. */
+  /** Marks all such nodes of another instance. */
   void turnsBack(ProtoInstance from) {
     turning.addAll(from.turning);
   }

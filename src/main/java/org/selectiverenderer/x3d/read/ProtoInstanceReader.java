@@ -12,9 +12,9 @@ import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Puts, for each instance of a prototype, a copy of the prototype's body in its place (X3D 4.0,
- * 4.4.4). What comes out holds no prototypes any more: IS fields have their values, and ROUTEs lead
- * to the fields within.
+ * Expands prototype instances: replaces each by a copy of the prototype's body (X3D 4.0, 4.4.4).
+ * The result has no prototypes: fields connected by IS have their values, and ROUTEs lead to the
+ * fields of the nodes in the body.
  */
 final class ProtoInstanceReader {
   private final ReadState reading;
@@ -38,7 +38,7 @@ final class ProtoInstanceReader {
   /**
    * Reads a ProtoInstance.
    *
-   * @param givenName the name of the instance whose body's first node this is, or null
+   * @param givenName the name of the outer instance, if this is the first node of its body, or null
    */
   NodeReader.@Nullable Child instance(
       ElementCursor in, NameScope scope, @Nullable String givenName) {
@@ -90,20 +90,19 @@ final class ProtoInstanceReader {
     return new NodeReader.Child(named, containerField, location);
   }
 
-  /** Whether what an instance makes is within the limit of nodes; false after a message. */
+  /** Returns whether the nodes of an instance are within the limit; false after a message. */
   private boolean fits(ProtoDeclaration declaration, Location location) {
     if (sizes.of(declaration) <= reading.left()) {
       return true;
     }
     reading.error(
         location,
-        ("an instance of the prototype %s makes more than what is left of the %s nodes that a"
-                + " file may have; it is left out")
+        "this instance of the prototype %s exceeds the limit of %s nodes in a file; it is left out"
             .formatted(declaration.name(), reading.limits.maxNodes()));
     return false;
   }
 
-  /** The prototype that a scope knows by a name; null after a message. */
+  /** Returns the prototype of a name in a scope; null after a message. */
   private @Nullable ProtoDeclaration declaration(
       NameScope scope, @Nullable String name, Location location) {
     DeclaredPrototype prototype = name == null ? null : scope.prototype(name);
@@ -188,7 +187,7 @@ final class ProtoInstanceReader {
     return type.multiple() ? List.copyOf(given) : given.isEmpty() ? null : given.get(0);
   }
 
-  /** Makes the nodes of an instance and returns the first of the body, or null after a message. */
+  /** Creates the nodes of an instance; returns the first of the body, or null after a message. */
   private @Nullable ParsedNode expand(
       ProtoInstance instance, @Nullable String name, Location location) {
     ProtoDeclaration declaration = instance.declaration();
@@ -217,7 +216,7 @@ final class ProtoInstanceReader {
     reading.angles(unitOutside);
     expanding.remove(declaration.body());
     if (top.isEmpty() && reading.left() == 0) {
-      return null; // What it has is beyond the limit, which is told.
+      return null; // its nodes are beyond the limit, which is reported
     }
     if (top.isEmpty()) {
       reading.error(

@@ -5,9 +5,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * The prototypes of a file, for other files to use. Several threads may use one.
+ * The prototypes of a file, for use by other files. Thread-safe.
  *
- * <p>What is wrong with it is told to every file that uses it.
+ * <p>Its problems are reported for every file that uses it.
  */
 public final class PrototypeLibrary {
   private final String name;
@@ -16,8 +16,10 @@ public final class PrototypeLibrary {
   private final List<Problem> problems;
 
   /**
-   * @param scope holds its prototypes, and is changed no more
-   * @param first the name of the first prototype in it
+   * Creates a library.
+   *
+   * @param scope the scope with the prototypes, which no longer changes
+   * @param first the name of the first prototype
    */
   PrototypeLibrary(String name, NameScope scope, @Nullable String first, List<Problem> problems) {
     this.name = name;
@@ -26,12 +28,12 @@ public final class PrototypeLibrary {
     this.problems = problems;
   }
 
-  /** The file, as messages name it. */
+  /** Returns the name of the file for messages. */
   public String name() {
     return name;
   }
 
-  /** The scope that holds its prototypes. */
+  /** Returns the scope with the prototypes. */
   NameScope scope() {
     return scope;
   }
@@ -41,16 +43,16 @@ public final class PrototypeLibrary {
   }
 
   /**
-   * The prototype that a url means.
+   * Returns the prototype of a url.
    *
-   * @param fragment its name; empty for the first one
+   * @param fragment the fragment of the url, which is a name; empty for the first prototype
    */
   @Nullable DeclaredPrototype prototype(String fragment) {
     String wanted = fragment.isEmpty() ? first : fragment;
     return wanted == null ? null : scope.prototype(wanted);
   }
 
-  /** Whether a prototype of that name is in it, be it of another file. */
+  /** Returns whether it declares a prototype of a name, possibly as EXTERNPROTO. */
   public boolean has(String prototype) {
     return scope.prototype(prototype) != null;
   }

@@ -10,10 +10,9 @@ import org.selectiverenderer.x3d.source.DocumentAttribute;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Counts the nodes that an instance of a prototype makes, before any is made: prototypes of
- * prototypes multiply, so that a file of a few lines may ask for billions. Each body is counted
- * once. Never more than will be made: prototypes that a body has from other files count as one
- * node.
+ * Counts the nodes of a prototype instance before its expansion: nested prototypes multiply, so
+ * that a file of a few lines may ask for billions of nodes. Each body is counted once. The count is
+ * a lower bound: instances of prototypes of other files count as one node.
  */
 final class PrototypeSize {
   private final NodeCatalogue catalogue;
@@ -22,8 +21,10 @@ final class PrototypeSize {
   private final Map<DocumentElement, Long> known = new IdentityHashMap<>();
 
   /**
-   * @param externs finds the prototypes of other files
-   * @param maxDepth elements within elements beyond which nothing is made
+   * Creates a counter.
+   *
+   * @param externs resolves the prototypes of other files
+   * @param maxDepth the depth of elements beyond which nothing is read
    */
   PrototypeSize(NodeCatalogue catalogue, ExternReader externs, int maxDepth) {
     this.catalogue = catalogue;
@@ -31,12 +32,12 @@ final class PrototypeSize {
     this.maxDepth = maxDepth;
   }
 
-  /** The nodes of an instance, those in its body's instances included. */
+  /** Returns the number of nodes of an instance, including those of instances in its body. */
   long of(ProtoDeclaration declaration) {
     return body(declaration.body(), new Known(declaration.environment(), null), 0);
   }
 
-  /** The prototypes that have a name somewhere: those declared in a body, then those around it. */
+  /** The visible prototypes: those declared in a body, then those of enclosing scopes. */
   private static final class Known {
     private final NameScope around;
     private final @Nullable Known outer;
@@ -53,7 +54,7 @@ final class PrototypeSize {
     if (before != null || depth > maxDepth) {
       return before == null ? 0 : before;
     }
-    known.put(body, 0L); // What contains itself is left out.
+    known.put(body, 0L); // a prototype that contains itself is left out
     long nodes = children(body, new Known(names.around, names), depth);
     known.put(body, nodes);
     return nodes;
@@ -114,7 +115,7 @@ final class PrototypeSize {
     return found == null ? 0 : body(found.body(), new Known(found.environment(), null), depth);
   }
 
-  /** Large sums stay large. */
+  /** Adds without overflow. */
   private static long sum(long a, long b) {
     long sum = a + b;
     return sum < 0 ? Long.MAX_VALUE : sum;

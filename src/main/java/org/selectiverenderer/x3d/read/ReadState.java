@@ -15,7 +15,7 @@ import org.selectiverenderer.x3d.files.ContentBase;
 import org.selectiverenderer.x3d.source.ElementLocation;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
-/** What the parts of one reader share while a file is read. */
+/** The state that the classes of this package share while a file is read. */
 final class ReadState {
   private static final int LONGEST_NAME = 100;
 
@@ -41,9 +41,11 @@ final class ReadState {
   private final List<Problem> externFaults = new ArrayList<>();
 
   /**
-   * @param libraries where prototypes of other files come from
-   * @param ofFile where the relative urls of the file start
-   * @param parts whether what is read is to become part of other nodes
+   * Creates the state of reading one file.
+   *
+   * @param libraries provides the prototypes of other files
+   * @param ofFile the base of the relative urls of the file
+   * @param parts whether the nodes read will become children of other nodes
    */
   ReadState(
       String source,
@@ -62,22 +64,22 @@ final class ReadState {
     this.problems = problems;
   }
 
-  /** A value of an instance names a node that the instance stands in. */
+  /** Counts a field value of an instance that refers to an ancestor of the instance. */
   void turnBack() {
     turns++;
   }
 
-  /** How often that was. */
+  /** Returns how many such references there are. */
   long turns() {
     return turns;
   }
 
-  /** Whether any node may stand at the top: it is to become part of another. */
+  /** Returns whether any node may be at the top level, since it will be a child of another. */
   boolean parts() {
     return parts;
   }
 
-  /** A Script that stands in no other node: it runs although it takes up no place. */
+  /** Adds a Script without a parent, which runs although it is not in the scene graph. */
   void loose(ParsedNode script) {
     loose.add(script);
   }
@@ -90,7 +92,7 @@ final class ReadState {
     return source;
   }
 
-  /** Where relative urls of the prototype's body that is read start; null in the file itself. */
+  /** Returns the base of relative urls in the current prototype body; null in the file itself. */
   @Nullable ContentBase base() {
     return base;
   }
@@ -99,7 +101,7 @@ final class ReadState {
     base = ofBody;
   }
 
-  /** The unit of the angles that are read now: of the file, or of a prototype's. */
+  /** Returns the current unit of angles, that of the file or of a prototype's file. */
   AngleUnit angles() {
     return angles;
   }
@@ -108,7 +110,7 @@ final class ReadState {
     angles = stated;
   }
 
-  /** Reports what is wrong with a prototype of another file, or with what is expected of it. */
+  /** Reports an error of an EXTERNPROTO declaration. */
   void externFault(Problem.Severity severity, Location location, String message) {
     Problem problem = new Problem(severity, location, message);
     externFaults.add(problem);
@@ -119,7 +121,7 @@ final class ReadState {
     return externFaults;
   }
 
-  /** Where relative urls start now: beside the prototype, or else beside the file that uses it. */
+  /** Returns the base of relative urls: that of the prototype, or else of the file that uses it. */
   ContentBase urlBase() {
     return base == null ? ofFile : base.or(ofFile);
   }
@@ -136,7 +138,7 @@ final class ReadState {
     report(new Problem(Problem.Severity.INFO, location, message));
   }
 
-  /** Reports what is wrong with an attribute's value, each at its own place. */
+  /** Reports the errors in an attribute's value, each at its own location. */
   void flaws(
       ElementLocation place,
       int attribute,
@@ -152,7 +154,7 @@ final class ReadState {
     }
   }
 
-  // A fault in a prototype's body is told once, however many instances there are.
+  // An error in a prototype's body is reported once, however many instances there are.
   void report(Problem problem) {
     if (replays > 0 && (replayed.size() >= Problems.LIMIT * 10 || !replayed.add(problem))) {
       return;
@@ -161,18 +163,18 @@ final class ReadState {
     problems.add(problem);
   }
 
-  // Beyond the problems that are listed, looking for places and names would be work for nothing; a
-  // hostile file could make it quadratic.
+  // Beyond the problems that are listed, locations and suggestions are not computed, which could
+  // take quadratic time for a hostile file.
   private boolean crowded() {
     return reported > Problems.LIMIT;
   }
 
-  /** Where an attribute's name stands. */
+  /** Returns the location of an attribute's name. */
   Location at(ElementLocation place, int attribute) {
     return crowded() ? place.location() : place.attribute(attribute);
   }
 
-  /** Asks whether another name was meant, for the middle of a message; empty if none is near. */
+  /** Returns a suggestion of a similar name, for the middle of a message; else "". */
   String question(String name, Iterable<String> candidates) {
     if (crowded() || name.length() > LONGEST_NAME) {
       return "";
@@ -190,7 +192,7 @@ final class ReadState {
     replays--;
   }
 
-  /** Goes one element deeper; false, with a message, when that is too deep. */
+  /** Enters an element; false, after a message, if the nesting is too deep. */
   boolean enter(Location location) {
     if (depth >= limits.maxDepth()) {
       error(
@@ -208,14 +210,14 @@ final class ReadState {
     depth--;
   }
 
-  /** How many nodes there may still be. */
+  /** Returns how many nodes may still be read. */
   int left() {
     return Math.max(0, limits.maxNodes() - spent);
   }
 
   /**
-   * Counts a node, or something that costs as much; false, with one message, when the limit is
-   * reached.
+   * Counts a node, or something of similar cost; returns false if the limit is reached, which is
+   * reported once.
    */
   boolean spend(Location location) {
     if (spent < limits.maxNodes()) {

@@ -11,7 +11,7 @@ import org.selectiverenderer.x3d.catalogue.FormerNames;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** Reads ROUTE elements and finds out what they connect (X3D 4.0, 4.4.8.2). */
+/** Reads ROUTE elements and resolves their fields (X3D 4.0, 4.4.8.2). */
 final class RouteReader {
   private final ReadState reading;
   private final List<X3dFile.ParsedRoute> routes = new ArrayList<>();
@@ -25,12 +25,12 @@ final class RouteReader {
     return routes;
   }
 
-  /** Those that lead to or from imported nodes. */
+  /** Returns the routes to or from imported nodes. */
   List<X3dFile.ImportedRoute> imported() {
     return imported;
   }
 
-  /** What the fields of an instance stand for, for ROUTEs of other files. */
+  /** Returns the node fields of an instance's fields, for ROUTEs of other files. */
   X3dFile.InstanceFields fields(NameScope.Named named, ProtoInstance instance) {
     Map<String, List<X3dFile.End.Own>> inputs = new HashMap<>();
     Map<String, List<X3dFile.End.Own>> outputs = new HashMap<>();
@@ -49,7 +49,7 @@ final class RouteReader {
     return new X3dFile.InstanceFields(Map.copyOf(inputs), Map.copyOf(outputs));
   }
 
-  /** Reads the current element; its ends are checked at the end of the scope. */
+  /** Reads the current element; it is resolved at the end of the scope. */
   void read(ElementCursor in, NameScope scope) {
     Location location = in.location();
     PendingRoute.End from = end(in, scope, "fromNode", "fromField");
@@ -72,7 +72,7 @@ final class RouteReader {
         : new PendingRoute.End(node, field, scope.find(node));
   }
 
-  /** Connects the ROUTEs of a scope whose nodes have all been read. */
+  /** Resolves the ROUTEs of a scope after all its nodes have been read. */
   void connect(NameScope scope) {
     for (PendingRoute route : scope.routes()) {
       List<X3dFile.End> sources = ends(scope, route, route.from(), false);
@@ -104,7 +104,7 @@ final class RouteReader {
     }
   }
 
-  /** The fields that an end stands for, or null after a message. */
+  /** Returns the fields at an end of a ROUTE, or null after a message. */
   private @Nullable List<X3dFile.End> ends(
       NameScope scope, PendingRoute route, PendingRoute.End end, boolean input) {
     NameScope.Named named = end.found() != null ? end.found() : scope.find(end.node());
@@ -146,8 +146,8 @@ final class RouteReader {
   }
 
   /**
-   * Adds the fields that a name of a node stands for: one, or for an instance all those that its
-   * body connects. False if it has no such field.
+   * Adds the fields to which a field name of a node resolves: one, or for an instance all those
+   * that IS connects in its body. Returns false if there is no such field.
    */
   static boolean resolve(
       NameScope.Named named, String field, boolean input, List<? super X3dFile.End.Own> into) {
@@ -166,7 +166,7 @@ final class RouteReader {
       return false;
     }
     for (ProtoInstance.Connection connection : instance.connections(declared.name())) {
-      // A connected field of the other direction only is no fault of the ROUTE.
+      // a connected field of the other direction only is not an error of the ROUTE
       resolve(connection.node(), connection.field(), input, into);
     }
     return true;

@@ -12,7 +12,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementLocation;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
-/** Walks through elements that are there: those of a document, or of a prototype's body. */
+/** A cursor over recorded elements, of a document or of a prototype's body. */
 final class TreeCursor implements ElementCursor {
   private final ReadState reading;
   private final boolean broken;
@@ -34,14 +34,14 @@ final class TreeCursor implements ElementCursor {
     this.broken = broken;
   }
 
-  /** A walk that starts before a document's root element. */
+  /** Returns a cursor before a document's root element. */
   static TreeCursor of(XmlDocument document, ReadState reading) {
     TreeCursor cursor = new TreeCursor(reading, document.broken());
     cursor.path.push(new Level(document.root().map(List::of).orElse(List.of())));
     return cursor;
   }
 
-  /** A walk whose current element is that one. */
+  /** Returns a cursor at an element. */
   static TreeCursor at(DocumentElement element, ReadState reading) {
     TreeCursor cursor = new TreeCursor(reading, false);
     cursor.enter(element);
@@ -103,7 +103,7 @@ final class TreeCursor implements ElementCursor {
     return element().attributes().get(index).text();
   }
 
-  /** What is wrong with a value is told once, however often it is asked for. */
+  /** Reports the errors of a value once, however often it is read. */
   @Override
   public @Nullable Object attributeValue(int index, FieldType type) {
     DocumentAttribute attribute = element().attributes().get(index);

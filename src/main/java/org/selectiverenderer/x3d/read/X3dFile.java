@@ -8,23 +8,23 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.base.problem.Problem;
 
 /**
- * An X3D file as read: its head and its scene.
+ * A scene read from a file, with its head statements.
  *
  * @param source the file's name as the user or an Inline gave it
  * @param version for example {@code 4.0}
  * @param profile for example {@code Immersive}
  * @param components component name to level
- * @param meta the meta elements in order, name and content
- * @param units the unit elements: category, name, conversion factor to the standard's base unit
- * @param nodes the nodes at the top of the scene
- * @param loose Scripts behind the first node of a prototype's body, which stand in no other node
+ * @param meta the meta elements in document order
+ * @param units the unit elements in document order
+ * @param nodes the root nodes of the scene
+ * @param loose Scripts without a parent, after the first node of a prototype's body
  * @param named DEF name to node, in document order
  * @param routes the ROUTE elements in document order
- * @param importedRoutes those of them that lead to or from an imported node
- * @param exportedInstances the fields of exported instances of prototypes, by the exported name
- * @param instances the instances of prototypes: what their interfaces stand for
- * @param externFaults what is wrong with prototypes of other files that it uses; told already
- * @param prototypes those that its scene declares, for instances made later; null for none
+ * @param importedRoutes the routes to or from imported nodes
+ * @param exportedInstances the fields of exported prototype instances, by exported name
+ * @param instances the prototype instances with their interfaces
+ * @param externFaults the errors of EXTERNPROTO declarations; already reported
+ * @param prototypes the prototypes of the scene, for instances created later; null for none
  */
 public record X3dFile(
     String source,
@@ -45,7 +45,7 @@ public record X3dFile(
     List<Problem> externFaults,
     @Nullable PrototypeLibrary prototypes) {
 
-  /** The nodes at the top of the scene, then those that stand in no other node. */
+  /** Returns the root nodes of the scene, then the Scripts without a parent. */
   public List<ParsedNode> allNodes() {
     if (loose.isEmpty()) {
       return nodes;
@@ -55,7 +55,7 @@ public record X3dFile(
     return all;
   }
 
-  /** The length factor that the units state: metres per unit (X3D 4.0, 4.3.6). */
+  /** Returns the unit of length in metres (UNIT statement, X3D 4.0, 4.3.6). */
   public double unitLength() {
     return units.stream()
         .filter(unit -> unit.category().equals("length"))
@@ -64,18 +64,18 @@ public record X3dFile(
         .orElse(1);
   }
 
-  /** A file of which nothing could be read. */
+  /** Returns the empty scene of a file that could not be read. */
   static X3dFile empty(String source) {
     return plain(source, List.of(), List.of());
   }
 
-  /** A file of one node, for what is to be read of a node without a file of its own. */
+  /** Returns a scene of one node. */
   public static X3dFile of(ParsedNode node, double unitLength) {
     return plain(
         node.location().file(), List.of(new Unit("length", "", unitLength)), List.of(node));
   }
 
-  /** A file of nodes without names, routes and what else a scene may have. */
+  /** Returns a scene of nodes only. */
   private static X3dFile plain(String source, List<Unit> units, List<ParsedNode> nodes) {
     return new X3dFile(
         source,
@@ -103,7 +103,7 @@ public record X3dFile(
   /** A UNIT statement. */
   public record Unit(String category, String name, double conversionFactor) {}
 
-  /** A ROUTE whose ends are checked: nodes exist, fields exist, types agree. */
+  /** A ROUTE whose nodes and fields exist and whose field types agree. */
   public record ParsedRoute(ParsedNode from, int fromField, ParsedNode to, int toField) {}
 
   /** One end of a ROUTE. */
@@ -112,21 +112,22 @@ public record X3dFile(
     record Own(ParsedNode node, int field) implements End {}
 
     /**
-     * A field of a node of another file, which an IMPORT names.
+     * A field of an imported node of another file.
      *
-     * @param field as the ROUTE spells it
+     * @param field the name of the field in the ROUTE
      */
     record Imported(String name, String field) implements End {}
   }
 
-  /** A ROUTE of which one end at least becomes known when an Inline has its content. */
+  /** A ROUTE to or from an imported node, which is resolved when its Inline is loaded. */
   public record ImportedRoute(End from, End to, Location location) {}
 
   /**
-   * What the fields of an instance of a prototype stand for, by every name that a ROUTE may use.
+   * The node fields to which the fields of a prototype instance resolve, by every name that a ROUTE
+   * may use.
    *
-   * @param inputs of fields that take events
-   * @param outputs of fields that send events
+   * @param inputs the fields that receive events
+   * @param outputs the fields that send events
    */
   public record InstanceFields(
       Map<String, List<End.Own>> inputs, Map<String, List<End.Own>> outputs) {}

@@ -26,16 +26,16 @@ import org.selectiverenderer.x3d.source.XmlEvents;
 import org.selectiverenderer.x3d.vrml.VrmlParser;
 
 /**
- * Reads scenes of X3D 3.0 to 4.0 in its XML encoding (ISO/IEC 19776-1), as ClassicVRML (ISO/IEC
- * 19776-2) and as JSON, and of VRML97 (ISO/IEC 14772-1), plain or compressed by gzip; the first
- * bytes of a file tell which it is. Whatever a file holds, reading it ends with a scene of what
- * could be read, problems with their places for the rest, and bounded memory. Nothing is fetched:
- * no DOCTYPE, no entity, no Inline; prototypes of other files come from whom {@link #with} names.
+ * Reads scenes of X3D 3.0 to 4.0 in the XML (ISO/IEC 19776-1), ClassicVRML (ISO/IEC 19776-2) and
+ * JSON encodings, and of VRML97 (ISO/IEC 14772-1), plain or compressed by gzip; the encoding is
+ * detected by the first bytes. For any input the result is a scene of the valid parts and problems
+ * with locations for the others, in bounded memory. Nothing is fetched: no DTD, no external entity,
+ * no Inline; prototypes of other files are provided by {@link #with}.
  *
- * <p>Prototypes are replaced by what they stand for. Of an instance's body the first node takes the
- * instance's place; further nodes of the body are reachable by routes only.
+ * <p>Prototype instances are expanded. The first node of the body replaces the instance; further
+ * nodes of the body are reachable by routes only.
  *
- * <p>Immutable; several threads may read different files with one reader.
+ * <p>Immutable and thread-safe.
  */
 public final class X3dReader {
   private final NodeCatalogue catalogue;
@@ -44,17 +44,17 @@ public final class X3dReader {
   private final ContentBase base;
   private final boolean parts;
 
-  /** A reader with the usual limits. */
+  /** Creates a reader with the standard limits. */
   public X3dReader(NodeCatalogue catalogue) {
     this(catalogue, ReadLimits.standard());
   }
 
-  /** The node types that it knows. */
+  /** Returns the catalogue of node types. */
   public NodeCatalogue catalogue() {
     return catalogue;
   }
 
-  /** A reader with limits of your own. */
+  /** Creates a reader with given limits. */
   public X3dReader(NodeCatalogue catalogue, ReadLimits limits) {
     this(catalogue, limits, Libraries.none(), ContentBase.folder(Path.of("")), false);
   }
@@ -73,16 +73,16 @@ public final class X3dReader {
   }
 
   /**
-   * A reader of files that use prototypes of other files.
+   * Returns a reader of files that use prototypes of other files.
    *
-   * @param from where those come from
-   * @param newBase where the relative urls of what is read start
+   * @param from provides those prototypes
+   * @param newBase the base of the relative urls of the files
    */
   public X3dReader with(Libraries from, ContentBase newBase) {
     return new X3dReader(catalogue, limits, from, newBase, parts);
   }
 
-  /** A reader of parts of scenes: nodes that others are given, so that any may stand at the top. */
+  /** Returns a reader of scene fragments, in which any node may be at the top level. */
   public X3dReader ofParts() {
     return new X3dReader(catalogue, limits, libraries, base, true);
   }
@@ -94,7 +94,7 @@ public final class X3dReader {
   /**
    * Reads the prototypes of a file.
    *
-   * @throws IOException if it cannot be read, or nothing of it is to be
+   * @throws IOException if it cannot be read or is refused
    */
   PrototypeLibrary library(Content content) throws IOException {
     XmlDocument document;
@@ -113,9 +113,9 @@ public final class X3dReader {
   }
 
   /**
-   * Reads a file; problems name it as the path is given.
+   * Reads a file; problems name it by the given path.
    *
-   * @throws IOException if the file is missing or cannot be read, with a message of one line that
+   * @throws IOException if the file is missing or cannot be read, with a one-line message that
    *     names it
    */
   public X3dFile read(Path file, Problems problems) throws IOException {
@@ -138,7 +138,7 @@ public final class X3dReader {
   /**
    * Reads a stream to its end; the caller closes it.
    *
-   * @param source the name that problems call it by
+   * @param source the name of the scene in problems
    * @throws IOException if the stream itself fails
    */
   public X3dFile read(String source, InputStream in, Problems problems) throws IOException {
@@ -148,8 +148,8 @@ public final class X3dReader {
   /**
    * Reads a stream of known length to its end; the caller closes it.
    *
-   * @param source the name that problems call it by
-   * @param size in bytes, about; saves copying
+   * @param source the name of the scene in problems
+   * @param size the approximate size in bytes, which saves copying
    * @throws IOException if the stream itself fails
    */
   public X3dFile read(String source, InputStream in, long size, Problems problems)
@@ -158,28 +158,28 @@ public final class X3dReader {
   }
 
   /**
-   * Reads a file that is in memory.
+   * Reads a scene in memory.
    *
-   * @param source the name that problems call it by
+   * @param source the name of the scene in problems
    */
   public X3dFile read(String source, byte[] bytes, Problems problems) {
     return parse(source, Preflight.of(source, SceneBytes.of(bytes, limits)), problems);
   }
 
   /**
-   * Reads a text that is open in an editor.
+   * Reads a text, such as one being edited.
    *
-   * @param source the name that problems call it by
+   * @param source the name of the scene in problems
    */
   public X3dFile read(String source, CharSequence text, Problems problems) {
     return parse(source, Preflight.of(source, SourceText.of(text)), problems);
   }
 
   /**
-   * Makes a file of an instance of a prototype, with the default values of its fields.
+   * Returns a scene of one prototype instance with the default values of its fields.
    *
-   * @param source the name that problems call it by
-   * @param name of a prototype of the library
+   * @param source the name of the scene in problems
+   * @param name the name of a prototype of the library
    */
   public X3dFile instance(String source, PrototypeLibrary library, String name, Problems problems) {
     String text =
@@ -191,20 +191,19 @@ public final class X3dReader {
   }
 
   /**
-   * Reads a stream to its end as a document: all elements with their places, whatever they mean.
-   * The caller closes the stream.
+   * Parses a stream to a document, the tree of all elements with their locations, without
+   * interpreting them. The caller closes the stream.
    *
-   * @param source the name that places call it by
-   * @param size in bytes, about; saves copying
-   * @throws IOException if the stream itself fails; whatever is wrong with the text is a fault of
-   *     the document
+   * @param source the name of the document in locations
+   * @param size the approximate size in bytes, which saves copying
+   * @throws IOException if the stream fails; syntax errors are faults of the document
    */
   public XmlDocument document(String source, InputStream in, long size) throws IOException {
     SceneBytes bytes = SceneBytes.read(in, size, limits);
     return DocumentParser.parse(source, bytes, catalogue, limits, this::parser);
   }
 
-  /** Makes the scene that a document describes, without parsing it again. */
+  /** Returns the scene of a document, without parsing it again. */
   public X3dFile scene(XmlDocument document, Problems problems) {
     ReadState reading = state(document.name(), problems);
     return new DocumentReader(reading).read(TreeCursor.of(document, reading));
@@ -245,7 +244,7 @@ public final class X3dReader {
     return file;
   }
 
-  /** A scene that is no XML: its elements first, then what they mean. */
+  /** Reads a scene in an encoding other than XML, by way of its element tree. */
   private X3dFile tree(Preflight preflight, Problems problems) {
     XmlDocument document = DocumentParser.parse(preflight, catalogue, limits, this::parser);
     X3dFile file = scene(document, problems);

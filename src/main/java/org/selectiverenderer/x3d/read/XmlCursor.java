@@ -14,8 +14,8 @@ import org.selectiverenderer.x3d.source.ElementLocation;
 import org.selectiverenderer.x3d.source.XmlEvents;
 
 /**
- * Walks through the elements of a file while it is parsed. Where the XML breaks off or is not well
- * formed, all open elements end, so that what was read up to there is kept.
+ * A cursor over the elements of a file while it is parsed. Where the XML is truncated or not
+ * well-formed, all open elements end, so that the part before is kept.
  */
 final class XmlCursor implements ElementCursor {
   private final XmlEvents xml;
@@ -27,9 +27,9 @@ final class XmlCursor implements ElementCursor {
   private boolean broken;
 
   /**
-   * Starts before the root element.
+   * Creates a cursor before the root element.
    *
-   * @param cut whether the end of the text has been reported as missing already
+   * @param cut whether it has already been reported that the text is truncated
    */
   XmlCursor(XmlEvents xml, ReadState reading, boolean cut) {
     this.xml = xml;
@@ -69,7 +69,7 @@ final class XmlCursor implements ElementCursor {
                 place().location(),
                 "entities of a DOCTYPE are never expanded; &" + xml.entity() + "; is left out");
         default -> {
-          // Comments, processing instructions and the DOCTYPE say nothing about the scene.
+          // comments, processing instructions and the DOCTYPE are not part of the scene
         }
       }
     }

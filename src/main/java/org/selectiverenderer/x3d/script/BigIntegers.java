@@ -12,21 +12,21 @@ import org.mozilla.javascript.ast.BigIntLiteral;
 import org.mozilla.javascript.ast.NodeVisitor;
 
 /**
- * Integers of any length, such as {@code 2n}, which programs may not have: one operation on them
- * can take hours and all memory, and nothing can stop it.
+ * Detects BigInt literals, such as {@code 2n}, which programs may not use: one operation on them
+ * can take hours and all memory, and cannot be interrupted.
  */
 public final class BigIntegers {
-  /** What is said of them. */
+  /** The error message. */
   public static final String REFUSED = "integers of any length, such as 2n, are not supported";
 
-  /** Programs without anything alike, nearly all, are not parsed for their sake. */
+  /** A pre-filter; programs without a match, nearly all, are not parsed. */
   private static final Pattern ALIKE = Pattern.compile("[0-9a-fA-F]n\\b");
 
   private BigIntegers() {}
 
   /**
-   * The line of the first one in a program, from 1; empty if there is none. What is no ECMAScript
-   * has none.
+   * Returns the line, from 1, of the first BigInt literal in a program; empty if there is none or
+   * the program is not ECMAScript.
    */
   public static Optional<Integer> line(String program) {
     if (!ALIKE.matcher(program).find()) {
@@ -37,7 +37,7 @@ public final class BigIntegers {
     try {
       return line(new Parser(settings).parse(program, "script", 1));
     } catch (EvaluatorException | StackOverflowError e) {
-      return Optional.empty(); // Who compiles it says what is wrong.
+      return Optional.empty(); // the compiler reports the error
     }
   }
 

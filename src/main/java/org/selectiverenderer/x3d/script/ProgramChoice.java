@@ -11,29 +11,31 @@ import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * The program that a Script means: the text between its tags, or else the first of its urls that
+ * The selected program of a Script: the text between its tags, or else the first of its urls that
  * can be used (X3D 4.0, 29.2.3 and 29.4.1).
  */
 public sealed interface ProgramChoice {
-  /** What is said of other languages. */
+  /** The end of the message about other languages. */
   String NOT_OURS = ", which is not run; write it in ECMAScript";
 
-  /** The text stands in the scene. */
+  /** A program in the scene. */
   record Text(ScriptProgram program) implements ProgramChoice {}
 
-  /** The text is in a file of its own. */
+  /** A program in a file of its own. */
   record File(Content content) implements ProgramChoice {}
 
   /**
-   * There is none that can be used.
+   * No usable program.
    *
-   * @param problem why; a Script without any program is worth a remark only
-   * @param language what is said of it, where it is in another language; null otherwise
+   * @param problem the reason; only an information for a Script without any program
+   * @param language the message for a program in another language; null otherwise
    */
   record None(Problem problem, @Nullable String language) implements ProgramChoice {}
 
   /**
-   * @param base where the relative urls of the Script start
+   * Selects the program of a Script.
+   *
+   * @param base the base of the relative urls of the Script
    */
   static ProgramChoice of(ParsedNode script, ContentRoot root, ContentBase base) {
     @Nullable String reason = null;
@@ -77,7 +79,7 @@ public sealed interface ProgramChoice {
         language);
   }
 
-  /** What is said of a url that names or holds a program in another language; else empty. */
+  /** Returns the message for a url of a program in another language; else empty. */
   static Optional<String> otherLanguage(String url) {
     return isJava(url)
         ? Optional.of("is a program in Java, which is never run; write it in ECMAScript")

@@ -21,23 +21,23 @@ import org.mozilla.javascript.ast.VariableDeclaration;
 import org.mozilla.javascript.ast.VariableInitializer;
 
 /**
- * What can be said of a program without running it.
+ * The result of parsing a program without running it.
  *
- * @param faults what is no ECMAScript, in order; where there are any, functions are not known
- * @param names what its functions and variables at the top are called
+ * @param faults the syntax errors, in order; if there are any, {@code names} is empty
+ * @param names the names of its top-level functions and variables
  */
 public record ProgramSyntax(List<Fault> faults, Set<String> names) {
-  /** Faults listed of one program: the first is what matters. */
+  /** The maximum number of errors listed per program. */
   private static final int MOST = 3;
 
   /**
-   * A place that is no ECMAScript.
+   * A syntax error.
    *
-   * @param line of the program, from 1
+   * @param line the line of the program, from 1
    */
   public record Fault(int line, String message) {}
 
-  /** The syntax of a Script's program. */
+  /** Parses a Script's program. */
   public static ProgramSyntax of(ScriptProgram program) {
     Listing faults = new Listing();
     CompilerEnvirons settings = new CompilerEnvirons();
@@ -47,7 +47,7 @@ public record ProgramSyntax(List<Fault> faults, Set<String> names) {
     try {
       root = new Parser(settings, faults).parse(program.text(), "script", 1);
     } catch (EvaluatorException e) {
-      // Rhino ends by this after it has reported the faults.
+      // Rhino throws this after it has reported the errors
       if (faults.list.isEmpty()) {
         faults.add(e.lineNumber(), e.details());
       }
@@ -94,7 +94,7 @@ public record ProgramSyntax(List<Fault> faults, Set<String> names) {
     @Override
     public void warning(
         String message, @Nullable String file, int line, @Nullable String text, int offset) {
-      // A matter of style.
+      // warnings concern style only
     }
 
     @Override

@@ -12,14 +12,14 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 /**
  * The text of a Script's program.
  *
- * @param text ECMAScript
- * @param start where its first character stands: in a scene, or in a file of its own
+ * @param text the ECMAScript text
+ * @param start the location of its first character, in a scene or in a file of its own
  */
 public record ScriptProgram(String text, Location start) {
-  /** Far more than anybody writes. */
+  /** The maximum size of a program file in bytes. */
   public static final int MAX_BYTES = 4 << 20;
 
-  /** The schemes of programs that stand in a url (ISO/IEC 19777-1, 4.2; VRML97, C.1). */
+  /** The schemes of inline programs in a url (ISO/IEC 19777-1, 4.2; VRML97, C.1). */
   private static final Pattern SCHEME =
       Pattern.compile("\\A\\s*(?:ecmascript|javascript|vrmlscript):", Pattern.CASE_INSENSITIVE);
 
@@ -28,24 +28,24 @@ public record ScriptProgram(String text, Location start) {
           "\\A\\s*(?:data:[a-z]+/(?:x-)?(?!ecma|java|vrml))?([a-z]+script|compiled)[:,;]",
           Pattern.CASE_INSENSITIVE);
 
-  /** The language that a text says it is in, such as {@code castlescript}; empty for ours. */
+  /** Returns the declared language, such as {@code castlescript}; empty for ECMAScript. */
   static Optional<String> otherLanguage(String text) {
     Matcher other = OTHER.matcher(text);
     return other.lookingAt() && !isText(text) ? Optional.of(other.group(1)) : Optional.empty();
   }
 
-  /** Whether a url is a program itself. */
+  /** Returns whether a url is an inline program. */
   static boolean isText(String url) {
     return SCHEME.matcher(url).lookingAt();
   }
 
-  /** A program that may begin with a scheme, as texts in scenes do. */
+  /** Returns the program of a text, without the scheme at its start, if any. */
   static ScriptProgram of(String text, Location start) {
     Matcher scheme = SCHEME.matcher(text);
     return new ScriptProgram(scheme.lookingAt() ? text.substring(scheme.end()) : text, start);
   }
 
-  /** The program that stands in the scene itself: in its text, or in the first url that is one. */
+  /** Returns the program of a Script's text or first url, if it is inline. */
   public static Optional<ScriptProgram> in(ParsedNode script) {
     String text = script.string("sourceCode");
     if (!text.isBlank() && otherLanguage(text).isEmpty()) {
@@ -60,14 +60,14 @@ public record ScriptProgram(String text, Location start) {
   /**
    * Reads a program's file.
    *
-   * @throws IOException when it cannot be read or is larger than {@value #MAX_BYTES} bytes
+   * @throws IOException if it cannot be read or is larger than {@value #MAX_BYTES} bytes
    */
   public static ScriptProgram read(Content file) throws IOException {
     return new ScriptProgram(
         new String(file.bytes(MAX_BYTES), StandardCharsets.UTF_8), new Location(file.name(), 1, 1));
   }
 
-  /** Where a line of the text stands, counted from 1. */
+  /** Returns the location of a line of the text, counted from 1. */
   public Location line(int line) {
     if (line <= 1 || start.line() == 0) {
       return start;

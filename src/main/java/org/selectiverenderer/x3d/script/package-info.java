@@ -1,11 +1,11 @@
 /**
- * The programs of Script nodes as texts (X3D 4.0, clause 29): which of a node's urls is the one,
- * and whether its text is ECMAScript.
+ * Selects and checks the programs of Script nodes (X3D 4.0, clause 29): the program among a node's
+ * text and urls, and its ECMAScript syntax.
  *
- * <p>In: a node of a file. Out: the text of its program with its place, or why there is none;
- * faults of its language. Nothing is run here: that is {@code runtime.script}. Uses Rhino's parser,
- * for which {@code docs/scripts.md} gives reasons, {@code x3d.files}, {@code x3d.catalogue}, {@code
- * x3d.read} and {@code base.problem}.
+ * <p>In: a node of a file. Out: the text of its program with its location, or the reason why there
+ * is none; syntax errors. {@code runtime.script} runs the programs. Uses Rhino's parser, for which
+ * {@code docs/scripts.md} gives reasons, {@code x3d.files}, {@code x3d.catalogue}, {@code x3d.read}
+ * and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.x3d.script;

@@ -9,31 +9,33 @@ import org.selectiverenderer.x3d.files.UrlChoice;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * The text that a ShaderPart or ShaderProgram means: that between its tags, or else the first of
- * its urls that can be used (X3D 4.0, 31.4.7 and 31.4.8).
+ * The selected source text of a ShaderPart or ShaderProgram: the text between its tags, or else the
+ * first of its urls that can be used (X3D 4.0, 31.4.7 and 31.4.8).
  */
 public sealed interface ShaderChoice {
-  /** The text stands in the scene. */
+  /** A source text in the scene. */
   record Text(ShaderText text) implements ShaderChoice {}
 
-  /** The text is in a file of its own. */
+  /** A source text in a file of its own. */
   record File(Content content) implements ShaderChoice {}
 
   /**
-   * There is none that can be used.
+   * No usable source text.
    *
-   * @param problem why
+   * @param problem the reason
    */
   record None(Problem problem) implements ShaderChoice {}
 
   /**
-   * @param base where the relative urls of the part start
-   * @param consequence what is done when there is none
+   * Selects the source text of a part.
+   *
+   * @param base the base of the relative urls of the part
+   * @param consequence the consequence if there is none, for the message
    */
   static ShaderChoice of(ParsedNode part, ContentRoot root, ContentBase base, String consequence) {
     String own = part.string("sourceCode");
     if (!own.isBlank()) {
-      // Some write the text between the tags as they would in a url.
+      // some authors write a data: url between the tags
       String text = ShaderText.in(own).orElse(own);
       return new Text(new ShaderText(text, part.textLocation()));
     }

@@ -8,22 +8,22 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.files.Content;
 
 /**
- * The text of one stage of a shader's program.
+ * The source text of one stage of a shader program.
  *
- * @param text in the shader's language
- * @param start where its first character stands: in a scene, or in a file of its own
+ * @param text the text in the shading language
+ * @param start the location of its first character, in a scene or in a file of its own
  */
 public record ShaderText(String text, Location start) {
-  /** Far more than anybody writes. */
+  /** The maximum size of a shader file in bytes. */
   public static final int MAX_BYTES = 1 << 20;
 
-  /** Characters of a url up to the comma of its data: a media type and no more. */
+  /** The maximum length of the part of a data: url before the comma. */
   private static final int LONGEST_TYPE = 100;
 
   /**
-   * The text that stands in a url itself: after {@code data:text/plain,} as it is written in
-   * scenes, with blanks and new lines, or as text without any scheme. Empty for the name of a file,
-   * and for {@code data:} urls that are written as the network has it (RFC 2397).
+   * Returns the inline text of a url: unencoded after {@code data:text/plain,}, as is usual in
+   * scenes, or without any scheme. Empty for the name of a file, and for properly encoded {@code
+   * data:} urls (RFC 2397).
    */
   static Optional<String> in(String url) {
     boolean plain = url.contains("\n") || url.contains("{") || url.contains(";\t");
@@ -39,14 +39,14 @@ public record ShaderText(String text, Location start) {
         comma < 0
             || comma > LONGEST_TYPE
             || url.substring(0, comma).toLowerCase(Locale.ROOT).contains("base64");
-    // Written by hand a % is a %; who encodes it writes %25.
+    // a hand-written % stands for itself; encoded text has %25
     return encoded ? Optional.empty() : Optional.of(url.substring(comma + 1).replace("%25", "%"));
   }
 
   /**
    * Reads a file.
    *
-   * @throws IOException when it cannot be read or is larger than {@value #MAX_BYTES} bytes
+   * @throws IOException if it cannot be read or is larger than {@value #MAX_BYTES} bytes
    */
   public static ShaderText read(Content file) throws IOException {
     return new ShaderText(
@@ -54,10 +54,10 @@ public record ShaderText(String text, Location start) {
   }
 
   /**
-   * Where a place of the text stands.
+   * Returns the location of a position in the text.
    *
-   * @param line from 1
-   * @param column from 1, or 0 when it is not known
+   * @param line the line, from 1
+   * @param column the column, from 1, or 0 if unknown
    */
   public Location at(int line, int column) {
     if (start.line() == 0 || line < 1) {

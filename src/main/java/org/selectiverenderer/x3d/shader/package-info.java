@@ -1,9 +1,9 @@
 /**
- * The programs of shaders as texts (X3D 4.0, clause 31): which of a part's urls is the one.
+ * Selects the source texts of shader nodes (X3D 4.0, clause 31).
  *
- * <p>In: a ShaderPart or ShaderProgram of a file. Out: its text with its place, or why there is
- * none. What the text says is the business of {@code runtime.render.glsl}. Uses {@code x3d.files},
- * {@code x3d.read} and {@code base.problem}.
+ * <p>In: a ShaderPart or ShaderProgram of a file. Out: its text with its location, or the reason
+ * why there is none. {@code runtime.render.glsl} compiles the texts. Uses {@code x3d.files}, {@code
+ * x3d.read} and {@code base.problem}.
  */
 @NullMarked
 package org.selectiverenderer.x3d.shader;

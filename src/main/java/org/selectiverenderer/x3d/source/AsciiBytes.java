@@ -5,8 +5,8 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * Looks through large texts eight bytes at a time, which takes a tenth of the time that it takes
- * one by one: all of a scene's text is looked through before it is parsed.
+ * Scans bytes eight at a time (SWAR, SIMD within a register), ten times as fast as byte by byte;
+ * all of a scene's text is scanned before it is parsed.
  */
 final class AsciiBytes {
   private static final VarHandle EIGHT =
@@ -16,12 +16,12 @@ final class AsciiBytes {
   private static final long HIGHEST_BITS = 0x80 * ONES;
   private static final long ANGLES = '<' * ONES;
 
-  /** What is looked through by one call, since the virtual machine compiles calls soonest. */
+  /** The number of bytes scanned by one call; HotSpot compiles calls sooner than long loops. */
   private static final int BLOCK = 512;
 
   private AsciiBytes() {}
 
-  /** Whether all are letters of ASCII. */
+  /** Returns whether all bytes are ASCII. */
   static boolean only(byte[] bytes, int from, int to) {
     for (int at = from; at < to; at += BLOCK) {
       if (!onlyWithin(bytes, at, Math.min(to, at + BLOCK))) {
@@ -43,7 +43,7 @@ final class AsciiBytes {
     return (all & HIGHEST_BITS) == 0;
   }
 
-  /** Where the first {@code <} or {@code =} stands; {@code to} if there is none in between. */
+  /** Returns the offset of the first {@code <} or {@code =}, or {@code to} if there is none. */
   static int mark(byte[] bytes, int from, int to) {
     int at = from;
     while (at < to) {
@@ -58,7 +58,7 @@ final class AsciiBytes {
 
   private static int markWithin(byte[] bytes, int from, int to) {
     int at = from;
-    // The two differ in their lowest bit only. A byte is zero where taking one from it borrows.
+    // < and = differ in the lowest bit only; x - 1 borrows from the high bit if the byte is zero
     for (; at <= to - 8; at += 8) {
       long others = (long) EIGHT.get(bytes, at) & ~ONES ^ ANGLES;
       if ((others - ONES & ~others & HIGHEST_BITS) != 0) {

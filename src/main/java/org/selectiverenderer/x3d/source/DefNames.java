@@ -10,14 +10,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Finds elements by the names that DEF gives them, and those of the node types that are edited. */
+/** An index of the elements by DEF name, and of those of the node types that are edited. */
 final class DefNames {
   private final Map<String, DocumentElement> given = new HashMap<>();
   private final Map<String, Integer> uses = new HashMap<>();
   private final Map<String, Kind> kinds =
       Map.of("Switch", new Kind(), "ProximitySensor", new Kind());
 
-  /** The nodes of one type, in document order when they are asked for. */
+  /** The nodes of one type, sorted in document order on request. */
   private static final class Kind {
     private final Set<DocumentElement> nodes = new HashSet<>();
     private final Set<DocumentElement> gone = new HashSet<>();
@@ -30,7 +30,7 @@ final class DefNames {
       }
     }
 
-    /** One that is back keeps its place among the others: edits do not reorder elements. */
+    /** Adds an element; one that was removed before has its old place, as edits never reorder. */
     void add(DocumentElement element) {
       if (element.use().isEmpty()) {
         nodes.add(element);
@@ -58,7 +58,7 @@ final class DefNames {
     element.visit(this::removeOne);
   }
 
-  /** Forgets the names of the element itself, not of those in it. */
+  /** Removes the names of the element itself, but not of its descendants. */
   void removeOne(DocumentElement element) {
     element.def().ifPresent(def -> given.remove(def, element));
     element.use().ifPresent(use -> uses.computeIfPresent(use, (key, n) -> n == 1 ? null : n - 1));
@@ -86,8 +86,8 @@ final class DefNames {
   }
 
   /**
-   * The nodes of a type that is kept account of, in document order; the same list as before as long
-   * as they are the same.
+   * Returns the nodes of an indexed type in document order; the same list object as long as they
+   * are unchanged.
    */
   List<DocumentElement> ofType(String type) {
     Kind kind = kinds.get(type);

@@ -4,9 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 
-/**
- * Reads the declarations of general entities in a DOCTYPE's internal subset (XML 1.0, 2.8, 4.2).
- */
+/** Parses the general entity declarations in a DOCTYPE's internal subset (XML 1.0, 2.8, 4.2). */
 final class DoctypeReader {
   private final CharSequence text;
   private final int most;
@@ -14,19 +12,21 @@ final class DoctypeReader {
   private int at;
 
   /**
-   * @param most declarations that are read
+   * Creates a parser of a text.
+   *
+   * @param most the maximum number of declarations
    */
   DoctypeReader(CharSequence text, int most) {
     this.text = text;
     this.most = most;
   }
 
-  /** The offset behind what was read. */
+  /** Returns the offset after the DOCTYPE. */
   int end() {
     return at;
   }
 
-  /** The entities by name, the first declaration of each, as XML has it. */
+  /** Returns the entities by name; the first declaration of each is binding (XML 1.0, 4.2). */
   Map<String, Entities.Declared> read() {
     at = 0;
     while (!starts("<!DOCTYPE")) {
@@ -98,7 +98,7 @@ final class DoctypeReader {
     declarationEnd();
   }
 
-  /** References to characters mean those already in the declaration (XML 1.0, 4.4.5). */
+  /** Resolves character references, which are expanded in the declaration (XML 1.0, 4.4.5). */
   private String characters(int from, int to) {
     String raw = text.subSequence(from, Math.min(to, text.length())).toString();
     if (!raw.contains("&#")) {
@@ -124,7 +124,7 @@ final class DoctypeReader {
     at = Math.min(at + 1, text.length());
   }
 
-  /** Passes a character, or all between two quotes. */
+  /** Skips a character, or a quoted string. */
   private void pass() {
     char c = text.charAt(at);
     at++;

@@ -8,8 +8,8 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.field.Tokens;
 
 /**
- * An attribute of a document. Long numeric values are kept as values only. Several threads may ask
- * for values at a time, as those do that use one prototype.
+ * An attribute of a document element. Long numeric attributes are stored as parsed values only.
+ * Values may be read by several threads at a time, as for a shared prototype.
  */
 public final class DocumentAttribute {
   private final DocumentElement element;
@@ -19,13 +19,15 @@ public final class DocumentAttribute {
   private @Nullable Known known;
   private boolean told;
 
-  /** A value, in one object, so that other threads see all of it or nothing. */
+  /** A parsed value, in one immutable object, for publication to other threads. */
   private record Known(FieldType type, @Nullable Object value, List<FieldParser.Flaw> flaws) {}
 
   /**
-   * @param index among the attributes of the element, as the parser counts
-   * @param name without prefix; empty when it belongs to another language's namespace
-   * @param text references replaced; null for a value that is kept as such
+   * Creates an attribute.
+   *
+   * @param index the index among the attributes of the element, as the parser counts
+   * @param name the local name; empty for an attribute of a foreign namespace
+   * @param text the text with references resolved; null for a value that is stored parsed
    */
   public DocumentAttribute(DocumentElement element, int index, String name, @Nullable String text) {
     this.element = element;
@@ -38,33 +40,33 @@ public final class DocumentAttribute {
     known = new Known(parsedAs, parsed, found);
   }
 
-  /** The element that it stands in. */
+  /** Returns the element of the attribute. */
   public DocumentElement element() {
     return element;
   }
 
-  /** The name; empty when it belongs to another language's namespace. */
+  /** Returns the local name; empty for an attribute of a foreign namespace. */
   public String name() {
     return name;
   }
 
-  /** Whether its value as a field of that type is known already. */
+  /** Returns whether the value as a field of a type has already been parsed. */
   public boolean known(FieldType wanted) {
     Known now = known;
     return now != null && now.type == wanted;
   }
 
-  /** The text, references replaced; of a long numeric value as it stands in the file. */
+  /** Returns the text with references resolved; for a long numeric value that in the file. */
   public String text() {
     return text != null ? text : element.place().attributeText(index);
   }
 
-  /** The value that the text means as a field of a type; null when nothing of it can be used. */
+  /** Returns the value as a field of a type; null if nothing of the text is usable. */
   public @Nullable Object value(FieldType wanted) {
     return as(wanted).value;
   }
 
-  /** What is wrong with the text as a value of that type. */
+  /** Returns the errors in the text as a value of a type. */
   public List<FieldParser.Flaw> flaws(FieldType wanted) {
     return as(wanted).flaws;
   }
@@ -73,7 +75,7 @@ public final class DocumentAttribute {
     Known now = known;
     if (now == null || now.type != wanted) {
       String written = text();
-      synchronized (element.source()) { // Its parser serves one thread.
+      synchronized (element.source()) { // the parser is not thread-safe
         FieldParser.Parsed parsed = element.source().parser().parse(wanted, written);
         now = new Known(wanted, parsed.value(), parsed.flaws());
       }
@@ -82,7 +84,7 @@ public final class DocumentAttribute {
     return now;
   }
 
-  /** The same for who tells it: nothing the next time. */
+  /** Returns the errors for reporting; empty if they have been returned before. */
   public List<FieldParser.Flaw> untold(FieldType wanted) {
     Known now = known;
     boolean before = told && now != null && now.type == wanted;
@@ -90,15 +92,15 @@ public final class DocumentAttribute {
     return before ? List.of() : flaws(wanted);
   }
 
-  /** Where the name stands. */
+  /** Returns the location of the name. */
   public Location location() {
     return element.place().attribute(index);
   }
 
   /**
-   * Where a character of the value stands.
+   * Returns the location of a character of the value.
    *
-   * @param offset from 0, as a {@link FieldParser.Flaw} counts
+   * @param offset the offset from 0, as in a {@link FieldParser.Flaw}
    */
   public Location location(int offset) {
     int leading = text == null ? 0 : Tokens.leading(text);

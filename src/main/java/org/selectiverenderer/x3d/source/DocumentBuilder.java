@@ -11,9 +11,9 @@ import org.selectiverenderer.x3d.field.Flaws;
 import org.selectiverenderer.x3d.source.DocumentFault.Kind;
 
 /**
- * Makes a document of a text in another encoding than XML: its parser says which elements of the
- * XML encoding the text stands for, and where each was found. Long lists of numbers become values
- * at once, as those of XML do. Serves one file.
+ * Builds a document of a text in an encoding other than XML: the parser of the encoding calls it
+ * with the equivalent elements of the XML encoding and their offsets. Long lists of numbers are
+ * parsed to values at once, as in XML. For one file.
  */
 public final class DocumentBuilder {
   private final TreeSource source;
@@ -30,7 +30,9 @@ public final class DocumentBuilder {
   private int prototypes;
 
   /**
-   * @param document that has been told what the preflight says of the file
+   * Creates a builder.
+   *
+   * @param document the document, to which the faults of the preflight have been added
    */
   DocumentBuilder(
       Preflight preflight,
@@ -45,7 +47,7 @@ public final class DocumentBuilder {
     this.limits = limits;
   }
 
-  /** The characters that are to be parsed. */
+  /** Returns the text to parse. */
   public SourceText text() {
     return text;
   }
@@ -53,9 +55,9 @@ public final class DocumentBuilder {
   /**
    * Begins an element.
    *
-   * @param start offset of what stands for it
-   * @param tagEnd offset from which on things may stand in it
-   * @throws XmlFault if there are more elements, or they are nested deeper, than a scene may have
+   * @param start the offset at which it begins
+   * @param tagEnd the offset at which its content begins
+   * @throws XmlFault if there are too many elements or they are nested too deeply
    */
   public DocumentElement open(
       String name, @Nullable String def, @Nullable String use, int start, int tagEnd)
@@ -86,9 +88,9 @@ public final class DocumentBuilder {
   }
 
   /**
-   * Ends the element begun last.
+   * Ends the current element.
    *
-   * @param end the offset behind it
+   * @param end the offset after it
    */
   public void close(int end) {
     flush(null);
@@ -106,42 +108,42 @@ public final class DocumentBuilder {
     return open;
   }
 
-  /** The element begun last of those that have not ended. */
+  /** Returns the current element, the innermost open one. */
   public DocumentElement element() {
     return current();
   }
 
-  /** Whether any element is open. */
+  /** Returns whether an element is open. */
   public boolean isOpen() {
     return open != null;
   }
 
   /**
-   * An attribute of the element begun last.
+   * Adds an attribute to the current element.
    *
-   * @param value as an XML attribute would have it, references replaced
-   * @param at offset of its name
-   * @param from offset of its value's first character
-   * @param to offset behind its value
+   * @param value the value in the syntax of the XML encoding, without references
+   * @param at the offset of its name
+   * @param from the offset of its value
+   * @param to the offset after its value
    */
   public void attribute(String name, String value, int at, int from, int to) {
     source.note(current().start(), at, from, to);
     attributes.add(new DocumentAttribute(current(), attributes.size(), name, value));
   }
 
-  /** An attribute that the text says by where something stands. */
+  /** Adds an attribute that is implied by the structure of the text. */
   public void attribute(String name, String value, int at) {
     attribute(name, value, at, at, at);
   }
 
-  /** The DEF or USE of the element begun last, for texts that name an element after its content. */
+  /** Sets the DEF or USE of the current element, for encodings that name it after its content. */
   public void named(@Nullable String def, @Nullable String use) {
     current().named(def, use);
   }
 
   /**
-   * An attribute whose value stands in the text as an XML attribute would have it. Long numbers
-   * become values; their text stays where it is.
+   * Adds an attribute whose text has the syntax of an XML attribute. Long numeric values are stored
+   * parsed, without a copy of their text.
    */
   public void attribute(String name, int at, int from, int to) {
     FieldType type = prototypes > 0 ? null : DocumentParser.numbers(node(), name);
@@ -166,16 +168,15 @@ public final class DocumentBuilder {
     return catalogue.find(current().name()).orElse(null);
   }
 
-  /** The characters of a part of the text, without comments and the like. */
+  /** Returns a part of the text, cleaned of comments and the like. */
   public String value(int from, int to) {
     return source.value(from, to);
   }
 
   /**
-   * Says the field of the node around it that the node begun last is in, if it would not get there
-   * by itself.
+   * Sets the containerField of the current node, unless the field is its default.
    *
-   * @param at offset of the field's name
+   * @param at the offset of the field's name
    */
   public void container(String field, int at) {
     NodeType parent =
@@ -192,17 +193,17 @@ public final class DocumentBuilder {
     }
   }
 
-  /** Text directly within the element begun last. */
+  /** Adds text directly within the current element. */
   public void text(String characters, int at) {
     current().addText(characters, at);
   }
 
-  /** Adds a comment that begins at a place of the text. */
+  /** Adds a comment at an offset. */
   public void comment(String words, int at) {
     comments.add(new XmlDocument.Comment(words, source.location(at), at, null));
   }
 
-  /** Hands on the comments since the last beginning or end, with what they stand before. */
+  /** Adds the comments since the last start or end of an element, which precede an element. */
   private void flush(@Nullable DocumentElement before) {
     for (XmlDocument.Comment comment : comments) {
       document.add(comment.before(before));
@@ -210,25 +211,25 @@ public final class DocumentBuilder {
     comments.clear();
   }
 
-  /** Something that ends the reading. */
+  /** Returns a syntax error to throw. */
   public XmlFault fault(int at, String what) {
     return new XmlFault(new DocumentFault(Kind.SYNTAX, source.location(at), what));
   }
 
-  /** Hands on the comments at the end. */
+  /** Adds the comments at the end. */
   void flush() {
     flush(null);
   }
 
-  /** What reads one encoding. */
+  /** A parser of one encoding. */
   public interface Parser {
-    /** What it allows within values. */
+    /** Returns the cleaner of values in this encoding. */
     ValueCleaner cleaner();
 
     /**
-     * Says all that the builder's text says.
+     * Parses the builder's text.
      *
-     * @throws XmlFault at the first place that makes no sense
+     * @throws XmlFault at the first syntax error
      */
     void parse(DocumentBuilder into) throws XmlFault;
   }

@@ -9,12 +9,11 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 
 /**
- * An element of an XML text with where it stands, whether X3D knows it or not. Offsets count
- * characters of its text.
+ * An element of an XML text with its location, whether or not it is an X3D element. Offsets count
+ * characters of the text.
  *
- * <p>In a text that is edited it stays the same object as long as edits leave it in place, whatever
- * they change in it or around it; its offsets follow. After {@link #attached} turns false it stands
- * for nothing any more.
+ * <p>In an edited text it remains the same object as long as the element exists, with updated
+ * offsets. When the element is removed, {@link #attached} becomes false.
  */
 public final class DocumentElement {
   private final ElementSource source;
@@ -31,8 +30,8 @@ public final class DocumentElement {
   private boolean attached = true;
 
   /**
-   * What is known of an element whose text does not change. Apart from the element: an edit shifts
-   * tens of thousands of them, and the smaller they are the sooner.
+   * Cached data of an element whose text does not change. A separate object keeps elements small,
+   * of which an edit shifts tens of thousands.
    */
   private static final class Content {
     private @Nullable ElementLocation place;
@@ -42,9 +41,11 @@ public final class DocumentElement {
   }
 
   /**
+   * Creates an element.
+   *
    * @param start the offset of its {@code <}
-   * @param tagEnd the offset behind the {@code >} of its start tag
-   * @param changed the text's revision
+   * @param tagEnd the offset after the {@code >} of its start tag
+   * @param changed the revision of the text
    */
   public DocumentElement(
       ElementSource source,
@@ -63,69 +64,69 @@ public final class DocumentElement {
     this.changed = changed;
   }
 
-  /** The name without prefix; with it where the element is of another language's namespace. */
+  /** Returns the local name; with its prefix if the element is of a foreign namespace. */
   public String name() {
     return name;
   }
 
-  /** The element that it stands in; empty for the root. */
+  /** Returns the parent element; empty for the root. */
   public Optional<DocumentElement> parent() {
     return Optional.ofNullable(parent);
   }
 
-  /** The elements directly in it, in order. */
+  /** Returns the child elements in order. */
   public List<DocumentElement> children() {
     return Collections.unmodifiableList(children);
   }
 
-  /** Its DEF name. */
+  /** Returns the DEF name. */
   public Optional<String> def() {
     return Optional.ofNullable(def);
   }
 
-  /** The name of the node that it stands for by USE. */
+  /** Returns the name in USE. */
   public Optional<String> use() {
     return Optional.ofNullable(use);
   }
 
-  /** The offset of its {@code <}. */
+  /** Returns the offset of its {@code <}. */
   public int start() {
     return start;
   }
 
-  /** The offset behind the {@code >} of its start tag. */
+  /** Returns the offset after the {@code >} of its start tag. */
   public int tagEnd() {
     return tagEnd;
   }
 
-  /** The offset behind its last {@code >}; -1 when the text breaks off before. */
+  /** Returns the offset after the element; -1 if the text is truncated before. */
   public int end() {
     return end;
   }
 
-  /** Whether it has an end tag of its own, so that something can stand in it. */
+  /** Returns whether it has an end tag, so that it can have content. */
   public boolean open() {
     return tagEnd < end;
   }
 
-  /** Where the tag starts. */
+  /** Returns the location of its start tag. */
   public Location location() {
     return content == null || content.place == null
         ? source.location(start)
         : content.place.location();
   }
 
-  /** Where its last character stands; empty when the text breaks off before. */
+  /** Returns the location of its last character; empty if the text is truncated before. */
   public Optional<Location> last() {
     return end < 0 ? Optional.empty() : Optional.of(source.location(end - 1));
   }
 
-  /** The attributes as they are written now. */
+  /** Returns the start tag as it is written now. */
   public StartTag tag() {
     return source.tag(start);
   }
 
-  /** The attributes as values, in order; those of a text that is edited are read each time. */
+  /** Returns the attributes in order; those of an edited text are parsed each time. */
   public List<DocumentAttribute> attributes() {
     if (content != null && content.attributes != null) {
       return content.attributes;
@@ -141,7 +142,7 @@ public final class DocumentElement {
     return read;
   }
 
-  /** The attribute of that name without prefix. */
+  /** Returns the attribute with a local name. */
   public Optional<DocumentAttribute> attribute(String attributeName) {
     for (DocumentAttribute attribute : attributes()) {
       if (attribute.name().equals(attributeName)) {
@@ -151,52 +152,52 @@ public final class DocumentElement {
     return Optional.empty();
   }
 
-  /** The text of that attribute, if there is one. */
+  /** Returns the text of the attribute with a name, if there is one. */
   public Optional<String> text(String attributeName) {
     return attribute(attributeName).map(DocumentAttribute::text);
   }
 
-  /** The text directly within the element; empty where it is white space only or not kept. */
+  /** Returns the text directly within the element; empty if it is blank or not stored. */
   public String text() {
     return content == null || content.text == null ? "" : content.text.toString();
   }
 
-  /** Where that text begins; where the tag starts if there is none. */
+  /** Returns the location of that text, or of the start tag if there is none. */
   public Location textLocation() {
     return content == null || content.text == null
         ? location()
         : source.location(content.textStart);
   }
 
-  /** The offset of where that text begins; of the element if there is none. */
+  /** Returns the offset of that text, or of the element if there is none. */
   public int textStart() {
     return content == null || content.text == null ? start : content.textStart;
   }
 
-  /** The text's revision in which it or something in it changed last. */
+  /** Returns the revision of the text in which the element or its content changed last. */
   public long changed() {
     return changed;
   }
 
   /**
-   * Whether it is a reference to an entity of the DOCTYPE, which stands for elements that are
-   * declared there; {@link #name} is the reference then.
+   * Returns whether this represents a reference to an entity that is declared in the DOCTYPE and
+   * contains elements; {@link #name} is then the reference.
    */
   public boolean isReference() {
     return name.startsWith("&");
   }
 
-  /** Whether it is still part of its text. */
+  /** Returns whether the element is still part of its text. */
   public boolean attached() {
     return attached;
   }
 
-  /** Whether the other one is this one or stands in it. */
+  /** Returns whether the other element is this one or a descendant. */
   public boolean contains(DocumentElement other) {
     return start <= other.start && other.end <= end;
   }
 
-  /** Visits this element and all in it, in document order. */
+  /** Visits this element and its descendants in document order. */
   public void visit(Consumer<DocumentElement> visitor) {
     visitor.accept(this);
     for (DocumentElement child : children) {
@@ -208,7 +209,7 @@ public final class DocumentElement {
     return source;
   }
 
-  /** Where it stands. */
+  /** Returns the location of the element, from which those of its attributes are found. */
   public ElementLocation place() {
     return content == null || content.place == null
         ? new ElementLocation(source, start, location())
@@ -224,18 +225,18 @@ public final class DocumentElement {
     return known;
   }
 
-  /** Names it, for a text that says the name after what is in it. */
+  /** Sets DEF and USE, for encodings that name an element after its content. */
   void named(@Nullable String newDef, @Nullable String newUse) {
     def = newDef;
     use = newUse;
   }
 
-  /** Keeps where it starts in a text that does not change, so that its lines need not be found. */
+  /** Caches the location in a text that does not change, to save searching its line. */
   void place(ElementLocation found) {
     content().place = found;
   }
 
-  /** Adds a child behind the others. */
+  /** Appends a child. */
   public void add(DocumentElement child) {
     if (children.isEmpty()) {
       children = new ArrayList<>(2);
@@ -244,12 +245,12 @@ public final class DocumentElement {
     child.parent = this;
   }
 
-  /** Gives it its attributes. */
+  /** Sets the attributes. */
   public void attributes(List<DocumentAttribute> all) {
     content().attributes = all;
   }
 
-  /** Adds text that begins at a place of the file. */
+  /** Adds text that begins at an offset. */
   public void addText(String more, int at) {
     Content into = content();
     if (into.text == null) {
@@ -279,7 +280,7 @@ public final class DocumentElement {
     }
   }
 
-  /** Most elements stand behind the last change. */
+  /** Shifts an element after the last change, as most elements are. */
   private void moveBy(int growth) {
     start += growth;
     tagEnd += growth;
@@ -289,7 +290,7 @@ public final class DocumentElement {
     }
   }
 
-  /** Puts other children in the place of some; the tag is another one's if that is given. */
+  /** Replaces some children by those of a parsed element, and its tag, too, if requested. */
   void graft(int before, int behind, DocumentElement parsed, boolean withTag, long revision) {
     List<DocumentElement> all = new ArrayList<>(children.subList(0, before));
     for (DocumentElement child : parsed.children) {
@@ -309,7 +310,7 @@ public final class DocumentElement {
     }
   }
 
-  /** It and all in it stand for nothing from now on. */
+  /** Marks the element and its descendants as removed from the text. */
   void detach() {
     visit(element -> element.attached = false);
   }

@@ -3,24 +3,24 @@ package org.selectiverenderer.x3d.source;
 import org.selectiverenderer.base.problem.Location;
 
 /**
- * Something wrong with a file as XML, before it says anything about a scene.
+ * A syntax or encoding error of a file, found before the scene is interpreted.
  *
  * @param message one sentence without a full stop
  */
 public record DocumentFault(Kind kind, Location location, String message) {
-  /** What can be wrong. */
+  /** The kinds of errors. */
   public enum Kind {
-    /** Nothing of the file can be used: too large, of another encoding, or no XML. */
+    /** Nothing of the file is usable: it is too large, of another encoding, or not XML. */
     REFUSED,
     /** The compression is damaged. */
     COMPRESSION,
-    /** Bytes or an encoding's name that cannot be understood. */
+    /** Invalid bytes or an unknown character encoding. */
     ENCODING,
     /** An entity of a DOCTYPE, which is never expanded. */
     ENTITY,
     /** XML that is not well formed. */
     SYNTAX,
-    /** More elements or deeper nesting than is read. */
+    /** Too many elements or too deep nesting. */
     LIMIT
   }
 }

@@ -20,8 +20,8 @@ import org.selectiverenderer.x3d.field.Flaws;
 import org.selectiverenderer.x3d.source.DocumentFault.Kind;
 
 /**
- * Parses a file into a document. Long lists of numbers become values at once, so that a file takes
- * about as much memory as its text and its numbers. Serves one file.
+ * Parses a file to a document. Long lists of numbers are parsed to values at once, so that a file
+ * takes about as much memory as its text and its numbers. For one file.
  */
 public final class DocumentParser extends ElementParser {
   private final XmlEvents xml;
@@ -43,7 +43,7 @@ public final class DocumentParser extends ElementParser {
   /**
    * Parses a file of any encoding.
    *
-   * @param others what reads an encoding that is not XML
+   * @param others returns the parser for an encoding other than XML
    */
   public static XmlDocument parse(
       String name,
@@ -64,7 +64,7 @@ public final class DocumentParser extends ElementParser {
     return document;
   }
 
-  /** Parses what is left to parse after a look at the file, whose faults are not repeated. */
+  /** Parses a file after its preflight, whose faults are not repeated. */
   public static XmlDocument parse(
       Preflight preflight,
       NodeCatalogue catalogue,
@@ -103,7 +103,7 @@ public final class DocumentParser extends ElementParser {
     }
   }
 
-  /** The first byte that is no UTF-8; the file's beginning if all are. */
+  /** Returns the location of the first byte that is not UTF-8; else the start of the file. */
   private static Location badByte(String name, SceneBytes bytes) {
     ByteBuffer in = ByteBuffer.wrap(bytes.bytes(), 0, bytes.length());
     CharBuffer good = CharBuffer.allocate(bytes.length());
@@ -150,12 +150,12 @@ public final class DocumentParser extends ElementParser {
                   "the entity &" + xml.entity() + "; of a DOCTYPE is not expanded"));
       case XMLStreamConstants.DTD -> document.type(xml.type());
       default -> {
-        // Processing instructions say nothing about the scene.
+        // processing instructions are not part of the scene
       }
     }
   }
 
-  /** Hands on the comments since the last tag, with the element that they stand before. */
+  /** Adds the comments since the last tag, which precede an element. */
   private void flush(@Nullable DocumentElement before) {
     for (XmlDocument.Comment comment : comments) {
       document.add(comment.before(before));
@@ -173,7 +173,7 @@ public final class DocumentParser extends ElementParser {
     for (int i = 0; i < count; i++) {
       String name = xml.attributeName(i);
       FieldType type = numbers(node, name);
-      // The text of a prototype's values is needed again for each of its instances.
+      // the text of a prototype's values is parsed again for each instance
       boolean kept = type == null || prototypes > 0;
       String text = kept ? xml.attributeText(i) : null;
       DocumentAttribute attribute = new DocumentAttribute(element, i, name, text);
@@ -187,7 +187,7 @@ public final class DocumentParser extends ElementParser {
     return attributes;
   }
 
-  /** The type of a field that is a list of numbers; null for all else. */
+  /** Returns the type of a field that is a list of numbers; null for all others. */
   static @Nullable FieldType numbers(@Nullable NodeType node, String attribute) {
     FieldDefinition field = node == null ? null : node.field(attribute).orElse(null);
     if (field == null || !field.type().multiple()) {

@@ -5,14 +5,14 @@ import org.codehaus.stax2.XMLStreamReader2;
 import org.selectiverenderer.base.problem.Location;
 
 /**
- * Where an element starts in its file. Places within its start tag are found by reading the tag
- * once more, which costs nothing as long as nothing is wrong. Several threads may ask at a time.
+ * The location of an element in its file. Locations within its start tag are found by parsing the
+ * tag again, which is needed only for error messages. Thread-safe.
  *
- * @param offset of the tag's {@code <}
- * @param location of the same
+ * @param offset the offset of the tag's {@code <}
+ * @param location the location of the tag's {@code <}
  */
 public record ElementLocation(ElementSource source, int offset, Location location) {
-  /** Where the parser's current event starts: in front of the root it counts white space to it. */
+  /** Returns the start of the parser's current event, after the white space before the root. */
   static ElementLocation of(TextSource source, XMLStreamReader2 xml) {
     CharSequence text = source.characters();
     XMLStreamLocation2 at = xml.getLocationInfo().getStartLocation();
@@ -29,7 +29,7 @@ public record ElementLocation(ElementSource source, int offset, Location locatio
     return new ElementLocation(source, offset, new Location(source.file(), line, column));
   }
 
-  /** The offset of an event that starts there or, in front of the root, behind white space. */
+  /** Returns the offset of an event, after the white space before the root. */
   static int offset(TextSource source, XMLStreamLocation2 at) {
     CharSequence text = source.characters();
     int offset = at.getCharacterOffset();
@@ -39,28 +39,28 @@ public record ElementLocation(ElementSource source, int offset, Location locatio
     return offset;
   }
 
-  /** The name of the attribute of that index, namespace declarations not counted. */
+  /** Returns the location of an attribute, not counting namespace declarations. */
   public Location attribute(int index) {
     synchronized (source) {
       return source.attribute(offset, index);
     }
   }
 
-  /** A character of its value, counted from the first that is no white space. */
+  /** Returns the location of a character of its value, counted from the first non-blank one. */
   public Location inAttribute(int index, int character) {
     synchronized (source) {
       return source.inAttribute(offset, index, character);
     }
   }
 
-  /** The value of that attribute with the ends of its lines, which XML takes for blanks. */
+  /** Returns an attribute's value with its line ends, which XML normalizes to blanks. */
   public String attributeLines(int index) {
     synchronized (source) {
       return source.attributeLines(offset, index);
     }
   }
 
-  /** The value of that attribute as it is written, references and all. */
+  /** Returns an attribute's value as it is written, with references. */
   String attributeText(int index) {
     synchronized (source) {
       return source.attributeText(offset, index);

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.source.DocumentFault.Kind;
 
-/** Makes elements of a text, whatever language they are of. Serves one text. */
+/** Parses a text to a tree of elements of any namespace. For one text. */
 class ElementParser {
   private final XmlEvents xml;
   private final ElementSource source;
@@ -18,8 +18,10 @@ class ElementParser {
   private int count;
 
   /**
-   * @param source what the elements are to stand in
-   * @param shift what is added to every offset
+   * Creates a parser.
+   *
+   * @param source the source of the elements
+   * @param shift a number that is added to every offset
    */
   ElementParser(XmlEvents xml, ElementSource source, int shift, long revision, ReadLimits limits) {
     this.xml = xml;
@@ -30,11 +32,11 @@ class ElementParser {
   }
 
   /**
-   * The root element of a text that has one and is well formed. Attributes are left in the text.
+   * Parses a well-formed text and returns its root element. Attributes are not stored.
    *
-   * @param shift what is added to every offset to make it one of the source
-   * @throws XmlFault at the first place where the text is not well formed, is nested deeper than a
-   *     scene may be, or has a tag of more attributes than any node
+   * @param shift a number that converts offsets in the text to those in the source
+   * @throws XmlFault at the first place where the text is not well-formed, is nested too deeply, or
+   *     has a tag with too many attributes
    */
   static DocumentElement root(SourceText text, ElementSource source, int shift, long revision)
       throws XmlFault {
@@ -63,13 +65,13 @@ class ElementParser {
       throw new XmlFault(fault);
     }
     if (parser.root == null) {
-      String none = "there is no element in it";
+      String none = "the text has no element";
       throw new XmlFault(new DocumentFault(Kind.SYNTAX, Location.of(name), none));
     }
     return parser.root;
   }
 
-  /** Takes in all of the text; returns what ends it too early, if anything does. */
+  /** Parses the text; returns the fault that ends it early, if any. */
   final @Nullable DocumentFault parse() {
     for (int event = xml.next(); event != XmlEvents.NONE; event = xml.next()) {
       if (event == XMLStreamConstants.START_ELEMENT) {
@@ -139,17 +141,17 @@ class ElementParser {
   }
 
   /**
-   * An element has begun; the parser knows its attributes.
+   * Called at the start of an element, whose attributes the parser provides.
    *
-   * @param place where, in the text that is parsed
+   * @param place the location in the parsed text
    */
   void started(DocumentElement element, ElementLocation place) {}
 
   void ended(DocumentElement element) {}
 
   /**
-   * Something else has come than the beginning or end of an element. A reference to an entity
-   * stands for elements that are not in the text at its place: it counts as one without attributes.
+   * Called for an event other than the start or end of an element. A reference to an entity with
+   * elements is represented by an element without attributes.
    */
   void other(int event, @Nullable DocumentElement in) {
     if (event == XMLStreamConstants.ENTITY_REFERENCE && in != null) {

@@ -3,55 +3,55 @@ package org.selectiverenderer.x3d.source;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.field.FieldParser;
 
-/** The text that elements stand in, as it is now. Serves one thread. */
+/** The current text of a document, in which its elements are located. Not thread-safe. */
 public interface ElementSource {
-  /** The name that places call the file by. */
+  /** Returns the name of the file in locations. */
   String file();
 
-  /** The characters; offsets of elements count these. */
+  /** Returns the characters, to which the offsets of elements refer. */
   CharSequence characters();
 
-  /** The place of a character. */
+  /** Returns the location of a character. */
   Location location(int offset);
 
-  /** What makes values of attributes. */
+  /** Returns the parser of attribute values. */
   FieldParser parser();
 
   /**
-   * Where an attribute's name stands; where the element starts if there is no such attribute.
+   * Returns the location of an attribute, or of the element if there is no such attribute.
    *
-   * @param element the offset at which its element starts
-   * @param index from 0, namespace declarations not counted
+   * @param element the offset of the element
+   * @param index the index from 0, not counting namespace declarations
    */
   default Location attribute(int element, int index) {
     WrittenAttribute found = tag(element).at(index);
     return location(found == null ? element : found.from());
   }
 
-  /** Where a character of its value stands, counted from the first that is no white space. */
+  /** Returns the location of a character of its value, counted from the first non-blank one. */
   default Location inAttribute(int element, int index, int character) {
     WrittenAttribute found = tag(element).at(index);
     return location(found == null ? element : found.at(character));
   }
 
-  /** The value of that attribute as it is written, references and all. */
+  /** Returns an attribute's value as it is written, with references. */
   default String attributeText(int element, int index) {
     WrittenAttribute found = tag(element).at(index);
     return found == null ? "" : found.written();
   }
 
-  /** The value of that attribute with the ends of its lines, where its encoding loses them. */
+  /** Returns an attribute's value with its line ends, which XML normalizes to blanks. */
   default String attributeLines(int element, int index) {
     WrittenAttribute found = tag(element).at(index);
     return found == null ? "" : found.lines();
   }
 
-  /** The attributes of the tag that starts at an offset. */
+  /** Returns the start tag at an offset. */
   default StartTag tag(int start) {
     return StartTag.of(characters(), start, entities());
   }
 
-  /** The entities that attributes may refer to; none where they are never expanded. */
+  /** Returns the entities for references in attributes; none if they are never expanded. */
   default Entities entities() {
     return Entities.NONE;
   }

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The elements of a well formed text. */
+/** The tree of the elements of a well-formed text, which is updated incrementally by edits. */
 public final class ElementTree {
-  /** Reading as many elements one by one takes as long as reading all of a large text. */
+  /** The number of changes from which on parsing the whole text is faster. */
   private static final int MANY = 2000;
 
   private final DocumentElement root;
@@ -22,66 +22,66 @@ public final class ElementTree {
   }
 
   /**
-   * Reads a text.
+   * Parses a text.
    *
-   * @param revision of the text, which its elements are of
-   * @throws XmlFault at the first place where the text is not well formed, is nested deeper than a
-   *     scene may be, or has a tag of more attributes than any node
+   * @param revision the revision of the text
+   * @throws XmlFault at the first place where the text is not well-formed, is nested too deeply, or
+   *     has a tag with too many attributes
    */
   public static ElementTree of(ElementSource source, long revision) throws XmlFault {
     SourceText text = SourceText.of(source.characters());
     return new ElementTree(ElementParser.root(text, source, 0, revision), source);
   }
 
-  /** What stands of an element before and behind what is read again. */
+  /** The numbers of children before and after the part of an element that is parsed again. */
   private record Part(int before, int behind) {}
 
-  /** The text is to be read anew: the elements stand for nothing any more. */
+  /** Marks all elements as removed, since the whole text will be parsed again. */
   public void detach() {
     root.detach();
   }
 
-  /** The element X3D, in a scene. */
+  /** Returns the root element, which is X3D in a scene. */
   public DocumentElement root() {
     return root;
   }
 
-  /** The first element Scene in the root; empty where the text has none, and so is no scene. */
+  /** Returns the first element Scene in the root; empty if the text is not a scene. */
   public Optional<DocumentElement> scene() {
     return root.children().stream().filter(child -> child.name().equals("Scene")).findFirst();
   }
 
-  /** The element that gives a name by DEF; the first of several that wrongly give the same. */
+  /** Returns the element with a DEF name; the first one if the name is wrongly repeated. */
   public Optional<DocumentElement> named(String def) {
     return names.find(def);
   }
 
-  /** Whether a name is used by USE somewhere. */
+  /** Returns whether any element has a name as USE. */
   public boolean used(String def) {
     return names.used(def);
   }
 
   /**
-   * All Switches, in document order; not those that stand for another by USE. The same list as
-   * before as long as they are the same.
+   * Returns all Switches without USE, in document order; the same list object as long as they are
+   * unchanged.
    */
   public List<DocumentElement> switches() {
     return names.ofType("Switch");
   }
 
-  /** All ProximitySensors, likewise. */
+  /** Returns all ProximitySensors without USE, as {@link #switches} does. */
   public List<DocumentElement> sensors() {
     return names.ofType("ProximitySensor");
   }
 
-  /** The smallest element at an offset; empty outside of the root. */
+  /** Returns the innermost element at an offset; empty outside the root. */
   public Optional<DocumentElement> at(int offset) {
     return offset < root.start() || offset >= root.end()
         ? Optional.empty()
         : Optional.of(smallest(root, offset, offset + 1));
   }
 
-  /** The smallest element within the given one that holds all of a range. */
+  /** Returns the innermost element within another that contains a range. */
   private static DocumentElement smallest(DocumentElement in, int from, int to) {
     DocumentElement found = in;
     while (true) {
@@ -95,7 +95,7 @@ public final class ElementTree {
     }
   }
 
-  /** The index of the first element that starts at an offset or behind it. */
+  /** Returns the index of the first element that starts at or after an offset. */
   private static int firstFrom(List<DocumentElement> elements, int offset) {
     int low = 0;
     int high = elements.size();
@@ -111,10 +111,10 @@ public final class ElementTree {
   }
 
   /**
-   * Follows changes of the text, reading again only the elements that they touch.
+   * Updates the tree after changes of the text, parsing again only the affected elements.
    *
-   * @param revision of the text after the changes, which the source has now
-   * @return false if that was not possible: the tree is of no use then and all is to be read again
+   * @param revision the revision of the text after the changes, which the source already has
+   * @return false if that was not possible; the tree is then invalid and must be parsed anew
    */
   public boolean follow(List<TextChange> changes, long revision) {
     if (changes.size() > MANY) {
@@ -143,7 +143,7 @@ public final class ElementTree {
     return true;
   }
 
-  /** Whether an element lies in what is read again of one that it stands in. */
+  /** Returns whether an element lies in the part of an ancestor that is parsed again. */
   private static boolean readWithAnother(
       DocumentElement element, Map<DocumentElement, int[]> ranges) {
     DocumentElement child = element;
@@ -181,7 +181,7 @@ public final class ElementTree {
     try {
       parsed = ElementParser.root(piece, source, from - head.length(), revision);
     } catch (XmlFault e) {
-      return false; // all of the text is read next, and tells where the fault is
+      return false; // the whole text is parsed next, which reports the error
     }
     if (part.before() == 0 && part.behind() > 0 && !parsed.name().equals(element.name())) {
       return false;
@@ -197,7 +197,7 @@ public final class ElementTree {
     return true;
   }
 
-  /** The name in a start tag with its prefix. */
+  /** Returns the name in a start tag with its prefix. */
   private static String written(DocumentElement element, CharSequence text) {
     int end = element.start() + 1;
     while (end < element.tagEnd() && text.charAt(end) > ' ' && "/>".indexOf(text.charAt(end)) < 0) {

@@ -10,8 +10,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A file's characters, and how such characters become bytes again: encoding and byte order mark
- * stay as they were. Immutable.
+ * The decoded text of a file, and the encoding and byte order mark for writing it back. Immutable.
  */
 public final class EncodedText {
   private final SourceText source;
@@ -26,41 +25,41 @@ public final class EncodedText {
     this.exact = source.complaint() == null && Arrays.equals(bytes(characters), bytes);
   }
 
-  /** Reads a file's bytes, not compressed, whatever they are. */
+  /** Decodes a file's uncompressed bytes. */
   public static EncodedText of(byte[] bytes) {
     return new EncodedText(SourceText.of(bytes, bytes.length), bytes);
   }
 
-  /** The text, without a byte order mark. */
+  /** Returns the text without byte order mark. */
   public String characters() {
     return characters;
   }
 
-  /** The name of the encoding, such as {@code UTF-8}. */
+  /** Returns the name of the encoding, such as {@code UTF-8}. */
   public String encoding() {
     return source.charset().name();
   }
 
-  /** What is wrong with the encoding; the characters are then the best that can be made of it. */
+  /** Returns the decoding error, if any; invalid bytes are then replaced in the characters. */
   public Optional<String> complaint() {
     return Optional.ofNullable(source.complaint());
   }
 
-  /** Whether the characters become the very bytes again. Where not, changing the text does harm. */
+  /** Returns whether encoding reproduces the same bytes; otherwise writing the text loses data. */
   public boolean exact() {
     return exact;
   }
 
   /**
-   * The elements, as {@link ElementTree#of} has them, without a copy of the characters.
+   * Parses the elements, as {@link ElementTree#of}, without a copy of the characters.
    *
-   * @param in what they are to stand in
+   * @param in the source of the elements
    */
   public ElementTree elements(ElementSource in) throws XmlFault {
     return new ElementTree(ElementParser.root(source, in, 0, 0), in);
   }
 
-  /** Another text in this one's encoding; characters that it does not have become references. */
+  /** Encodes another text; unencodable characters become character references. */
   public byte[] bytes(String changed) {
     byte[] encoded = encoded(charset().newEncoder(), changed);
     if (encoded == null) {

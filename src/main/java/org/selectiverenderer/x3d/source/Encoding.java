@@ -4,15 +4,15 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * How a scene is written down. A file's first characters tell it, never the ending of its name:
- * scenes in the wild have any.
+ * The encodings of X3D and VRML scenes. The encoding of a file is detected by its first characters,
+ * not by its file name, which is often wrong.
  */
 public enum Encoding {
   /** X3D's XML encoding (ISO/IEC 19776-1). */
   XML("X3D XML"),
   /** ClassicVRML (ISO/IEC 19776-2). */
   CLASSIC("ClassicVRML"),
-  /** VRML97 (ISO/IEC 14772-1), of which ClassicVRML is the heir. */
+  /** VRML97 (ISO/IEC 14772-1), the predecessor of ClassicVRML. */
   VRML97("VRML97"),
   /** X3D's JSON encoding. */
   JSON("X3D JSON");
@@ -25,17 +25,17 @@ public enum Encoding {
     this.title = title;
   }
 
-  /** What users call it. */
+  /** Returns the name for users. */
   public String title() {
     return title;
   }
 
-  /** Whether it is one of VRML's two. */
+  /** Returns whether this is ClassicVRML or VRML97. */
   public boolean vrml() {
     return this == CLASSIC || this == VRML97;
   }
 
-  /** The encoding of a text that begins so; empty for one that is none of them. */
+  /** Detects the encoding by the beginning of a text; empty if it is unknown. */
   public static Optional<Encoding> of(String head) {
     String start = head.stripLeading();
     if (head.isEmpty()) {

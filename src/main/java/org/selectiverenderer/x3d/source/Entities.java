@@ -8,20 +8,21 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The general entities that a text's own DOCTYPE declares (XML 1.0, 4.2), for texts that are
- * edited: values with references to them can be read, and what they come from is known. External
- * ones are known by name and never fetched, nor is an external subset. Immutable.
+ * The general entities declared in the internal subset of a text's DOCTYPE (XML 1.0, 4.2), for
+ * texts that are edited, whose attribute values may refer to them. External entities and an
+ * external subset are never fetched. Immutable.
  *
- * <p>What references grow to is bounded: one by {@link #LONGEST}, all of a text by {@link #MOST}.
+ * <p>Expansion is bounded, against exponential growth ("billion laughs"): one reference by {@link
+ * #LONGEST}, all of a text by {@link #MOST}.
  */
 public final class Entities {
-  /** No entities: of texts without such a DOCTYPE, which are nearly all. */
+  /** No entities, as in nearly all texts. */
   public static final Entities NONE = new Entities(Map.of(), 0);
 
-  /** Characters that one reference may stand for in an attribute. */
+  /** The maximum length of the expansion of one reference in an attribute. */
   static final int LONGEST = 1 << 16;
 
-  /** Characters that all references in the attributes of a text may stand for. */
+  /** The maximum length of the expansions of all references in the attributes of a text. */
   static final long MOST = 1 << 24;
 
   private static final int DEPTH = 16;
@@ -32,10 +33,10 @@ public final class Entities {
   private final int end;
 
   /**
-   * An entity.
+   * An entity declaration.
    *
-   * @param value its replacement text, where it is no external one
-   * @param offset where its declaration begins
+   * @param value the replacement text; empty for an external entity
+   * @param offset the offset of the declaration
    */
   public record Declared(String name, Optional<String> value, int offset) {}
 
@@ -45,37 +46,37 @@ public final class Entities {
     declared.keySet().forEach(name -> expand(name, new HashSet<>()));
   }
 
-  /** Reads the DOCTYPE in front of a text's root. */
+  /** Parses the DOCTYPE before a text's root. */
   public static Entities of(CharSequence text) {
     DoctypeReader reader = new DoctypeReader(text, DECLARED);
     Map<String, Declared> found = reader.read();
     return found.isEmpty() ? NONE : new Entities(found, reader.end());
   }
 
-  /** Whether there are none. */
+  /** Returns whether there are no entities. */
   public boolean none() {
     return declared.isEmpty();
   }
 
-  /** The offset behind the DOCTYPE. */
+  /** Returns the offset after the DOCTYPE. */
   int end() {
     return end;
   }
 
-  /** The entity of that name, if the text declares it. */
+  /** Returns the entity with a name, if it is declared. */
   public Optional<Declared> find(String name) {
     return Optional.ofNullable(declared.get(name));
   }
 
   /**
-   * What a reference in an attribute means; empty for entities that are not declared, external,
-   * within themselves, or too long.
+   * Returns the expansion of a reference in an attribute; empty for entities that are undeclared,
+   * external, recursive, or too long.
    */
   public Optional<String> value(String name) {
     return expanded.getOrDefault(name, Optional.empty());
   }
 
-  /** Whether a part of a text refers to one of them. */
+  /** Returns whether a part of a text refers to a declared entity. */
   boolean within(CharSequence text, int from, int to) {
     if (none()) {
       return false;
@@ -88,7 +89,7 @@ public final class Entities {
     return false;
   }
 
-  /** The name of the reference at an offset; empty where it does not end. */
+  /** Returns the name of the reference at an offset; empty if it is not terminated. */
   static String name(CharSequence text, int ampersand, int to) {
     int at = ampersand + 1;
     while (at < to && text.charAt(at) != ';' && text.charAt(at) > ' ' && text.charAt(at) != '&') {
@@ -98,8 +99,8 @@ public final class Entities {
   }
 
   /**
-   * Null where it cannot be told. All are expanded at the start and once only: entities of entities
-   * that are used a thousand times each cost no more than their text, and any thread may ask later.
+   * Returns the expansion of an entity, or null if it is invalid. Each is expanded once, in the
+   * constructor, so that nested entities cost no more than their text and no later synchronization.
    */
   private @Nullable String expand(String name, Set<String> open) {
     Optional<String> known = expanded.get(name);

@@ -3,9 +3,9 @@ package org.selectiverenderer.x3d.source;
 import org.selectiverenderer.x3d.source.DocumentFault.Kind;
 
 /**
- * A text whose attributes have letters where they refer to entities, as many as there were
- * characters: a parser that expands none can read it, and all offsets stay. References in content
- * stay too; the parser tells of them.
+ * Masks the entity references in the attributes of a text by placeholder characters of the same
+ * length, so that a parser without entity expansion can read the text with unchanged offsets.
+ * References in element content are kept and reported by the parser.
  */
 final class EntityMask {
   private final CharSequence text;
@@ -23,10 +23,10 @@ final class EntityMask {
   }
 
   /**
-   * The text to parse.
+   * Returns the masked text.
    *
-   * @param shift what is added to offsets to make them those of the source
-   * @throws XmlFault if the references stand for more than a scene may have
+   * @param shift a number that converts offsets in the text to those in the source
+   * @throws XmlFault if the expansions of the references are too long
    */
   static SourceText of(SourceText text, Entities entities, ElementSource source, int shift)
       throws XmlFault {
@@ -79,7 +79,7 @@ final class EntityMask {
     grown += entities.value(name).map(String::length).orElse(0);
     if (grown > Entities.MOST) {
       String why =
-          "the entities of the DOCTYPE stand for more than "
+          "the entities of the DOCTYPE expand to more than "
               + Entities.MOST
               + " characters, which is not plausible for a scene";
       throw new XmlFault(

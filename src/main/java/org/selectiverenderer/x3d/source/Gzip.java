@@ -7,20 +7,20 @@ import java.io.UncheckedIOException;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
 
-/** Compressed scenes, whatever their files' ending. */
+/** Compresses and decompresses scenes by gzip. */
 public final class Gzip {
   private Gzip() {}
 
-  /** Whether bytes start like a gzip file. */
+  /** Returns whether bytes start with the magic number of gzip. */
   public static boolean compressed(byte[] bytes) {
     return bytes.length > 1 && (bytes[0] & 0xff) == 0x1f && (bytes[1] & 0xff) == 0x8b;
   }
 
   /**
-   * The bytes within.
+   * Decompresses bytes.
    *
-   * @throws IOException if the compression is damaged or there is more in it than a scene may have,
-   *     with the first half of a sentence
+   * @throws IOException if the compression is damaged or the content is too large, with a message
+   *     to which the consequence can be appended
    */
   public static byte[] unpacked(byte[] packed) throws IOException {
     long most = ReadLimits.standard().maxBytes();
@@ -36,7 +36,7 @@ public final class Gzip {
     return plain;
   }
 
-  /** The bytes compressed; the same bytes every time. */
+  /** Compresses bytes, reproducibly. */
   public static byte[] packed(byte[] plain) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     try (GZIPOutputStream packed = new GZIPOutputStream(out)) {

@@ -2,20 +2,20 @@ package org.selectiverenderer.x3d.source;
 
 import java.util.Arrays;
 
-/** Where the lines of a text start; a line ends with LF, CR LF or CR, as XML reads them. */
+/** An index of the offsets at which the lines of a text start; line ends are LF, CRLF or CR. */
 public final class LineIndex {
   private static final int[] UNKNOWN = {};
 
   private int[] starts;
   private int count;
 
-  /** The lines of a text. */
+  /** Creates the index of a text. */
   public LineIndex(CharSequence text) {
     this.starts = UNKNOWN;
     build(text);
   }
 
-  /** Forgets all; the next question finds the lines again. */
+  /** Clears the index, which is rebuilt by the next query. */
   public void reset() {
     starts = UNKNOWN;
     count = 0;
@@ -28,7 +28,7 @@ public final class LineIndex {
     scan(text, 1, text.length());
   }
 
-  /** Adds the starts from an offset to another, both included; they must be behind all known. */
+  /** Adds the line starts of a range, both ends included, after all known ones. */
   private void scan(CharSequence text, int from, int to) {
     int last = Math.min(to, text.length());
     int end = lineEnd(text, Math.max(1, from) - 1, last);
@@ -43,7 +43,7 @@ public final class LineIndex {
     }
   }
 
-  /** The offset of the first LF or CR; the second offset if there is none in between. */
+  /** Returns the offset of the first LF or CR in a range, or its end if there is none. */
   private static int lineEnd(CharSequence text, int from, int to) {
     if (text instanceof SourceText source) {
       return source.lineEnd(from, to);
@@ -63,12 +63,12 @@ public final class LineIndex {
   }
 
   /**
-   * Characters have been replaced.
+   * Updates the index after a replacement of characters.
    *
-   * @param from offset of the first that went
-   * @param to offset behind the last that went
-   * @param length of what came in their place
-   * @param text as it is now
+   * @param from the offset of the first replaced character
+   * @param to the offset after the last replaced character
+   * @param length the length of the replacement
+   * @param text the text after the replacement
    */
   public void changed(int from, int to, int length, CharSequence text) {
     if (count == 0) {
@@ -92,7 +92,7 @@ public final class LineIndex {
     }
   }
 
-  /** How many lines start at or before an offset. */
+  /** Returns the number of lines that start at or before an offset. */
   private int atMost(int offset) {
     int found = Arrays.binarySearch(starts, 0, count, offset);
     return found >= 0 ? found + 1 : -found - 1;
@@ -104,13 +104,13 @@ public final class LineIndex {
     }
   }
 
-  /** The line of a character, from 1. */
+  /** Returns the line of a character, from 1. */
   public int line(CharSequence text, int offset) {
     know(text);
     return atMost(offset);
   }
 
-  /** The offset at which a line starts; lines beyond the last are the last. */
+  /** Returns the offset at which a line, or else the last line, starts. */
   public int start(CharSequence text, int line) {
     know(text);
     return starts[Math.max(0, Math.min(line, count) - 1)];

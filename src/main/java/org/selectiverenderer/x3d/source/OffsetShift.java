@@ -3,7 +3,7 @@ package org.selectiverenderer.x3d.source;
 import java.util.Arrays;
 import java.util.List;
 
-/** Where offsets go when changes are made. */
+/** Maps offsets in a text before changes to those after the changes. */
 final class OffsetShift {
   private final int[] from;
   private final int[] to;
@@ -18,12 +18,12 @@ final class OffsetShift {
     }
   }
 
-  /** The offset up to which nothing moves. */
+  /** Returns the offset of the first change, before which nothing moves. */
   int first() {
     return from.length == 0 ? Integer.MAX_VALUE : from[0];
   }
 
-  /** The offset from which all moves alike, by {@link #total}. */
+  /** Returns the end of the last change, from which on all offsets move by {@link #total}. */
   int last() {
     return to.length == 0 ? Integer.MAX_VALUE : to[to.length - 1];
   }
@@ -32,12 +32,12 @@ final class OffsetShift {
     return growth[growth.length - 1];
   }
 
-  /** Of something that begins here: what is inserted here comes before it. */
+  /** Maps the start of a range; text inserted at the offset precedes the range. */
   int start(int offset) {
     return offset + growth[upTo(offset)];
   }
 
-  /** Of something that ends here: what is inserted here comes behind it. */
+  /** Maps the end of a range; text inserted at the offset follows the range. */
   int end(int offset) {
     int count = upTo(offset);
     while (count > 0 && from[count - 1] == offset) {
@@ -46,7 +46,7 @@ final class OffsetShift {
     return offset + growth[count];
   }
 
-  /** How many changes lie before an offset or end at it. */
+  /** Returns the number of changes that end at or before an offset. */
   private int upTo(int offset) {
     int found = Arrays.binarySearch(to, offset);
     if (found < 0) {

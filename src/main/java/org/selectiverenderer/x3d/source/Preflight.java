@@ -7,16 +7,16 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.source.DocumentFault.Kind;
 
 /**
- * What can be said of a file before it is parsed.
+ * The result of checking a file before parsing: its encoding, and the errors found by then.
  *
- * @param text what is left to parse
- * @param source all of the text
- * @param faults a single one if nothing is to be read
- * @param encoding XML where it is none that is read
+ * @param text the part of the text to parse
+ * @param source the whole text
+ * @param faults the errors; a single one of kind REFUSED if the file must not be parsed
+ * @param encoding the encoding; XML if it is unknown
  */
 public record Preflight(
     SourceText text, TextSource source, List<DocumentFault> faults, Encoding encoding) {
-  /** Looks at a file's bytes. */
+  /** Checks a file's bytes. */
   public static Preflight of(String name, SceneBytes bytes) {
     SourceText text = SourceText.of(bytes.bytes(), bytes.length());
     Location whole = Location.of(name);
@@ -37,7 +37,7 @@ public record Preflight(
     return of(name, text, faults);
   }
 
-  /** Looks at a text. */
+  /** Checks a text. */
   public static Preflight of(String name, SourceText text) {
     return of(name, text, new ArrayList<>());
   }
@@ -63,7 +63,7 @@ public record Preflight(
     return new Preflight(text, new TextSource(name, text), List.of(fault), Encoding.XML);
   }
 
-  /** What to say about a file that is of no encoding of X3D. */
+  /** Returns the message about a file in an unknown encoding. */
   private static String foreign(String head) {
     String start = head.stripLeading();
     if (start.startsWith("#VRML") || start.startsWith("#Inventor")) {
@@ -77,17 +77,17 @@ public record Preflight(
         + "or '{'; nothing can be shown";
   }
 
-  /** The parser at the start of the text. */
+  /** Returns a parser at the start of the text. */
   public XmlEvents events() {
     return new XmlEvents(source, text);
   }
 
-  /** Whether nothing is to be read. */
+  /** Returns whether the file must not be parsed. */
   public boolean refused() {
     return faults.size() == 1 && faults.get(0).kind() == Kind.REFUSED;
   }
 
-  /** Why the text ends too early; null if it does not. */
+  /** Returns the error that truncates the text; null if there is none. */
   @Nullable
   public DocumentFault cut() {
     DocumentFault last = faults.isEmpty() ? null : faults.get(faults.size() - 1);

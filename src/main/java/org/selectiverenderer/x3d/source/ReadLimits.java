@@ -1,18 +1,19 @@
 package org.selectiverenderer.x3d.source;
 
 /**
- * What a file may cost, so that a hostile one ends with a message instead of the memory's end.
+ * The resource limits of reading a file, so that a hostile file causes a message instead of
+ * exhausting the memory.
  *
- * @param maxBytes length of the text after decompression; also bounds every attribute
- * @param maxRatio decompressed to compressed length, asked from the second MiB of output on
- * @param maxDepth elements within elements, instances of prototypes counted as what they stand for
- * @param maxNodes nodes, instances of prototypes and those that they make
+ * @param maxBytes the length of the text after decompression, which also bounds every attribute
+ * @param maxRatio the compression ratio, checked from the second MiB of output on
+ * @param maxDepth the nesting depth of elements, including those of expanded prototypes
+ * @param maxNodes the number of nodes, including prototype instances and their nodes
  */
 public record ReadLimits(long maxBytes, int maxRatio, int maxDepth, int maxNodes) {
   /**
-   * 1 GiB but no more than a quarter of the heap, since the text is held while it is read; 1000:1,
-   * where real scenes have 3:1 to 30:1; 250 levels, which fit a stack of half a MiB; 4 million
-   * nodes, fewer on a small heap.
+   * Returns the standard limits: 1 GiB but at most a quarter of the heap, since the text is kept
+   * while it is read; a ratio of 1000:1, while real scenes have 3:1 to 30:1; 250 levels, which fit
+   * a stack of half a MiB; 4 million nodes, fewer on a small heap.
    */
   public static ReadLimits standard() {
     long heap = Runtime.getRuntime().maxMemory();

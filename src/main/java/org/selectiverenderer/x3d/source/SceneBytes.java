@@ -12,13 +12,13 @@ import java.util.zip.ZipException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The text of a file in memory, decompressed when it starts like a gzip file, whatever its ending:
- * scenes in the wild are often compressed under a plain {@code .x3d}.
+ * The bytes of a scene file, decompressed if they start with the magic number of gzip, whatever the
+ * file name: many published scenes are compressed but named {@code .x3d}.
  *
- * @param bytes holds the text from 0 to {@code length}
- * @param compressed whether it was by gzip
- * @param cut why the text ends too early, or null
- * @param refused why nothing of it is to be read, or null
+ * @param bytes contains the text from 0 to {@code length}
+ * @param compressed whether the file was compressed by gzip
+ * @param cut the reason why the text is truncated, or null
+ * @param refused the reason why the file must not be read, or null
  */
 public record SceneBytes(
     byte[] bytes, int length, boolean compressed, @Nullable String cut, @Nullable String refused) {
@@ -27,17 +27,16 @@ public record SceneBytes(
   private static final int LARGEST_ARRAY = Integer.MAX_VALUE - 16;
 
   /**
-   * What is read at once: Java reads into memory of its own first, which would otherwise be taken
-   * from the system anew for each file that is larger than those before.
+   * The number of bytes per read. The JDK reads into a direct buffer first, which larger reads
+   * would allocate again for each file that is larger than those before.
    */
   private static final int PORTION = 1 << 16;
 
   /**
-   * Reads to the end or to a limit.
+   * Reads a stream up to its end or a limit.
    *
-   * @param expected the length if it is known, to save copying
-   * @throws IOException if the file itself cannot be read; damage of the compression is no such
-   *     case
+   * @param expected the expected length, to save copying
+   * @throws IOException if the file cannot be read; damaged compression causes no exception
    */
   public static SceneBytes read(InputStream in, long expected, ReadLimits limits)
       throws IOException {
@@ -56,7 +55,7 @@ public record SceneBytes(
     }
   }
 
-  /** Text that is in memory already. */
+  /** Returns the text of bytes in memory. */
   public static SceneBytes of(byte[] bytes, ReadLimits limits) {
     boolean compressed = bytes.length > 1 && ((bytes[0] & 0xff) << 8 | (bytes[1] & 0xff)) == GZIP;
     if (!compressed && bytes.length <= limits.maxBytes()) {
@@ -112,7 +111,7 @@ public record SceneBytes(
     return new SceneBytes(new byte[0], 0, false, null, reason);
   }
 
-  /** Knows how much compressed data it has taken in. */
+  /** Counts the compressed bytes it has read. */
   private static final class Gunzip extends GZIPInputStream {
     private long compressed;
 

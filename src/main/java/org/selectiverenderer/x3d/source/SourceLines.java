@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.Optional;
 
-/** The lines of a scene's file, whatever its encoding or compression, for showing one to a user. */
+/** Reads single lines of a scene file in any encoding or compression, for showing to a user. */
 public final class SourceLines {
   private final SourceText text;
   private final LineIndex lines;
@@ -17,24 +17,24 @@ public final class SourceLines {
   /**
    * Reads a stream to its end; the caller closes it.
    *
-   * @param size in bytes, about
+   * @param size the approximate size in bytes
    */
   public static SourceLines read(InputStream in, long size) throws IOException {
     SceneBytes bytes = SceneBytes.read(in, size, ReadLimits.standard());
     return new SourceLines(SourceText.of(bytes.bytes(), bytes.length()));
   }
 
-  /** The first characters, for telling what the file is. */
+  /** Returns the first characters, for detecting the encoding. */
   public String head() {
     return text.head(64);
   }
 
   /**
-   * A part of a line.
+   * Returns a part of a line.
    *
-   * @param number from 1
-   * @param from the first character wanted, from 0
-   * @param length characters at most
+   * @param number the line number, from 1
+   * @param from the index of the first character, from 0
+   * @param length the maximum number of characters
    * @return empty if the file has no such line
    */
   public Optional<String> line(int number, int from, int length) {

@@ -18,16 +18,16 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.Tokens;
 
 /**
- * The characters of a scene's file. A file of ASCII only, as most are, is parsed from its bytes;
- * any other is decoded first, so that a column always counts characters.
+ * The characters of a scene file. An ASCII file, as most are, is parsed from its bytes; any other
+ * is decoded first, so that columns always count characters.
  */
 public final class SourceText implements CharSequence {
   private static final int DECLARATION_LENGTH = 200;
 
-  /** Attributes that a tag may have. The richest node of X3D 4.0 has some 40 fields. */
+  /** The maximum number of attributes of a tag; nodes of X3D 4.0 have at most some 40 fields. */
   static final int ATTRIBUTES = 10_000;
 
-  // Ten thousand different names have three letters at least, then come =, two quotes and a space.
+  // ten thousand different names have at least three letters; then come =, two quotes and a space
   private static final int SHORTEST_ATTRIBUTE = 7;
 
   private final byte[] bytes;
@@ -53,7 +53,7 @@ public final class SourceText implements CharSequence {
   }
 
   /**
-   * Finds the encoding by byte order mark, null bytes and XML declaration (XML 1.0, appendix F).
+   * Detects the encoding by byte order mark, null bytes and XML declaration (XML 1.0, appendix F).
    */
   static SourceText of(byte[] bytes, int length) {
     int b0 = length > 0 ? bytes[0] & 0xff : -1;
@@ -98,7 +98,7 @@ public final class SourceText implements CharSequence {
     return decode(bytes, start, length, charset);
   }
 
-  /** A text that never was a file: part of one, or one that is being edited. */
+  /** Returns the source text of characters, such as those of an edited text. */
   public static SourceText of(CharSequence text) {
     CharBuffer characters = CharBuffer.wrap(text);
     return of(new byte[0], characters, null, StandardCharsets.UTF_8, 0);
@@ -123,7 +123,7 @@ public final class SourceText implements CharSequence {
 
   private static @Nullable Charset charset(String name) {
     if (name.isEmpty() || name.startsWith("utf-16")) {
-      // What declares UTF-16 in a readable declaration is not UTF-16.
+      // a declaration that can be read byte by byte is not UTF-16, whatever it declares
       return StandardCharsets.UTF_8;
     }
     return name.chars().allMatch(c -> c > ' ' && c < 127)
@@ -144,7 +144,7 @@ public final class SourceText implements CharSequence {
               .decode(in);
       return of(bytes, text, null, charset, start);
     } catch (CharacterCodingException e) {
-      // An old editor's file: its bytes are Latin letters in nearly every such case.
+      // a file of an old editor, which in nearly all cases is Latin-1
       boolean wide = charset.name().startsWith("UTF-16") || charset.name().startsWith("UTF-32");
       Charset instead = wide ? charset : StandardCharsets.ISO_8859_1;
       in.position(start);
@@ -167,9 +167,9 @@ public final class SourceText implements CharSequence {
   }
 
   /**
-   * The offset of the first tag that may have more attributes than any element needs, or -1. The
-   * parser compares the attributes of a tag with each other, so that a tag of a million would take
-   * it days. Since {@code <} ends every tag, well formed or not, it is enough to count in between.
+   * Returns the offset of the first tag that may have too many attributes, or -1. The parser
+   * compares all attributes of a tag pairwise, so that a million would take days. Since {@code <}
+   * ends every tag, well-formed or not, it is enough to count the signs = in between.
    */
   int floodedTag() {
     if (length < ATTRIBUTES * SHORTEST_ATTRIBUTE) {
@@ -191,7 +191,7 @@ public final class SourceText implements CharSequence {
     return -1;
   }
 
-  /** Where the next {@code <} or {@code =} stands; the length if there is none. */
+  /** Returns the offset of the next {@code <} or {@code =}; the length if there is none. */
   private int mark(int from) {
     char[] letters = decoded;
     if (letters == null) {
@@ -204,22 +204,22 @@ public final class SourceText implements CharSequence {
     return at;
   }
 
-  /** The text up to an offset. */
+  /** Returns the text up to an offset. */
   SourceText cutAt(int offset) {
     return new SourceText(bytes, offset, decoded, complaint, charset, mark);
   }
 
-  /** The encoding of the file. */
+  /** Returns the character encoding of the file. */
   Charset charset() {
     return charset;
   }
 
-  /** The length of its byte order mark. */
+  /** Returns the length of the byte order mark. */
   int mark() {
     return mark;
   }
 
-  /** What is wrong with the encoding, or null. */
+  /** Returns the error in the character encoding, or null. */
   @Nullable
   public String complaint() {
     return complaint;
@@ -230,13 +230,13 @@ public final class SourceText implements CharSequence {
     return length;
   }
 
-  /** A character by its offset from the start of the text, a byte order mark not counted. */
+  /** Returns a character by its offset, not counting a byte order mark. */
   @Override
   public char charAt(int offset) {
     return decoded != null ? decoded[offset] : (char) bytes[offset];
   }
 
-  /** The offset of the first LF or CR; the second offset if there is none in between. */
+  /** Returns the offset of the first LF or CR in a range, or its end if there is none. */
   int lineEnd(int from, int to) {
     byte[] ascii = bytes;
     char[] letters = decoded;
@@ -255,7 +255,7 @@ public final class SourceText implements CharSequence {
 
   @Override
   public CharSequence subSequence(int start, int end) {
-    // Text that is not decoded is ASCII.
+    // text that is not decoded is ASCII
     return decoded != null
         ? new String(decoded, start, end - start)
         : new String(bytes, start, end - start, StandardCharsets.US_ASCII);
@@ -266,12 +266,12 @@ public final class SourceText implements CharSequence {
     return head(length);
   }
 
-  /** The first characters, for guessing what a file is. */
+  /** Returns the first characters, for detecting the encoding. */
   public String head(int most) {
     return subSequence(0, Math.min(length, most)).toString();
   }
 
-  /** A parser at the start of the text. It fetches nothing and expands no entity of a DOCTYPE. */
+  /** Returns an XML parser of the text, which fetches nothing and expands no entities. */
   XMLStreamReader2 parser() throws XMLStreamException {
     InputFactoryImpl factory = new InputFactoryImpl();
     factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** The attributes of an element, read from the text when they are asked for. */
+/** The attributes of a start tag, parsed from the text on request. */
 public final class StartTag {
   private final List<WrittenAttribute> attributes = new ArrayList<>(4);
   private final int end;
@@ -39,10 +39,10 @@ public final class StartTag {
   }
 
   /**
-   * Reads a tag; one that is not well formed as far as it makes sense.
+   * Parses a tag, of which a malformed rest is ignored.
    *
    * @param start the offset of its {@code <}
-   * @param entities that values may refer to
+   * @param entities the entities for references in values
    */
   static StartTag of(CharSequence text, int start, Entities entities) {
     return new StartTag(text, start, entities);
@@ -64,12 +64,12 @@ public final class StartTag {
     return at;
   }
 
-  /** In the order of the text. */
+  /** Returns the attributes in the order of the text. */
   public List<WrittenAttribute> attributes() {
     return attributes;
   }
 
-  /** The attribute of that index, namespace declarations not counted; null if there is none. */
+  /** Returns the attribute of an index, not counting namespace declarations, or null. */
   @Nullable WrittenAttribute at(int index) {
     int left = index;
     for (WrittenAttribute attribute : attributes) {
@@ -80,7 +80,7 @@ public final class StartTag {
     return null;
   }
 
-  /** The attribute of a name, if it is written. */
+  /** Returns the attribute with a name, if there is one. */
   public Optional<WrittenAttribute> attribute(String name) {
     for (WrittenAttribute attribute : attributes) {
       if (attribute.name().equals(name)) {
@@ -90,7 +90,7 @@ public final class StartTag {
     return Optional.empty();
   }
 
-  /** The offset behind the last attribute, or behind the name: where another one goes. */
+  /** Returns the offset after the last attribute, or the name, at which to insert another. */
   public int end() {
     return end;
   }

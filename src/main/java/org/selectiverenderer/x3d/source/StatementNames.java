@@ -2,7 +2,7 @@ package org.selectiverenderer.x3d.source;
 
 import java.util.Set;
 
-/** The elements of X3D that are no nodes. */
+/** The names of the X3D elements that are statements, not nodes. */
 public final class StatementNames {
   private static final Set<String> NAMES =
       Set.of(
@@ -27,7 +27,7 @@ public final class StatementNames {
 
   private StatementNames() {}
 
-  /** Whether an element is a statement and no node. */
+  /** Returns whether an element is a statement. */
   public static boolean is(String element) {
     return NAMES.contains(element);
   }

@@ -3,34 +3,34 @@ package org.selectiverenderer.x3d.source;
 import java.util.List;
 
 /**
- * A replacement of characters.
+ * A replacement of a range of characters.
  *
- * @param from offset of the first character that goes
- * @param to offset behind the last one that goes; equal to {@code from} for an insertion
- * @param text what comes in their place
+ * @param from the offset of the first replaced character
+ * @param to the offset after the last replaced character; equal to {@code from} for an insertion
+ * @param text the replacement
  */
 public record TextChange(int from, int to, String text) {
-  /** Refuses an end before the beginning. */
+  /** Checks the range. */
   public TextChange {
     if (from < 0 || to < from) {
       throw new IllegalArgumentException("from " + from + " to " + to);
     }
   }
 
-  /** Puts text at a place. */
+  /** Returns an insertion. */
   public static TextChange insert(int at, String text) {
     return new TextChange(at, at, text);
   }
 
-  /** Takes text away. */
+  /** Returns a deletion. */
   public static TextChange remove(int from, int to) {
     return new TextChange(from, to, "");
   }
 
   /**
-   * A text with changes.
+   * Applies changes to a text.
    *
-   * @param changes sorted, without overlaps
+   * @param changes the changes, sorted and without overlaps
    */
   public static StringBuilder applied(List<TextChange> changes, CharSequence text) {
     int growth = changes.stream().mapToInt(TextChange::growth).sum();
@@ -43,7 +43,7 @@ public record TextChange(int from, int to, String text) {
     return changed.append(text, at, text.length());
   }
 
-  /** By how many characters the text grows. */
+  /** Returns by how many characters the text grows. */
   public int growth() {
     return text.length() - (to - from);
   }

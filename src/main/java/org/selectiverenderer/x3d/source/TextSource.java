@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.field.FieldParser;
 
-/** A text that does not change. Its lines are found when the first place is asked for. */
+/** An unchanging text. Its lines are indexed when the first location is needed. */
 public final class TextSource implements ElementSource {
   private final String file;
   private final CharSequence text;
@@ -14,7 +14,9 @@ public final class TextSource implements ElementSource {
   private int tagStart;
 
   /**
-   * @param file the name that places call it by
+   * Creates a source.
+   *
+   * @param file the name of the file in locations
    */
   public TextSource(String file, CharSequence text) {
     this.file = file;
@@ -47,7 +49,7 @@ public final class TextSource implements ElementSource {
     return parser;
   }
 
-  /** Keeps the last tag, so that who asks for one attribute after the other has it read once. */
+  /** Caches the last tag, as its attributes are often read one after the other. */
   @Override
   public StartTag tag(int start) {
     StartTag known = tag;

@@ -5,9 +5,9 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.field.FieldParser;
 
 /**
- * A text of another encoding than XML that elements were made of. Where their attributes stand is
- * kept in a row of numbers, sorted when the first place is asked for: who finds nothing wrong asks
- * for none.
+ * A text in an encoding other than XML, from which elements have been built. The locations of their
+ * attributes are stored in an array, which is sorted when the first location is needed, for an
+ * error.
  */
 final class TreeSource implements ElementSource {
   private static final int NUMBERS = 4;
@@ -26,9 +26,9 @@ final class TreeSource implements ElementSource {
   }
 
   /**
-   * Notes the next attribute of an element.
+   * Records the next attribute of an element.
    *
-   * @param element where it starts
+   * @param element the offset of the element
    */
   void note(int element, int name, int from, int to) {
     if ((count + 1) * NUMBERS > places.length) {
@@ -41,7 +41,7 @@ final class TreeSource implements ElementSource {
     places[at + 3] = to;
   }
 
-  /** Copies characters and blanks what is no part of the value. */
+  /** Copies characters, replacing those that are not part of the value by blanks. */
   void copy(int from, int to, char[] into) {
     for (int i = from; i < to; i++) {
       into[i - from] = characters.charAt(i);
@@ -49,7 +49,7 @@ final class TreeSource implements ElementSource {
     cleaner.clean(into, to - from);
   }
 
-  /** A value's characters, what is no part of it as blanks. */
+  /** Returns a value's characters, with those that are not part of it replaced by blanks. */
   String value(int from, int to) {
     char[] copy = new char[to - from];
     copy(from, to, copy);

@@ -1,8 +1,8 @@
 package org.selectiverenderer.x3d.source;
 
-/** Blanks what an encoding allows within a value and X3D's fields do not know, such as comments. */
+/** Replaces what only one encoding allows within a value, such as comments, by blanks. */
 @FunctionalInterface
 public interface ValueCleaner {
-  /** Blanks characters of the beginning of a buffer; what is left keeps its offsets. */
+  /** Cleans the first characters of a buffer; the offsets of the others are unchanged. */
   void clean(char[] value, int length);
 }

@@ -1,43 +1,43 @@
 package org.selectiverenderer.x3d.source;
 
 /**
- * An attribute as it stands in a start tag; good as long as the text stays as it is.
+ * An attribute as written in a start tag; valid until the text changes.
  *
- * @param text that it stands in
- * @param name as it is written, prefix included
- * @param from offset of the name
- * @param valueFrom offset of the value, behind its quote
- * @param valueTo offset of the quote that ends it
- * @param entities that the value may refer to
+ * @param text the text that contains it
+ * @param name the qualified name, with its prefix
+ * @param from the offset of the name
+ * @param valueFrom the offset of the value, after its quote
+ * @param valueTo the offset of the quote that ends the value
+ * @param entities the entities for references in the value
  */
 public record WrittenAttribute(
     CharSequence text, String name, int from, int valueFrom, int valueTo, Entities entities) {
-  /** The value with references replaced and white space as XML reads it. */
+  /** Returns the normalized value, with references resolved (XML 1.0, 3.3.3). */
   public String value() {
     return XmlReferences.read(text, valueFrom, valueTo, ' ', entities);
   }
 
-  /** The same with the ends of its lines, which XML takes for blanks: for programs. */
+  /** Returns the value with its line ends, which XML normalizes to blanks, for programs. */
   String lines() {
     return XmlReferences.read(text, valueFrom, valueTo, '\n', entities);
   }
 
-  /** Whether a part of the value, or all, comes out of an entity of the DOCTYPE. */
+  /** Returns whether the value refers to an entity of the DOCTYPE. */
   public boolean fromEntity() {
     return entities.within(text, valueFrom, valueTo);
   }
 
-  /** The value as it is written, references and all. */
+  /** Returns the value as it is written, with references. */
   String written() {
     return text.subSequence(valueFrom, valueTo).toString();
   }
 
-  /** Whether it declares a namespace. */
+  /** Returns whether it is a namespace declaration. */
   public boolean declaration() {
     return name.equals("xmlns") || name.startsWith("xmlns:");
   }
 
-  /** The offset of a character of the value, counted from the first that is no white space. */
+  /** Returns the offset of a character of the value, counted from the first non-blank one. */
   int at(int character) {
     int at = valueFrom;
     while (at < valueTo && text.charAt(at) <= ' ') {
@@ -49,10 +49,10 @@ public record WrittenAttribute(
         while (at < valueTo && text.charAt(at) != ';') {
           at++;
         }
-        // A reference is one character, two beyond the basic plane.
+        // a reference is one char, or two for a supplementary character
         i += XmlReferences.read(text, start, Math.min(at + 1, valueTo)).length() == 2 ? 1 : 0;
       }
-      // CR LF is one character, as XML reads it (XML 1.0, 2.11).
+      // CRLF is one character in XML (XML 1.0, 2.11)
       boolean two = at + 1 < valueTo && text.charAt(at) == '\r' && text.charAt(at + 1) == '\n';
       at += two ? 2 : 1;
     }

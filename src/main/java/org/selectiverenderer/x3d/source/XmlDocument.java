@@ -9,16 +9,16 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * A file of X3D, in whatever encoding, as elements of the XML encoding with their places, as far as
- * it could be parsed, and what is wrong with it before it says anything about a scene. What the
- * elements mean is for others to say; {@link X3dReader#scene} makes the scene. Serves one thread.
+ * A parsed X3D file in any encoding, as elements of the XML encoding with their locations, and its
+ * syntax errors. The elements are not interpreted; {@link X3dReader#scene} returns their scene. Not
+ * thread-safe.
  */
 public final class XmlDocument {
   /**
    * A comment.
    *
-   * @param offset of its first character
-   * @param before the element that begins next beside it; null if none does
+   * @param offset the offset of its first character
+   * @param before the next sibling element; null if there is none
    */
   public record Comment(
       String text, Location location, int offset, @Nullable DocumentElement before) {
@@ -27,7 +27,7 @@ public final class XmlDocument {
     }
   }
 
-  /** A DOCTYPE; its public identifier is empty where it gives none. */
+  /** A DOCTYPE; its public identifier is empty if there is none. */
   public record DocumentType(Location location, String publicId) {}
 
   private final String name;
@@ -61,47 +61,47 @@ public final class XmlDocument {
     type = found;
   }
 
-  /** The name that places call the file by. */
+  /** Returns the name of the file in locations. */
   public String name() {
     return name;
   }
 
-  /** Whether the file is compressed by gzip. */
+  /** Returns whether the file is compressed by gzip. */
   public boolean isCompressed() {
     return compressed;
   }
 
-  /** How the file is written; its elements are those of the XML encoding all the same. */
+  /** Returns the encoding of the file; its elements are always those of the XML encoding. */
   public Encoding encoding() {
     return encoding;
   }
 
-  /** The DOCTYPE, if the file has one. */
+  /** Returns the DOCTYPE, if the file has one. */
   public Optional<DocumentType> type() {
     return Optional.ofNullable(type);
   }
 
-  /** The outermost element. */
+  /** Returns the root element. */
   public Optional<DocumentElement> root() {
     return elements.stream().findFirst();
   }
 
-  /** All elements in the order in which they begin. */
+  /** Returns all elements in document order. */
   public List<DocumentElement> elements() {
     return Collections.unmodifiableList(elements);
   }
 
-  /** The comments, in the order of the file. */
+  /** Returns the comments in document order. */
   public List<Comment> comments() {
     return Collections.unmodifiableList(comments);
   }
 
-  /** What is wrong with the file as XML, in the order found. */
+  /** Returns the syntax errors in the order found. */
   public List<DocumentFault> faults() {
     return Collections.unmodifiableList(faults);
   }
 
-  /** Whether the file ends before its elements do, so that what is missing is no other fault. */
+  /** Returns whether the file is truncated, so that missing parts are no further errors. */
   public boolean broken() {
     return faults.stream()
         .anyMatch(

@@ -12,12 +12,12 @@ import org.selectiverenderer.x3d.field.Flaws;
 import org.selectiverenderer.x3d.source.DocumentFault.Kind;
 
 /**
- * What stands in a text, one after the other, up to its end or to where it is not well formed. All
- * parsing of XML goes through here. The element's and attributes' methods answer for the start tag
- * that came last.
+ * A pull parser of XML that reads a text up to its end or the first place where it is not
+ * well-formed. All XML is parsed by this class. The methods for the element and its attributes
+ * refer to the last start tag.
  */
 public final class XmlEvents {
-  /** There is nothing more. */
+  /** The event at the end of the text or at a fault. */
   public static final int NONE = -1;
 
   private static final char[] EMPTY = {};
@@ -30,7 +30,9 @@ public final class XmlEvents {
   private @Nullable DocumentFault fault;
 
   /**
-   * @param text the part of the source that is to be parsed
+   * Creates a parser.
+   *
+   * @param text the part of the source to parse
    */
   XmlEvents(TextSource source, SourceText text) {
     this.source = source;
@@ -38,24 +40,24 @@ public final class XmlEvents {
     try {
       xml = text.parser();
     } catch (XMLStreamException e) {
-      // Thrown for a bad XML declaration only, before there is any element.
+      // thrown only for an invalid XML declaration
       Location start = new Location(source.file(), 1, 1);
       fault = new DocumentFault(Kind.SYNTAX, start, "the XML declaration is not well formed");
     }
   }
 
-  /** The text that is read. */
+  /** Returns the text being parsed. */
   public TextSource source() {
     return source;
   }
 
-  /** Why there is nothing more, if it is not the end; null otherwise. */
+  /** Returns the fault that ended parsing; null if there is none. */
   @Nullable
   public DocumentFault fault() {
     return fault;
   }
 
-  /** The next of {@link XMLStreamConstants}, or {@link #NONE}. */
+  /** Returns the next event of {@link XMLStreamConstants}, or {@link #NONE}. */
   public int next() {
     if (fault == null) {
       try {
@@ -84,8 +86,8 @@ public final class XmlEvents {
     fault = new DocumentFault(kind, XmlFaults.place(e, source, text.length()), what);
   }
 
-  // Text is parsed when it is asked for, and then the parser wraps its exception. Whatever else it
-  // may throw on hostile text means no more than that the text is bad.
+  // The parser reads text lazily and then wraps its exception. Any other exception on hostile text
+  // also means that the text is not well-formed.
   private void breakOff(RuntimeException e) {
     if (e.getCause() instanceof XMLStreamException wrapped) {
       breakOff(wrapped);
@@ -97,7 +99,7 @@ public final class XmlEvents {
     }
   }
 
-  /** The text or comment that came; empty if it turns out not to be well formed. */
+  /** Returns the current text or comment; empty if it is not well-formed. */
   public String text() {
     try {
       return xml().getText();
@@ -107,7 +109,7 @@ public final class XmlEvents {
     }
   }
 
-  /** The offset of the first character of the text that came which is no white space. */
+  /** Returns the offset of the first non-blank character of the current text. */
   public int textStart() {
     CharSequence characters = source.characters();
     int at = start();
@@ -121,7 +123,7 @@ public final class XmlEvents {
     return at;
   }
 
-  /** Whether the text that came is white space. */
+  /** Returns whether the current text is blank. */
   boolean blank() {
     try {
       return xml().isWhiteSpace();
@@ -131,17 +133,17 @@ public final class XmlEvents {
     }
   }
 
-  /** Where what came starts. */
+  /** Returns the location of the current event. */
   public ElementLocation place() {
     return ElementLocation.of(source, xml());
   }
 
-  /** The offset at which what came starts. */
+  /** Returns the offset of the current event. */
   int start() {
     return ElementLocation.offset(source, xml().getLocationInfo().getStartLocation());
   }
 
-  /** The offset behind what came. */
+  /** Returns the offset after the current event. */
   public int end() {
     try {
       return xml().getLocationInfo().getEndLocation().getCharacterOffset();
@@ -151,7 +153,7 @@ public final class XmlEvents {
     }
   }
 
-  /** The DOCTYPE that came. */
+  /** Returns the current DOCTYPE. */
   XmlDocument.DocumentType type() {
     Location at = place().location();
     try {
@@ -163,14 +165,14 @@ public final class XmlEvents {
     }
   }
 
-  /** The name of the entity that came. */
+  /** Returns the name of the current entity. */
   public String entity() {
     return xml().getLocalName();
   }
 
   /**
-   * The element's name without prefix; with it for an element of another language's namespace, such
-   * as a signature's {@code ds:Transform}, so that it is not taken for a node.
+   * Returns the element's local name; with its prefix for an element of a foreign namespace, such
+   * as {@code ds:Transform} of an XML signature, so that it is not taken for a node.
    */
   public String element() {
     String prefix = xml().getPrefix();
@@ -183,23 +185,23 @@ public final class XmlEvents {
     return foreign ? prefix + ":" + xml().getLocalName() : xml().getLocalName();
   }
 
-  /** How many attributes the element has. */
+  /** Returns the number of attributes of the element. */
   public int attributes() {
     return xml().getAttributeCount();
   }
 
-  /** An attribute's name without prefix; empty when it belongs to another language's namespace. */
+  /** Returns an attribute's local name; empty if it is of a foreign namespace. */
   public String attributeName(int index) {
     String prefix = xml().getAttributePrefix(index);
     return prefix == null || prefix.isEmpty() ? xml().getAttributeLocalName(index) : "";
   }
 
-  /** An attribute as it is written, references replaced. */
+  /** Returns the text of an attribute with its references resolved. */
   public String attributeText(int index) {
     return xml().getAttributeValue(index);
   }
 
-  /** The attribute of that name, whatever its prefix; null when it is not given. */
+  /** Returns the attribute with a local name, or null. */
   @Nullable
   public String attribute(String name) {
     for (int i = 0; i < xml().getAttributeCount(); i++) {
@@ -210,7 +212,7 @@ public final class XmlEvents {
     return null;
   }
 
-  /** An attribute as a value of numbers; null when nothing can be used. */
+  /** Parses an attribute to a value of numbers; null if nothing of it is usable. */
   @Nullable
   public Object numbers(int index, FieldType type, FieldParser parser, Flaws flaws) {
     decoder.type = type;
@@ -225,7 +227,7 @@ public final class XmlEvents {
   }
 
   /**
-   * Takes the characters of a value from the parser's own buffer; a large value is never copied.
+   * Receives the characters of a value in the parser's buffer, so that large values are not copied.
    */
   private static final class Decoder extends TypedValueDecoder {
     private FieldType type = FieldType.SFBool;

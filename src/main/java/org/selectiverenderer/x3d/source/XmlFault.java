@@ -1,6 +1,6 @@
 package org.selectiverenderer.x3d.source;
 
-/** A text is not well formed, or more than a scene may be. */
+/** Thrown if a text is not well-formed or exceeds a limit. */
 public final class XmlFault extends Exception {
   private static final long serialVersionUID = 1L;
 
@@ -11,7 +11,7 @@ public final class XmlFault extends Exception {
     this.fault = fault;
   }
 
-  /** What is wrong, and where. */
+  /** Returns the fault with its location. */
   public DocumentFault fault() {
     return fault;
   }

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 import javax.xml.stream.XMLStreamException;
 import org.selectiverenderer.base.problem.Location;
 
-/** Says in plain words what the XML parser found wrong. */
+/** Converts the exceptions of the XML parser to messages for authors. */
 final class XmlFaults {
   private static final Pattern ENTITY =
       Pattern.compile("ENTITY_REFERENCE \\(([^)]*)\\)|&([^;)]*);");
@@ -18,7 +18,7 @@ final class XmlFaults {
 
   private static final int LONGEST_REFERENCE = 32;
 
-  /** What the parser says, and what it means for who writes the file. */
+  /** Parts of the parser's messages, and the corresponding messages for authors. */
   private static final Map<String, String> CAUSES =
       Map.of(
           "expected a quote", "the value of an attribute must be in quotes",
@@ -31,7 +31,7 @@ final class XmlFaults {
 
   private XmlFaults() {}
 
-  /** The fault as the first half of a sentence. */
+  /** Returns the message, to which the consequence can be appended. */
   static String describe(XMLStreamException fault) {
     String raw = fault.getMessage() == null ? "" : fault.getMessage();
     String message = raw.toLowerCase(Locale.ROOT);
@@ -74,9 +74,9 @@ final class XmlFaults {
   }
 
   /**
-   * Where the fault is. The parser stops behind the character that it cannot take.
+   * Returns the location of the error. The parser stops after the offending character.
    *
-   * @param length of the text that is parsed
+   * @param length the length of the parsed text
    */
   static Location place(XMLStreamException fault, TextSource source, int length) {
     javax.xml.stream.Location at = fault.getLocation();
@@ -106,7 +106,7 @@ final class XmlFaults {
     return source.location(ended ? back(text, end, '<') : Math.max(0, end - 1));
   }
 
-  /** The last such character before an offset; the offset itself where there is none. */
+  /** Returns the offset of the last such character before an offset, or else that offset. */
   private static int back(CharSequence text, int end, char wanted) {
     for (int i = end - 1; i >= 0; i--) {
       if (text.charAt(i) == wanted) {
@@ -116,7 +116,7 @@ final class XmlFaults {
     return end;
   }
 
-  /** The first attribute of a tag whose name an earlier one has. */
+  /** Returns the location of the first repeated attribute of a tag. */
   private static Location repeated(TextSource source, int tag) {
     Set<String> names = new HashSet<>();
     for (WrittenAttribute attribute : source.tag(tag).attributes()) {

@@ -2,20 +2,20 @@ package org.selectiverenderer.x3d.source;
 
 import java.util.Optional;
 
-/** References to characters, as attributes hold them. */
+/** Normalizes attribute values: resolves references and white space (XML 1.0, 3.3.3). */
 final class XmlReferences {
   private XmlReferences() {}
 
-  /** What a part of a text means as an attribute's value (XML 1.0, 3.3.3). */
+  /** Returns the normalized attribute value of a part of a text (XML 1.0, 3.3.3). */
   static String read(CharSequence text, int from, int to) {
     return read(text, from, to, ' ', Entities.NONE);
   }
 
   /**
-   * The same with another character in place of each end of a line.
+   * Returns the normalized value with another replacement of line ends.
    *
-   * @param lineEnd a blank, as XML has it, or {@code \n}
-   * @param entities what other references mean
+   * @param lineEnd a blank, as in XML, or {@code \n}
+   * @param entities the entities for further references
    */
   static String read(CharSequence text, int from, int to, char lineEnd, Entities entities) {
     StringBuilder value = new StringBuilder(to - from);
@@ -49,17 +49,17 @@ final class XmlReferences {
         if (!character(name, into)) {
           Optional<String> known = entities.value(name);
           if (known.isPresent()) {
-            // Its own references are replaced but for those to characters.
+            // nested entities are already expanded, but not character references
             into.append(read(known.get(), 0, known.get().length(), lineEnd, Entities.NONE));
           } else {
-            into.append('&').append(name).append(';'); // external, or of a scene that is run
+            into.append('&').append(name).append(';'); // external, or of a running scene
           }
         }
       }
     }
   }
 
-  /** Appends the character that a reference such as {@code #x41} means; false if it is none. */
+  /** Appends the character of a reference such as {@code #x41}; false if it is invalid. */
   private static boolean character(String name, StringBuilder into) {
     try {
       if (name.startsWith("#x")) {
@@ -71,7 +71,7 @@ final class XmlReferences {
       }
       return true;
     } catch (IllegalArgumentException e) {
-      return false; // no number, or that of no character
+      return false; // not a number, or not a valid code point
     }
   }
 }

@@ -1,17 +1,16 @@
 /**
- * A file as text and as XML: bytes to characters and back, elements with their places, what is
- * wrong as XML.
+ * The source text of scenes: character encoding, XML parsing to elements with locations, and syntax
+ * errors.
  *
- * <p>All XML is parsed by {@code XmlEvents}, after a look at the file by {@code Preflight}. There
- * is one element, {@link org.selectiverenderer.x3d.source.DocumentElement}: the validator's, that
- * of bodies of prototypes, and that of a text that is edited, whose elements follow the edits in an
- * {@link org.selectiverenderer.x3d.source.ElementTree}. Where each looks for something else, it
- * keeps something else: the validator's elements have their attributes as values, those of an
- * edited text leave them in the text.
+ * <p>All XML is parsed by {@link org.selectiverenderer.x3d.source.XmlEvents}, after a check of the
+ * file by {@link org.selectiverenderer.x3d.source.Preflight}. The class {@link
+ * org.selectiverenderer.x3d.source.DocumentElement} serves the validator, prototype bodies, and
+ * edited texts, whose {@link org.selectiverenderer.x3d.source.ElementTree} follows the edits. The
+ * elements of the validator store parsed attributes, while those of an edited text leave them in
+ * the text.
  *
- * <p>A text of another encoding becomes the same elements: its parser calls a {@link
- * org.selectiverenderer.x3d.source.DocumentBuilder}, and the elements' places are those of that
- * text.
+ * <p>A text of another encoding is converted to the same elements: its parser calls a {@link
+ * org.selectiverenderer.x3d.source.DocumentBuilder}, with locations in that text.
  *
  * <p>In: bytes of a file, plain or compressed. Out: text, elements, {@link
  * org.selectiverenderer.x3d.source.XmlDocument}s. Uses {@code x3d.catalogue}, {@code x3d.field},

@@ -14,17 +14,17 @@ import org.selectiverenderer.x3d.source.DocumentBuilder;
 import org.selectiverenderer.x3d.source.XmlFault;
 import org.selectiverenderer.x3d.vrml.VrmlScope.Named;
 
-/** Reads nodes with all that is in them, and gives the other statements to who reads those. */
+/** Parses nodes with their fields, and delegates other statements to {@link StatementParser}. */
 final class NodeParser {
   /**
-   * Where a node stands.
+   * The place of a node in its parent.
    *
-   * @param field of the node around it; empty where no field is named, at the top or in a prototype
-   * @param at offset of the field's name
+   * @param field the field of the parent; empty at the top level and in a prototype
+   * @param at the offset of the field's name
    */
   record Place(String field, int at) {}
 
-  /** The top of a scene, and wherever else no field is named. */
+  /** The top level of a scene, and any other place without a field. */
   static final Place TOP = new Place("", 0);
 
   private record Connection(String field, String prototypeField, int at, int from, int to) {}
@@ -45,7 +45,7 @@ final class NodeParser {
     this.statements = new StatementParser(document, scanner, catalogue, this, values);
   }
 
-  /** Reads a node or another statement, which begins here. */
+  /** Parses the node or other statement at the current offset. */
   void statement(VrmlScope scope, Place place) throws XmlFault {
     int start = scanner.at();
     String word = scanner.word();
@@ -56,7 +56,7 @@ final class NodeParser {
       }
       case "USE" -> use(scope, place, start);
       case "NULL" -> {
-        // No node.
+        // no node
       }
       case "" -> throw scanner.expected("a node or a statement");
       default -> {
@@ -167,11 +167,11 @@ final class NodeParser {
   }
 
   /**
-   * Reads what is in a field.
+   * Parses the content of a field.
    *
-   * @param place where its nodes are
-   * @param attribute what its value is
-   * @param type null if nobody knows
+   * @param place the place of its nodes
+   * @param attribute the attribute for its value
+   * @param type the field type, or null if it is unknown
    */
   void content(VrmlScope scope, Place place, String attribute, @Nullable FieldType type, int at)
       throws XmlFault {
@@ -186,7 +186,7 @@ final class NodeParser {
     }
   }
 
-  /** The control points of VRML97's NURBS stood in the field itself (ISO/IEC 14772-1 Amd.1, 6). */
+  /** Parses control points of VRML97 NURBS, which are values (ISO/IEC 14772-1 Amd.1, 6). */
   private void controlPoints(int at) throws XmlFault {
     document.open("Coordinate", null, null, at, scanner.at());
     document.attribute("containerField", "controlPoint", at);
@@ -212,7 +212,7 @@ final class NodeParser {
     scanner.step();
   }
 
-  /** Reads IS and what follows it, if it stands here (ISO/IEC 19776-2, 4.3.7). */
+  /** Parses an IS connection, if there is one here (ISO/IEC 19776-2, 4.3.7). */
   private boolean connected(String field, int at, List<Connection> connections) throws XmlFault {
     scanner.space();
     if (!scanner.take("IS")) {

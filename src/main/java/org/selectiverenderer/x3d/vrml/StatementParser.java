@@ -11,9 +11,9 @@ import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.source.DocumentBuilder;
 import org.selectiverenderer.x3d.source.XmlFault;
 
-/** Reads routes, prototypes, imports and exports (ISO/IEC 19776-2, 4.3.4 to 4.3.13). */
+/** Parses routes, prototypes, imports and exports (ISO/IEC 19776-2, 4.3.4 to 4.3.13). */
 final class StatementParser {
-  /** A field that a prototype or a script declares; its element is open. */
+  /** A field declaration of a prototype or Script, whose element is open. */
   record Declared(String name, FieldType type, FieldAccess access, int at) {}
 
   private final DocumentBuilder document;
@@ -35,7 +35,7 @@ final class StatementParser {
     this.values = values;
   }
 
-  /** The access that a word stands for in X3D or VRML97; null for any other word. */
+  /** Returns the access type of a keyword of X3D or VRML97; null for any other word. */
   static @Nullable FieldAccess access(String word) {
     return switch (word) {
       case "field", "initializeOnly" -> FieldAccess.INITIALIZE_ONLY;
@@ -47,9 +47,9 @@ final class StatementParser {
   }
 
   /**
-   * Reads the statement of that word; false for a word that begins none.
+   * Parses the statement of a keyword; returns false for any other word.
    *
-   * @param start offset of the word, which has been passed
+   * @param start the offset of the word, which has been consumed
    */
   boolean read(String word, int start, VrmlScope scope) throws XmlFault {
     switch (word) {
@@ -72,7 +72,7 @@ final class StatementParser {
     end(start, scope, "from");
     scanner.space();
     if (!scanner.take("TO")) {
-      throw scanner.expected("TO and the other end of the ROUTE");
+      throw scanner.expected("TO and the destination of the ROUTE");
     }
     end(start, scope, "to");
     document.close(scanner.at());
@@ -179,10 +179,10 @@ final class StatementParser {
   }
 
   /**
-   * Begins the element of a field of an interface.
+   * Parses a field declaration of an interface and opens its element.
    *
-   * @param word its access, which has been passed
-   * @param at offset of that
+   * @param word the keyword of its access type, which has been consumed
+   * @param at the offset of the keyword
    */
   Declared declare(String word, int at) throws XmlFault {
     FieldAccess access = access(word);
@@ -199,7 +199,7 @@ final class StatementParser {
       type = candidate.name().equals(spelling) ? candidate : type;
     }
     if (type == null) {
-      throw document.fault(from, Tokens.quote(spelling) + " is no type of fields");
+      throw document.fault(from, Tokens.quote(spelling) + " is not a field type");
     }
     int typeEnd = scanner.at();
     document.open("field", null, null, at, typeEnd);
@@ -209,7 +209,7 @@ final class StatementParser {
     return new Declared(name, type, access, at);
   }
 
-  /** Reads the value that a field begins with, if it has one. */
+  /** Parses the initial value of a field, if it has one. */
   void initial(Declared declared, VrmlScope scope) throws XmlFault {
     if (declared.access().initialisable()) {
       nodes.content(scope, NodeParser.TOP, "value", declared.type(), declared.at());

@@ -4,12 +4,12 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentBuilder;
 import org.selectiverenderer.x3d.source.XmlFault;
 
-/** Finds where the values of fields begin and end, all but those that are nodes. */
+/** Finds the extent of field values other than nodes, and adds them as attributes. */
 final class ValueParser {
   private final DocumentBuilder document;
   private final VrmlScanner scanner;
 
-  /** Where the list that was passed last has its first word; -1 for a value without brackets. */
+  /** The offset of the first word of the last list; -1 for a value without brackets. */
   private int firstInList = -1;
 
   ValueParser(DocumentBuilder document, VrmlScanner scanner) {
@@ -17,7 +17,7 @@ final class ValueParser {
     this.scanner = scanner;
   }
 
-  /** Blanks comments; what is in quotes is no comment. */
+  /** Replaces comments outside quotes by blanks. */
   static void clean(char[] value, int length) {
     boolean quoted = false;
     for (int i = 0; i < length; i++) {
@@ -35,10 +35,10 @@ final class ValueParser {
   }
 
   /**
-   * Makes the value that stands here an attribute.
+   * Adds the value at the current offset as an attribute.
    *
-   * @param attribute its name
-   * @param at offset of the field's name
+   * @param attribute the name of the attribute
+   * @param at the offset of the field's name
    */
   void value(String attribute, FieldType type, int at) throws XmlFault {
     int from = scanner.space();
@@ -55,7 +55,7 @@ final class ValueParser {
         int to = words(type);
         int first = first(from);
         String words = document.value(first, Math.max(first, to));
-        // Only the values of the grammar: others are told as they are written.
+        // only the keywords of the grammar; other spellings are reported as written
         String spelled = words.replaceAll("\\bTRUE\\b", "true").replaceAll("\\bFALSE\\b", "false");
         document.attribute(attribute, spelled, at, first, Math.max(first, to));
       }
@@ -67,12 +67,12 @@ final class ValueParser {
     }
   }
 
-  /** Where a value's first word is: behind the bracket, if there is one. */
+  /** Returns the offset of a value's first word, after the bracket, if any. */
   private int first(int from) {
     return firstInList >= 0 ? firstInList : from;
   }
 
-  /** Passes words of numbers or truth values; returns the offset behind the last. */
+  /** Skips numbers or booleans; returns the offset after the last. */
   private int words(FieldType type) throws XmlFault {
     if (scanner.peek() == '[') {
       return list();
@@ -81,7 +81,7 @@ final class ValueParser {
     boolean flags = type.kind() == FieldType.Kind.BOOLEAN;
     int end = scanner.at();
     scanner.space();
-    // A number where a truth value should be is told as what it is, and the file goes on.
+    // a wrong word in the place of a value is reported, and parsing goes on
     if (!flag() && stray()) {
       scanner.passWord();
       end = scanner.at();
@@ -114,8 +114,8 @@ final class ValueParser {
   }
 
   /**
-   * Whether a word stands where a value begins that is neither one nor a field's name, as no value
-   * follows it: {@code abc}. It is told as a value, and the file goes on.
+   * Returns whether the word in the place of a value is neither a value nor a field name, as no
+   * value follows it: {@code abc}. It is reported as an invalid value, and parsing goes on.
    */
   private boolean stray() {
     int start = scanner.at();
@@ -152,7 +152,7 @@ final class ValueParser {
     }
   }
 
-  /** Passes a list in brackets; returns the offset of the closing one. */
+  /** Skips a list in brackets; returns the offset of the closing bracket. */
   private int list() throws XmlFault {
     int open = scanner.at();
     scanner.step();
@@ -190,7 +190,7 @@ final class ValueParser {
     document.attribute(attribute, lines, at, from, Math.max(from, to));
   }
 
-  /** A word that neither is nor begins a node, such as the enumerations of some programs. */
+  /** Parses a bare word that does not begin a node, such as an enumeration of some programs. */
   private boolean name(String attribute, int at) {
     int from = scanner.at();
     String word = scanner.word();
@@ -208,7 +208,7 @@ final class ValueParser {
     return !begins;
   }
 
-  /** Whether numbers stand here, or a list of them. */
+  /** Returns whether there is a number or a list of numbers here. */
   boolean numbers() {
     int from = scanner.space();
     boolean list = scanner.peek() == '[';
@@ -222,9 +222,9 @@ final class ValueParser {
   }
 
   /**
-   * Makes the value of a field that nobody knows an attribute.
+   * Adds the value of an unknown field as an attribute.
    *
-   * @return false, having passed nothing, where it may be nodes
+   * @return false, without consuming anything, if it may consist of nodes
    */
   boolean guess(String attribute, int at) throws XmlFault {
     int from = scanner.space();

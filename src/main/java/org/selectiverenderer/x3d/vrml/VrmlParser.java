@@ -8,12 +8,12 @@ import org.selectiverenderer.x3d.source.Encoding;
 import org.selectiverenderer.x3d.source.ValueCleaner;
 import org.selectiverenderer.x3d.source.XmlFault;
 
-/** Reads a file: its first line, its head, and the statements of its scene. */
+/** Parses a file: its header line, its head statements, and its scene. */
 public final class VrmlParser implements DocumentBuilder.Parser {
   private static final Pattern VERSION = Pattern.compile("#X3D\\s+V?(\\d+\\.\\d+).*");
 
   /**
-   * What a VRML97 scene is in X3D: the profile that was made of it, in an edition with its nodes.
+   * The X3D profile that corresponds to VRML97; the version below still has all nodes of VRML97.
    */
   private static final String VRML97_PROFILE = "Immersive";
 
@@ -22,7 +22,7 @@ public final class VrmlParser implements DocumentBuilder.Parser {
   private final NodeCatalogue catalogue;
   private final Encoding encoding;
 
-  /** A parser of one encoding that knows the node types of a catalogue. */
+  /** Creates a parser of one encoding for the node types of a catalogue. */
   public VrmlParser(NodeCatalogue catalogue, Encoding encoding) {
     this.catalogue = catalogue;
     this.encoding = encoding;
@@ -37,7 +37,7 @@ public final class VrmlParser implements DocumentBuilder.Parser {
   public void parse(DocumentBuilder document) throws XmlFault {
     VrmlScanner scanner = new VrmlScanner(document);
     while (scanner.peek() != '#') {
-      scanner.step(); // white space: the first line was looked for behind it
+      scanner.step(); // white space, which the detection of the encoding skips
     }
     int start = scanner.at();
     String line = scanner.line();
@@ -68,7 +68,7 @@ public final class VrmlParser implements DocumentBuilder.Parser {
     }
   }
 
-  /** Reads the statements that stand before the scene (ISO/IEC 19776-2, 4.3.3). */
+  /** Parses the statements before the scene (ISO/IEC 19776-2, 4.3.3). */
   private void head(DocumentBuilder document, VrmlScanner scanner) throws XmlFault {
     boolean head = false;
     while (true) {

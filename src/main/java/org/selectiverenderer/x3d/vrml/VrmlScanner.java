@@ -7,8 +7,8 @@ import org.selectiverenderer.x3d.source.SourceText;
 import org.selectiverenderer.x3d.source.XmlFault;
 
 /**
- * Goes through the words of a text (ISO/IEC 19776-2, 4.3): what stands between white space, commas,
- * brackets and quotes. Comments are handed to the document as they are passed.
+ * Scans the lexical elements of a text (ISO/IEC 19776-2, 4.3), which are separated by white space,
+ * commas, brackets and quotes. Comments are added to the document when they are skipped.
  */
 final class VrmlScanner {
   private final DocumentBuilder document;
@@ -22,7 +22,7 @@ final class VrmlScanner {
     this.length = text.length();
   }
 
-  /** The offset of the next character. */
+  /** Returns the offset of the next character. */
   int at() {
     return at;
   }
@@ -31,7 +31,7 @@ final class VrmlScanner {
     return at >= length;
   }
 
-  /** The next character; 0 at the end. */
+  /** Returns the next character; 0 at the end. */
   char peek() {
     return at < length ? text.charAt(at) : 0;
   }
@@ -44,7 +44,7 @@ final class VrmlScanner {
     at = offset;
   }
 
-  /** Passes white space, commas and comments; returns the offset of what comes then. */
+  /** Skips white space, commas and comments; returns the offset after them. */
   int space() {
     while (at < length) {
       char c = text.charAt(at);
@@ -59,7 +59,7 @@ final class VrmlScanner {
     return at;
   }
 
-  /** The word that comes next, nothing being passed. */
+  /** Returns the next word without consuming anything. */
   String nextWord() {
     int start = at;
     look();
@@ -68,7 +68,7 @@ final class VrmlScanner {
     return word;
   }
 
-  /** Whether a curly bracket comes next, nothing being passed. */
+  /** Returns whether an opening brace is next, without consuming anything. */
   boolean opens() {
     int start = at;
     look();
@@ -77,7 +77,7 @@ final class VrmlScanner {
     return found;
   }
 
-  /** Passes what {@link #space} does, telling no comments. */
+  /** Skips as {@link #space} does, without adding comments to the document. */
   void look() {
     while (at < length && (peek() <= ' ' || peek() == ',' || peek() == '#')) {
       if (peek() == '#') {
@@ -94,7 +94,7 @@ final class VrmlScanner {
     document.comment(text.subSequence(start + 1, at).toString(), start);
   }
 
-  /** Passes the rest of a line. */
+  /** Consumes the rest of a line and returns it. */
   String line() {
     int start = at;
     while (at < length && text.charAt(at) != '\n' && text.charAt(at) != '\r') {
@@ -103,7 +103,7 @@ final class VrmlScanner {
     return text.subSequence(start, at).toString();
   }
 
-  /** Whether a character ends a word. */
+  /** Returns whether a character ends a word. */
   private static boolean ends(char c) {
     return c <= ' '
         || switch (c) {
@@ -112,21 +112,21 @@ final class VrmlScanner {
         };
   }
 
-  /** The word that begins here; empty where none does. */
+  /** Consumes the word that begins here and returns it; empty if there is none. */
   String word() {
     int start = at;
     passWord();
     return text.subSequence(start, at).toString();
   }
 
-  /** Passes the word that begins here. */
+  /** Skips the word that begins here. */
   void passWord() {
     while (at < length && !ends(text.charAt(at))) {
       at++;
     }
   }
 
-  /** The word that begins here, up to a mark. */
+  /** Consumes the word that begins here up to a mark, and returns it. */
   String word(char mark) {
     int start = at;
     while (at < length && text.charAt(at) != mark && !ends(text.charAt(at))) {
@@ -135,7 +135,7 @@ final class VrmlScanner {
     return text.subSequence(start, at).toString();
   }
 
-  /** Whether that word stands here; it is passed if it does. */
+  /** Consumes a word if it is here, and returns whether it is. */
   boolean take(String word) {
     int end = at + word.length();
     if (end > length || end < length && !ends(text.charAt(end))) {
@@ -150,7 +150,7 @@ final class VrmlScanner {
     return true;
   }
 
-  /** Whether a number begins here. */
+  /** Returns whether a number begins here. */
   boolean number() {
     return beginsNumber(peek());
   }
@@ -159,12 +159,12 @@ final class VrmlScanner {
     return c >= '0' && c <= '9' || c == '-' || c == '+' || c == '.';
   }
 
-  /** Whether a word is a number, or what programs write where they have none. */
+  /** Returns whether a word is a number, NaN or infinity. */
   static boolean isNumber(String word) {
     return !word.isEmpty() && beginsNumber(word.charAt(0)) || isNotFinite(word);
   }
 
-  /** Whether a word is what programs write for a number that is none. */
+  /** Returns whether a word is NaN or infinity as written by programs. */
   static boolean isNotFinite(String word) {
     return switch (word.toLowerCase(Locale.ROOT)) {
       case "nan", "inf", "infinity" -> true;
@@ -173,9 +173,9 @@ final class VrmlScanner {
   }
 
   /**
-   * A word that must be there.
+   * Consumes a word that must be there and returns it.
    *
-   * @param what it is, with an article
+   * @param what the noun for it with its article, for the message
    */
   String name(String what) throws XmlFault {
     space();
@@ -186,7 +186,7 @@ final class VrmlScanner {
     return name;
   }
 
-  /** Passes a character that must be there. */
+  /** Consumes a character that must be there. */
   void expect(char wanted, String where) throws XmlFault {
     space();
     if (peek() != wanted) {
@@ -195,7 +195,7 @@ final class VrmlScanner {
     at++;
   }
 
-  /** What is wrong where something else should stand. */
+  /** Returns the error that something else is expected here. */
   XmlFault expected(String what) {
     if (ended()) {
       return document.fault(at, "the file is cut off here: " + what + " is missing");
@@ -208,7 +208,7 @@ final class VrmlScanner {
   }
 
   /**
-   * Passes a string; it begins here.
+   * Skips the string that begins here.
    *
    * @return the offset of its closing quote
    */
@@ -224,7 +224,7 @@ final class VrmlScanner {
     return at++;
   }
 
-  /** A string without its quotes and escapes; line ends are those of XML (XML 1.0, 2.11). */
+  /** Consumes a string and returns its unescaped content, with XML line ends (XML 1.0, 2.11). */
   String string(String what) throws XmlFault {
     space();
     if (peek() != '"') {

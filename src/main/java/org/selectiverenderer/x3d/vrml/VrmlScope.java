@@ -6,15 +6,15 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * The names that are known where something stands: those of nodes in a scene or in one prototype's
- * body, and those of prototypes there and around it (X3D 4.0, 4.4.4.3).
+ * A scope of names: the nodes in a scene or in one prototype's body, and the prototypes declared
+ * there and in enclosing scopes (X3D 4.0, 4.4.4.3).
  */
 final class VrmlScope {
   /**
-   * What has a name.
+   * A named node.
    *
-   * @param element its element's name
-   * @param prototype of which it is an instance; empty for a node of the standard
+   * @param element the name of its element
+   * @param prototype the name of its prototype; empty for a node of the standard
    */
   record Named(String element, String prototype) {}
 
@@ -38,7 +38,7 @@ final class VrmlScope {
     prototypes.put(prototype, fields);
   }
 
-  /** The types of a prototype's fields; null when there is none of that name. */
+  /** Returns the field types of a prototype; null if there is none of that name. */
   @Nullable Map<String, FieldType> prototype(String name) {
     for (VrmlScope scope = this; scope != null; scope = scope.enclosing) {
       Map<String, FieldType> fields = scope.prototypes.get(name);

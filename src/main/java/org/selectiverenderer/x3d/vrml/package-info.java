@@ -1,17 +1,18 @@
 /**
- * Scenes written in curly brackets: ClassicVRML (ISO/IEC 19776-2) and VRML97 (ISO/IEC 14772-1).
+ * Parses scenes in ClassicVRML (ISO/IEC 19776-2) and VRML97 (ISO/IEC 14772-1).
  *
- * <p>{@code VrmlParser} reads the statements of a file and {@code NodeParser} the nodes, both by
- * one {@code VrmlScanner}, and say what they find as elements of the XML encoding: a field of
- * values becomes an attribute, a node in a field a child element, with {@code containerField} where
- * it would not get there by itself; IS becomes {@code IS} with {@code connect}; what VRML97 calls
- * otherwise gets X3D's name ({@link org.selectiverenderer.x3d.catalogue.FormerNames}). What the
- * elements mean is said by who reads elements, for all encodings alike. Values stay where they are
- * in the text and are read by {@code x3d.field}, whose syntax of numbers and strings is that of
- * VRML.
+ * <p>{@link org.selectiverenderer.x3d.vrml.VrmlParser} parses the statements of a file and {@link
+ * org.selectiverenderer.x3d.vrml.NodeParser} the nodes, both with one {@link
+ * org.selectiverenderer.x3d.vrml.VrmlScanner}, and convert them to elements of the XML encoding: a
+ * field value becomes an attribute, and a node in a field a child element, with {@code
+ * containerField} if the field is not the default; IS becomes {@code IS} with {@code connect};
+ * names of VRML97 are replaced by those of X3D ({@link
+ * org.selectiverenderer.x3d.catalogue.FormerNames}). The reader interprets the elements in the same
+ * way for all encodings. Values are parsed by {@code x3d.field}, whose syntax of numbers and
+ * strings is that of VRML.
  *
- * <p>A text that breaks the grammar ends there, and what was before it is kept; a field that its
- * node does not have is passed over, if what follows it is a value.
+ * <p>At a syntax error parsing ends, and the part before it is kept; an unknown field is skipped if
+ * a value follows it.
  *
  * <p>In: text. Out: calls of a {@link org.selectiverenderer.x3d.source.DocumentBuilder}. Uses
  * {@code x3d.source}, {@code x3d.catalogue} and {@code x3d.field}.

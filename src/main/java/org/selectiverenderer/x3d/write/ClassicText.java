@@ -10,9 +10,9 @@ import org.selectiverenderer.x3d.write.SceneItem.Element;
 import org.selectiverenderer.x3d.write.SceneItem.Place;
 import org.selectiverenderer.x3d.write.SceneItem.Value;
 
-/** A scene as ClassicVRML (ISO/IEC 19776-2): a field a line, indented by two blanks. */
+/** Writes a scene in ClassicVRML (ISO/IEC 19776-2), one field per line, indented by two blanks. */
 final class ClassicText {
-  /** What a file says that says no version. */
+  /** The version for a file that specifies none. */
   private static final String VERSION = "4.0";
 
   private final StringBuilder text = new StringBuilder();
@@ -139,7 +139,7 @@ final class ClassicText {
     line().append("] [ ").append(element.text("url")).append(" ]\n");
   }
 
-  /** A field of an interface, or a comment there. */
+  /** Writes a field declaration of an interface, or a comment there. */
   private void declared(SceneItem item) {
     if (item instanceof Element field) {
       declared(field, "");
@@ -149,9 +149,9 @@ final class ClassicText {
   }
 
   /**
-   * A field that a prototype or a script declares.
+   * Writes a field declaration of a prototype or Script.
    *
-   * @param connected the prototype's field that it is, by IS; empty for none
+   * @param connected the prototype's field to which IS connects it; empty for none
    */
   private void declared(Element field, String connected) {
     String type = field.text("type").strip();
@@ -167,7 +167,7 @@ final class ClassicText {
     }
   }
 
-  /** The value or the nodes of a field or fieldValue, behind its name. */
+  /** Writes the value or the nodes of a field or fieldValue after its name. */
   private void content(Element field, boolean multiple) {
     Value value =
         field.values().stream().filter(v -> v.name().equals("value")).findFirst().orElse(null);
@@ -183,7 +183,7 @@ final class ClassicText {
     }
   }
 
-  /** Whether it is a field of values for which none is given. */
+  /** Returns whether a field has a type other than nodes. */
   private static boolean stored(Element field) {
     FieldType type = Types.of(field.text("type"));
     return type != null && !type.isNode();
@@ -298,7 +298,7 @@ final class ClassicText {
     return Tokens.string(content);
   }
 
-  /** A value as VRML has it. */
+  /** Returns a value in the syntax of VRML. */
   private static String written(Value value) {
     FieldType type = value.type() == null ? Types.guess(value.text()) : value.type();
     String plain = value.text();

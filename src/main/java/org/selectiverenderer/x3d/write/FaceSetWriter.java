@@ -3,16 +3,16 @@ package org.selectiverenderer.x3d.write;
 import org.selectiverenderer.base.decimal.DecimalText;
 
 /**
- * Writes an IndexedFaceSet of triangles: each index field on a line of its own, then the nodes of
- * the values. To be called in that order.
+ * Writes an IndexedFaceSet of triangles: first the index fields, each on a line of its own, then
+ * the nodes of values.
  */
 public final class FaceSetWriter {
   private final X3dWriter out;
 
   /**
-   * Begins the node, in the container that is usual.
+   * Begins the node, with the default containerField.
    *
-   * @param creaseAngle radians; 0 is left out, as it is the standard's
+   * @param creaseAngle in radians; 0, the default of the standard, is not written
    */
   public FaceSetWriter(X3dWriter out, double creaseAngle, boolean solid) {
     this.out = out.open("IndexedFaceSet");
@@ -25,16 +25,16 @@ public final class FaceSetWriter {
   }
 
   /**
-   * A field of indices.
+   * Writes a field of indices.
    *
-   * @param triangles filled with a corner per vertex of each
+   * @param triangles the indices of the triangles
    */
   public FaceSetWriter index(String field, TupleLines triangles) {
     out.ownLine().numbers(field, triangles.text());
     return this;
   }
 
-  /** A node of values: {@code Coordinate point}, {@code Color color} and so on. */
+  /** Writes a node of values: {@code Coordinate point}, {@code Color color} and so on. */
   public FaceSetWriter values(String node, String field, TupleLines values) {
     out.open(node).numbers(field, values.text()).close();
     return this;

@@ -11,12 +11,12 @@ import org.selectiverenderer.x3d.write.SceneItem.Place;
 import org.selectiverenderer.x3d.write.SceneItem.Words;
 
 /**
- * What is in a node, by fields: XML may mix the nodes of several fields, VRML and JSON name each
- * field once. Comments go with what they stand before.
+ * The content of a node grouped by fields: XML may mix the nodes of several fields, while VRML and
+ * JSON name each field once. A comment is grouped with the item that follows it.
  *
- * @param fields nodes and comments by field, those first that define what others USE
- * @param statements what is in no field
- * @param rest comments behind all else
+ * @param fields nodes and comments by field; fields that define names precede those that USE them
+ * @param statements the statements, which are in no field
+ * @param rest the comments after all other items
  */
 record FieldGroups(
     Map<Place, List<SceneItem>> fields, List<SceneItem> statements, List<SceneItem> rest) {
@@ -47,7 +47,7 @@ record FieldGroups(
     return new FieldGroups(mixed ? sorted(fields) : fields, statements, words);
   }
 
-  /** A field goes before those that USE what it defines, as far as that can be. */
+  /** Sorts fields topologically, each before those that USE its names, as far as possible. */
   private static Map<Place, List<SceneItem>> sorted(Map<Place, List<SceneItem>> fields) {
     Map<Place, List<SceneItem>> left = new LinkedHashMap<>(fields);
     Map<Place, List<SceneItem>> sorted = new LinkedHashMap<>();

@@ -8,7 +8,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The prototypes that are known where something stands. */
+/** The prototypes that are visible in a scope, with their interfaces. */
 final class Interfaces {
   private final @Nullable Interfaces enclosing;
   private final Map<String, DocumentElement> declared = new HashMap<>();
@@ -31,7 +31,7 @@ final class Interfaces {
     return null;
   }
 
-  /** The type of a prototype's field; null if nobody knows. */
+  /** Returns the type of a prototype's field; null if unknown. */
   @Nullable FieldType type(String prototype, String field) {
     DocumentElement declaration = find(prototype);
     if (declaration == null) {
@@ -51,15 +51,15 @@ final class Interfaces {
     return null;
   }
 
-  /** The type that a field element gives; null if it gives none. */
+  /** Returns the type in a field element; null if it has none. */
   static @Nullable FieldType type(DocumentElement field) {
     return Types.of(field.text("type").orElse(""));
   }
 
-  /** The type of the node that an instance of a prototype is; null if nobody knows. */
+  /** Returns the node type of the first node of a prototype's body; null if unknown. */
   @Nullable NodeType node(String prototype, NodeCatalogue catalogue) {
     String name = prototype;
-    // A prototype that contains itself ends with its last one.
+    // the limit ends the search in prototypes that contain themselves
     for (int depth = 0; depth < 100; depth++) {
       DocumentElement declaration = find(name);
       DocumentElement first = declaration == null ? null : first(declaration, catalogue);

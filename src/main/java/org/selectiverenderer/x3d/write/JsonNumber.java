@@ -1,14 +1,14 @@
 package org.selectiverenderer.x3d.write;
 
-/** Numbers of X3D as JSON allows them (RFC 8259, 6): the same digits wherever it can be. */
+/** Converts X3D numbers to JSON syntax (RFC 8259, 6), with the same digits where possible. */
 final class JsonNumber {
   private JsonNumber() {}
 
   /**
-   * Appends a word.
+   * Appends a number or boolean.
    *
-   * @param from where it begins
-   * @param to behind its end
+   * @param from the offset of the word
+   * @param to the offset after the word
    */
   static void append(StringBuilder into, String text, int from, int to) {
     int at = from;
@@ -34,7 +34,7 @@ final class JsonNumber {
     for (; at < to; at++) {
       char next = at + 1 < to ? text.charAt(at + 1) : 0;
       if (text.charAt(at) != '.' || digit(next)) {
-        into.append(text.charAt(at)); // a point with no digit behind it goes
+        into.append(text.charAt(at)); // a decimal point without digits after it is dropped
       }
     }
   }

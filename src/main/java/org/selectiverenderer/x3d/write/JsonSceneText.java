@@ -12,8 +12,8 @@ import org.selectiverenderer.x3d.write.SceneItem.Value;
 import org.selectiverenderer.x3d.write.SceneItem.Words;
 
 /**
- * A scene in X3D's JSON encoding: {@code "@name"} for values, {@code "-field"} for nodes, {@code
- * "#comment"} and {@code "#sourceCode"}; a member a line, indented by two blanks.
+ * Writes a scene in X3D's JSON encoding, with {@code "@name"} for values, {@code "-field"} for
+ * nodes, {@code "#comment"} and {@code "#sourceCode"}; one member per line, indented by two blanks.
  */
 final class JsonSceneText {
   private final StringBuilder text = new StringBuilder();
@@ -49,7 +49,7 @@ final class JsonSceneText {
     first = false;
   }
 
-  /** Begins the next member or value. */
+  /** Begins the next member or element. */
   private StringBuilder next() {
     text.append(first ? "\n" : ",\n").append("  ".repeat(depth));
     first = false;
@@ -100,9 +100,9 @@ final class JsonSceneText {
   }
 
   /**
-   * What is in an element.
+   * Writes the members of an element.
    *
-   * @param listed whether nodes, statements and comments are one list of children
+   * @param listed whether nodes, statements and comments form one array of children
    */
   private void members(Element element, boolean listed) {
     for (Value value : element.values()) {
@@ -155,7 +155,7 @@ final class JsonSceneText {
     }
   }
 
-  /** Whether a statement stands among nodes. */
+  /** Returns whether a statement is written among nodes. */
   private static boolean among(Element statement) {
     return switch (statement.name()) {
       case "ROUTE", "IMPORT", "EXPORT", "ProtoDeclare", "ExternProtoDeclare" -> true;
@@ -164,10 +164,10 @@ final class JsonSceneText {
   }
 
   /**
-   * The nodes of a field.
+   * Writes the nodes of a field.
    *
-   * @param statements of the node around it, which stand among its children: prototypes before
-   *     these, routes behind
+   * @param statements the statements of the parent, which are written among its children:
+   *     prototypes before these, routes after them
    */
   private void field(SceneItem.Place place, List<SceneItem> items, List<SceneItem> statements) {
     if (place.multiple()) {
@@ -191,7 +191,7 @@ final class JsonSceneText {
     }
   }
 
-  /** Elements of one name: X3D's lists stay lists, however few there are. */
+  /** Writes elements of one name, as an array if several are allowed. */
   private void elements(String name, List<Element> elements) {
     member(name);
     boolean single =
@@ -234,7 +234,7 @@ final class JsonSceneText {
     close('}');
   }
 
-  /** Comments where no list could hold them: an object has one member of a name. */
+  /** Writes comments outside arrays as one member, since member names are unique. */
   private void comments(List<SceneItem> items) {
     String words =
         items.stream()
@@ -281,7 +281,7 @@ final class JsonSceneText {
     }
   }
 
-  /** Numbers or truth values, in the lines that they had. */
+  /** Writes numbers or booleans with their original line breaks. */
   private void words(String all) {
     boolean behind = false;
     boolean line = false;

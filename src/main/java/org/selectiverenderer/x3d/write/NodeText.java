@@ -13,19 +13,19 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
- * Nodes with what is in them: the first stands in full with its DEF, further occurrences are USEs.
- * For one file.
+ * Writes nodes with their fields; the first occurrence of a node has its DEF, further ones are
+ * USEs. For one file.
  */
 public final class NodeText {
-  /** Which of a node's values are written. */
+  /** The selection of a node's values to write. */
   public enum Written {
-    /** Those that its file gives, be they the default or not. */
+    /** The values given in its file, whether or not they are the default. */
     GIVEN,
-    /** Those that are not the default. */
+    /** The values that are not the default. */
     CHANGED
   }
 
-  /** Where a node's urls lead, seen from the file that is written. */
+  /** Converts the urls of a node for the file being written. */
   public interface UrlRule {
     String written(NodeView node, String url);
   }
@@ -41,15 +41,15 @@ public final class NodeText {
     this.which = which;
   }
 
-  /** The DEF name under which a node stands in the file; empty for none. */
+  /** Returns the DEF name of a node in the file; empty if it has not been written. */
   public String name(NodeView node) {
     return defined.getOrDefault(node, "");
   }
 
   /**
-   * Notes a node as standing in the file.
+   * Records a node as written.
    *
-   * @return the name that it gets there: its own the first time, none in further copies
+   * @return its DEF name in the file: its own the first time, empty for further copies
    */
   public String define(NodeView node) {
     if (node.name() == null || defined.containsKey(node)) {
@@ -60,9 +60,9 @@ public final class NodeText {
   }
 
   /**
-   * Writes a node with all that is in it, or its USE.
+   * Writes a node with its fields, or its USE.
    *
-   * @param container the field of the parent that holds it; empty at the top of a scene
+   * @param container the field of the parent that contains it; empty at the top level
    */
   public void append(NodeView node, String container, UrlRule urls) {
     String known = name(node);
@@ -76,12 +76,12 @@ public final class NodeText {
     out.close();
   }
 
-  /** Begins a node, as a further copy if it stands in the file already. */
+  /** Begins a node, as a copy without DEF if it has been written before. */
   public void open(NodeView node, String container) {
     out.node(node.type(), define(node), container);
   }
 
-  /** The values of a node that are no nodes, but for one field. */
+  /** Writes the values of a node, without nodes and one excluded field. */
   public void values(NodeView node, String without, UrlRule urls) {
     for (FieldDefinition field : node.type().fields().subList(0, node.type().ownFrom())) {
       boolean asText = field.type().isNode() || field.name().equals(SOURCE);
@@ -92,7 +92,7 @@ public final class NodeText {
     }
   }
 
-  /** What stands in a node: its own fields, nodes but for those of one field, its program. */
+  /** Writes author-defined fields, child nodes (without one field), and the program of a node. */
   public void nodes(NodeView node, String without, UrlRule urls) {
     List<FieldDefinition> fields = node.type().fields();
     int ownFrom = node.type().ownFrom();
@@ -116,7 +116,7 @@ public final class NodeText {
     }
   }
 
-  /** A field that a Script or shader declares itself (ISO/IEC 19776-1, 4.3.7). */
+  /** Writes an author-defined field of a Script or shader (ISO/IEC 19776-1, 4.3.7). */
   private void own(NodeView node, FieldDefinition field, UrlRule urls) {
     out.open("field", "name", field.name(), "type", field.type().name());
     out.attribute("accessType", field.access().spelling());
@@ -129,7 +129,7 @@ public final class NodeText {
     out.close();
   }
 
-  /** A field's value, or null if it is not to be written. */
+  /** Returns a field's value, or null if it is not written. */
   private @Nullable Object written(NodeView node, FieldDefinition field, String without) {
     boolean stored =
         field.access() == FieldAccess.INITIALIZE_ONLY || field.access() == FieldAccess.INPUT_OUTPUT;

@@ -8,7 +8,7 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.XmlDocument;
 
-/** The encodings that scenes are written in, and the endings of their files' names. */
+/** The encodings in which scenes are written, with their file name extensions. */
 public enum SceneFormat {
   XML(XmlText::of, ".x3d", ".x3dz", ".xml"),
   CLASSIC(ClassicText::of, ".x3dv", ".x3dvz"),
@@ -24,7 +24,7 @@ public enum SceneFormat {
     this.endings = List.of(endings);
   }
 
-  /** The format that a file's name asks for; empty if it asks for none. */
+  /** Returns the format for a file name; empty if the extension is unknown. */
   public static Optional<SceneFormat> of(String name) {
     String plain = plain(name);
     for (SceneFormat format : values()) {
@@ -35,7 +35,7 @@ public enum SceneFormat {
     return Optional.empty();
   }
 
-  /** Whether a file's name asks for compression by gzip. */
+  /** Returns whether the extension of a file name implies compression by gzip. */
   public static boolean packed(String name) {
     String lower = name.toLowerCase(Locale.ROOT);
     return lower.endsWith(GZIP) || lower.endsWith("z") && of(name).isPresent();
@@ -47,12 +47,12 @@ public enum SceneFormat {
   }
 
   /**
-   * Writes a document anew, whatever it was written in: the same text each time.
+   * Converts a document of any encoding to this one; the result is reproducible.
    *
-   * <p>Kept are nodes, values as they were written, names, prototypes, routes, scripts and
-   * comments. What X3D does not know is told and left out, as a browser leaves it out.
+   * <p>Nodes, values as they were written, names, prototypes, routes, scripts and comments are
+   * kept. Content unknown to X3D is reported and left out, as a browser does.
    *
-   * @param problems takes what is left out, and values that cannot be used
+   * @param problems receives what is left out, and values that are not usable
    */
   public String text(XmlDocument document, NodeCatalogue catalogue, Problems problems) {
     return writer.apply(SceneItems.of(document, catalogue, problems));

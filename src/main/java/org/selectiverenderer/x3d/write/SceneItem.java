@@ -6,7 +6,7 @@ import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** What stands in a scene that is written anew: elements whose values have types, and comments. */
+/** An item of a scene to be written: an element with typed values, or a comment. */
 sealed interface SceneItem {
   /** A comment. */
   record Words(String text) implements SceneItem {}
@@ -14,30 +14,31 @@ sealed interface SceneItem {
   /**
    * A value of an element, neither DEF nor USE nor containerField.
    *
-   * @param type null where nobody knows it
-   * @param text as it was written, without what could not be read as that type
+   * @param type the field type; null if unknown
+   * @param text the text as it was written, without parts that are invalid for the type
    */
   record Value(String name, @Nullable FieldType type, String text) {}
 
   /**
-   * A field of the node around it.
+   * The field of the parent that contains an element.
    *
-   * @param name empty where no field is named: at the top of a scene, in prototypes
-   * @param usual whether a node of its kind gets there without being told, in XML
+   * @param name the name of the field; empty at the top level and in prototypes
+   * @param multiple whether the field can have several nodes
+   * @param usual whether it is the default containerField of the node
    */
   record Place(String name, boolean multiple, boolean usual) {}
 
-  /** Where no field is named. */
+  /** The place of an element that is not in a field. */
   Place NOWHERE = new Place("", true, true);
 
   /**
    * An element.
    *
-   * @param name of the element
-   * @param type null for a statement or an instance of a prototype
-   * @param def empty for none
-   * @param use empty for none
-   * @param source text in it: the code of a script or shader
+   * @param name the name of the element
+   * @param type the node type; null for a statement or a prototype instance
+   * @param def the DEF name; empty for none
+   * @param use the USE name; empty for none
+   * @param source the code of a Script or shader; empty for none
    */
   record Element(
       String name,
@@ -49,12 +50,12 @@ sealed interface SceneItem {
       List<SceneItem> items,
       String source)
       implements SceneItem {
-    /** Whether it stands for a node. */
+    /** Returns whether it represents a node. */
     boolean node() {
       return type != null || name.equals("ProtoInstance");
     }
 
-    /** A value's text; empty if it is not given. */
+    /** Returns a value's text; empty if it is not given. */
     String text(String value) {
       for (Value candidate : values) {
         if (candidate.name().equals(value)) {
@@ -64,7 +65,7 @@ sealed interface SceneItem {
       return "";
     }
 
-    /** The elements of that name directly in it. */
+    /** Returns the child elements with a name. */
     List<Element> all(String element) {
       return items.stream()
           .filter(Element.class::isInstance)
@@ -73,7 +74,7 @@ sealed interface SceneItem {
           .toList();
     }
 
-    /** The access that a field of an interface says; the one without values if it says none. */
+    /** Returns the access type of a field declaration; outputOnly if it is invalid. */
     FieldAccess access() {
       for (FieldAccess access : FieldAccess.values()) {
         if (access.spelling().equals(text("accessType"))) {

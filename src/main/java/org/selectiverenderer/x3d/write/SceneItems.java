@@ -29,8 +29,9 @@ import org.selectiverenderer.x3d.write.SceneItem.Place;
 import org.selectiverenderer.x3d.write.SceneItem.Value;
 
 /**
- * Finds what a document's elements say: which type each value has, in which field each node is, and
- * where the comments stand. What says nothing is told and left out. Serves one document.
+ * Converts the elements of a document to items for writing: determines the type of each value, the
+ * field of each node, and the positions of comments. Invalid content is reported and left out. For
+ * one document.
  */
 final class SceneItems {
   private static final Pattern BETWEEN = Pattern.compile("[\\s,]+");
@@ -50,7 +51,7 @@ final class SceneItems {
     comments.sort(Comparator.comparingInt(XmlDocument.Comment::offset));
   }
 
-  /** The document's root with the comments around it; without an element if it has no scene. */
+  /** Returns the document's root element with the comments around it. */
   static List<SceneItem> of(XmlDocument document, NodeCatalogue catalogue, Problems problems) {
     SceneItems items = new SceneItems(document, catalogue, problems);
     List<SceneItem> all = new ArrayList<>();
@@ -108,7 +109,7 @@ final class SceneItems {
     Interfaces inner = name.equals("ProtoDeclare") ? new Interfaces(known) : known;
     List<Value> values = new ArrayList<>();
     for (DocumentAttribute attribute : element.attributes()) {
-      // A field that is given twice, which VRML's grammar lets pass, has its last value.
+      // a field given twice, which VRML's grammar allows, has its last value
       values.removeIf(value -> value.name().equals(attribute.name()));
       value(element, type, attribute, known).ifPresent(values::add);
     }
@@ -128,7 +129,7 @@ final class SceneItems {
     return Optional.of(new Element(name, type, def, use, place, values, items, source));
   }
 
-  /** The comments of what is left out are, too. */
+  /** Leaves out the comments in an element that is left out. */
   private void skip(DocumentElement element) {
     comments(element.end() < 0 ? Integer.MAX_VALUE : element.end(), new ArrayList<>());
   }
@@ -150,7 +151,7 @@ final class SceneItems {
     if (field == null || !field.type().isNode()) {
       return null;
     }
-    // Readers differ in what an instance is without being told; only of children they are sure.
+    // readers differ in the default containerField of an instance, except for children
     boolean usual =
         instance || type == null
             ? field.name().equals("children")
@@ -169,7 +170,7 @@ final class SceneItems {
         return Optional.empty();
       }
       default -> {
-        // A value.
+        // a value
       }
     }
     if (type == null) {
@@ -186,7 +187,7 @@ final class SceneItems {
     if (field.type().isNode() || !field.access().initialisable()) {
       leftOut(
           attribute.location(),
-          name + " of " + type + " has no value that a file could give; it is left out");
+          name + " of " + type + " cannot have a value in a file; it is left out");
       return Optional.empty();
     }
     if (attribute.value(field.type()) == null) {
@@ -206,7 +207,7 @@ final class SceneItems {
     }
   }
 
-  /** The text as it was written, if that is a value of the type; else what can be used of it. */
+  /** Returns the text as written if it is valid for the type, else the usable part of it. */
   private Value typed(String name, DocumentAttribute attribute, @Nullable FieldType type) {
     if (type == null || type.isNode() || type == FieldType.SFString) {
       return new Value(name, type, attribute.text());
@@ -218,7 +219,7 @@ final class SceneItems {
     return new Value(name, type, value == null ? "" : text);
   }
 
-  /** JSON has a comma behind each number, which says nothing about tuples as an author's does. */
+  /** Removes the commas of JSON, which unlike those of an author do not separate tuples. */
   private String plain(String written) {
     String text = written.strip();
     return json ? BETWEEN.matcher(text).replaceAll(" ") : text;

@@ -12,8 +12,9 @@ import org.selectiverenderer.x3d.field.Tokens;
 import org.selectiverenderer.x3d.write.SceneItem.Value;
 
 /**
- * The code of scripts and shaders. In XML and JSON it stands in the node; VRML has it as the last
- * of the urls, with its language before a colon (ISO/IEC 14772-1, 4.12.8; X3D 4.0, 29.2.6).
+ * Converts the inline code of scripts and shaders between encodings. XML and JSON have it in the
+ * node; VRML has it as the last url, with its language as the scheme (ISO/IEC 14772-1, 4.12.8; X3D
+ * 4.0, 29.2.6).
  */
 final class SourceCode {
   private static final String SCRIPT = "ecmascript:";
@@ -23,10 +24,10 @@ final class SourceCode {
   private SourceCode() {}
 
   /**
-   * The code of a node.
+   * Returns the code of a node.
    *
-   * @param values of the node; a url that is code is taken out of them
-   * @param text in the node
+   * @param values the values of the node, from which a url that is code is removed
+   * @param text the text in the node
    */
   static String of(@Nullable NodeType type, List<Value> values, String text) {
     if (!text.isBlank()) {
@@ -71,7 +72,7 @@ final class SourceCode {
     return SCRIPTS.stream().filter(lower::startsWith).findFirst();
   }
 
-  /** The urls of a node with its code as the last of them, as VRML has them. */
+  /** Returns the urls of a node with its code as the last one, as in VRML. */
   static String urls(@Nullable NodeType type, String urls, String code) {
     boolean script = type == null || type.is("X3DScriptNode");
     String last =
@@ -81,7 +82,7 @@ final class SourceCode {
     return urls.isEmpty() ? Tokens.string(last) : urls + " " + Tokens.string(last);
   }
 
-  /** The strings of an MFString's text. */
+  /** Parses the strings of an MFString. */
   static List<String> strings(String text) {
     Object value = new FieldParser().parse(FieldType.MFString, text).value();
     return value instanceof String[] all ? List.of(all) : List.of();

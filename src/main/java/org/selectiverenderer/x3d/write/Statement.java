@@ -4,11 +4,11 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The types of what the elements of X3D say that are no nodes. */
+/** Determines the types of the attributes of statements. */
 final class Statement {
   private Statement() {}
 
-  /** The type of an attribute; null for a value that nobody knows the type of. */
+  /** Returns the type of an attribute; null if unknown. */
   static @Nullable FieldType type(DocumentElement element, String attribute, Interfaces known) {
     return switch (element.name() + " " + attribute) {
       case "component level" -> FieldType.SFInt32;

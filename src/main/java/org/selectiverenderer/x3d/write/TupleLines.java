@@ -1,6 +1,6 @@
 package org.selectiverenderer.x3d.write;
 
-/** Many numbers of one value, separated by blanks and, where a line is full, by line ends. */
+/** Builds the text of a long field value of tuples, separated by blanks and line breaks. */
 public final class TupleLines {
   private final StringBuilder text;
   private final int perLine;
@@ -15,17 +15,17 @@ public final class TupleLines {
     line = text.length();
   }
 
-  /** Lines of so many tuples each. */
+  /** Returns a builder that breaks the line after every {@code tuples} tuples. */
   public static TupleLines perLine(int tuples) {
     return new TupleLines(new StringBuilder(), tuples, Integer.MAX_VALUE);
   }
 
-  /** Lines that end with the tuple by which they have so many characters. */
+  /** Returns a builder that breaks a line after the tuple that reaches {@code characters}. */
   public static TupleLines wide(int characters) {
     return new TupleLines(new StringBuilder(), Integer.MAX_VALUE, characters);
   }
 
-  /** Separates from what was before; the next tuple is to be appended to what is returned. */
+  /** Appends a separator and returns the text, to which the caller appends the next tuple. */
   public StringBuilder next() {
     if (count > 0) {
       boolean full = count % perLine == 0 || text.length() - line >= width;
@@ -36,7 +36,7 @@ public final class TupleLines {
     return text;
   }
 
-  /** Triangles as a coordIndex and its like have them, each ended by -1. */
+  /** Appends triangles in the form of a coordIndex, each followed by -1. */
   public TupleLines triangles(int[] corners) {
     for (int i = 0; i < corners.length; i += 3) {
       next().append(corners[i]).append(' ').append(corners[i + 1]).append(' ');
@@ -45,6 +45,7 @@ public final class TupleLines {
     return this;
   }
 
+  /** Returns the text. */
   public StringBuilder text() {
     return text;
   }

@@ -4,11 +4,11 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** Types of values by their names, or by what the values look like. */
+/** Finds field types by name, or guesses them from the text of a value. */
 final class Types {
   private Types() {}
 
-  /** The type of that name; null if there is none. */
+  /** Returns the field type with a name; null if there is none. */
   static @Nullable FieldType of(String name) {
     for (FieldType type : FieldType.values()) {
       if (type.name().equals(name.strip())) {
@@ -18,7 +18,7 @@ final class Types {
     return null;
   }
 
-  /** A type whose text the value of a type that nobody knows can be. */
+  /** Returns a field type for which the text of a value of unknown type is valid. */
   static FieldType guess(String text) {
     if (text.stripLeading().startsWith("\"")) {
       return FieldType.MFString;

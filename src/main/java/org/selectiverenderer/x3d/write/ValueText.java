@@ -4,14 +4,15 @@ import java.util.List;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.x3d.field.Tokens;
 
-/** Field values as X3D text (ISO/IEC 19776-1, 5), not yet escaped for XML. */
+/** Formats field values as X3D text (ISO/IEC 19776-1, 5), not yet escaped for XML. */
 public final class ValueText {
   private ValueText() {}
 
   /**
-   * Numbers as short as they can be to read as the same ones.
+   * Formats a value, with the shortest numbers that parse to the same values.
    *
-   * @param value as {@link org.selectiverenderer.x3d.field.FieldType} represents it; no node
+   * @param value a value as {@link org.selectiverenderer.x3d.field.FieldType} represents it; not a
+   *     node
    */
   public static String of(Object value) {
     StringBuilder text = new StringBuilder();
@@ -45,12 +46,12 @@ public final class ValueText {
     return text.toString();
   }
 
-  /** Strings as an MFString. */
+  /** Formats strings as an MFString. */
   public static String strings(String... strings) {
     return of(strings);
   }
 
-  /** Strings as an MFString. */
+  /** Formats strings as an MFString. */
   public static String strings(List<String> strings) {
     return of(strings.toArray(String[]::new));
   }

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Names as VRML can write them (ISO/IEC 19776-2, 4.3.2): characters that would end a name become
- * underscores, and no two names become one. For one file.
+ * Converts names to valid VRML names (ISO/IEC 19776-2, 4.3.2): invalid characters become
+ * underscores, and different names remain different. For one file.
  */
 final class VrmlNames {
   private final Map<String, String> written = new HashMap<>();

@@ -6,9 +6,9 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Writes X3D's XML encoding (ISO/IEC 19776-1) from its beginning to its end: an element a line,
- * indented by two blanks, attributes in single quotes as the thesis's listings have them. Elements
- * without content end in their tag. Not for several threads.
+ * Writes X3D's XML encoding (ISO/IEC 19776-1) sequentially: one element per line, indented by two
+ * blanks, with attributes in single quotes as in the listings of the thesis, and with empty-element
+ * tags for elements without content. Not thread-safe.
  */
 public final class X3dWriter {
   private final StringBuilder text;
@@ -21,40 +21,42 @@ public final class X3dWriter {
   }
 
   /**
-   * @param capacity how many characters are expected
+   * Creates a writer.
+   *
+   * @param capacity the expected number of characters
    */
   public X3dWriter(int capacity) {
     text = new StringBuilder(capacity);
   }
 
-  /** Begins a file: its declaration and the X3D element. */
+  /** Begins a file with the XML declaration and the X3D element. */
   public X3dWriter file(String profile, String version) {
     return declaration().open("X3D", "profile", profile, "version", version);
   }
 
-  /** The first line of a file. */
+  /** Writes the XML declaration. */
   X3dWriter declaration() {
     text.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     return this;
   }
 
-  /** A component statement of the head. */
+  /** Writes a component statement of the head. */
   public X3dWriter component(String name, int level) {
     return empty("component", "name", name, "level", Integer.toString(level));
   }
 
-  /** A unit statement of the head. */
+  /** Writes a unit statement of the head. */
   public X3dWriter unit(String category, String name, double factor) {
     String conversion = DecimalText.shortest(factor);
     return empty("unit", "category", category, "name", name, "conversionFactor", conversion);
   }
 
-  /** A meta statement of the head. */
+  /** Writes a meta statement of the head. */
   public X3dWriter meta(String name, String content) {
     return empty("meta", "name", name, "content", content);
   }
 
-  /** A route between named nodes. */
+  /** Writes a route between named nodes. */
   public X3dWriter route(String fromNode, String fromField, String toNode, String toField) {
     return empty(
         "ROUTE",
@@ -68,7 +70,7 @@ public final class X3dWriter {
         toField);
   }
 
-  /** An Appearance with a Material of these fields. */
+  /** Writes an Appearance with a Material of these fields. */
   public X3dWriter material(String... fields) {
     return open("Appearance").empty("Material", fields).close();
   }
@@ -76,7 +78,7 @@ public final class X3dWriter {
   /**
    * Begins an element; more attributes may follow.
    *
-   * @param attributes names and values in turn
+   * @param attributes alternating names and values
    */
   public X3dWriter open(String name, String... attributes) {
     endTag();
@@ -89,7 +91,7 @@ public final class X3dWriter {
     return this;
   }
 
-  /** An element without content. */
+  /** Writes an element without content. */
   public X3dWriter empty(String name, String... attributes) {
     return open(name, attributes).close();
   }
@@ -98,18 +100,18 @@ public final class X3dWriter {
    * Begins a node.
    *
    * @param def its DEF name; empty for none
-   * @param container the field of the parent that holds it; empty at the top of a scene
+   * @param container the field of the parent that contains it; empty at the top level
    */
   X3dWriter node(NodeType type, String def, String container) {
     return open(type.name()).def(def).container(type, container);
   }
 
-  /** A node that was defined before. */
+  /** Writes a USE of a node. */
   X3dWriter use(NodeType type, String def, String container) {
     return open(type.name(), "USE", def).container(type, container).close();
   }
 
-  /** Names the node begun last; empty for no name. */
+  /** Writes the DEF of the current node, unless the name is empty. */
   public X3dWriter def(String name) {
     return name.isEmpty() ? this : attribute("DEF", name);
   }
@@ -119,20 +121,20 @@ public final class X3dWriter {
     return usual ? this : attribute("containerField", container);
   }
 
-  /** An attribute of the element begun last. */
+  /** Writes an attribute of the current element. */
   public X3dWriter attribute(String name, String value) {
     XmlAttribute.append(attribute(name), value, '\'');
     text.append('\'');
     return this;
   }
 
-  /** An attribute of nothing but numbers, perhaps in several lines. */
+  /** Writes an attribute of numbers only, possibly in several lines. */
   public X3dWriter numbers(String name, CharSequence numbers) {
     attribute(name).append(numbers).append('\'');
     return this;
   }
 
-  /** Has the next attribute begin a line. */
+  /** Starts the next attribute on a new line. */
   public X3dWriter ownLine() {
     ownLine = true;
     return this;
@@ -151,7 +153,7 @@ public final class X3dWriter {
     return text;
   }
 
-  /** Ends the element begun last of those that have not ended. */
+  /** Ends the current element. */
   public X3dWriter close() {
     String name = open.pop();
     if (inTag) {
@@ -163,7 +165,7 @@ public final class X3dWriter {
     return this;
   }
 
-  /** A comment; two hyphens, which end one (XML 1.0, 2.5), are parted. */
+  /** Writes a comment; double hyphens, which XML 1.0, 2.5 forbids there, are separated. */
   public X3dWriter comment(String words) {
     endTag();
     String safe = words.replace("--", "- -").replace("--", "- -");
@@ -171,7 +173,7 @@ public final class X3dWriter {
     return this;
   }
 
-  /** Text in the element begun last, as it is. */
+  /** Writes text in the current element as CDATA. */
   X3dWriter code(String code) {
     endTag();
     String safe = code.replace("]]>", "]]]]><![CDATA[>");
@@ -190,7 +192,7 @@ public final class X3dWriter {
     return text.append("  ".repeat(open.size()));
   }
 
-  /** Ends all that is open; the text is complete. */
+  /** Ends all open elements and returns the text. */
   public String finish() {
     while (!open.isEmpty()) {
       close();

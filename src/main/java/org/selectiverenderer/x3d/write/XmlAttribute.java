@@ -1,12 +1,12 @@
 package org.selectiverenderer.x3d.write;
 
-/** Values as they are written in an XML attribute (XML 1.0, 2.4 and 3.3.3). */
+/** Escapes attribute values for XML (XML 1.0, 2.4 and 3.3.3). */
 public final class XmlAttribute {
   private XmlAttribute() {}
 
   /**
-   * A value between quotes of that kind, so that any XML parser reads the very same value: line
-   * ends and tabs as references too.
+   * Escapes a value for quotes of one kind, so that any XML parser reads the same value; line ends
+   * and tabs are written as references.
    *
    * @param quote {@code '} or {@code "}
    */

@@ -7,7 +7,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.write.SceneItem.Element;
 import org.selectiverenderer.x3d.write.SceneItem.Value;
 
-/** A scene in X3D's XML encoding (ISO/IEC 19776-1). */
+/** Writes a scene in X3D's XML encoding (ISO/IEC 19776-1). */
 final class XmlText {
   private final X3dWriter out = new X3dWriter();
 
@@ -61,12 +61,12 @@ final class XmlText {
     }
   }
 
-  /** Whether XML has no other signs for any of the characters. */
+  /** Returns whether no character needs escaping. */
   private static boolean plain(String text) {
     return text.chars().allMatch(c -> c != '<' && c != '&' && c != '\'' && c != '\r');
   }
 
-  /** IS stands before all else in a node, but for the fields that the node declares itself. */
+  /** Returns the items with IS first, but after the author-defined fields. */
   private static List<SceneItem> ordered(Element element) {
     if (element.all("IS").isEmpty()) {
       return element.items();

@@ -1,18 +1,18 @@
 /**
- * Writing X3D: the same scene gives the same bytes on every machine; lines end in LF.
+ * Writes X3D scenes, reproducibly on every machine, with LF line ends.
  *
  * <p>In: values as {@link org.selectiverenderer.x3d.field.FieldType} represents them, nodes as
  * {@link org.selectiverenderer.x3d.catalogue.NodeView}s, or elements by name. Out: the text of a
- * file. Values ({@link org.selectiverenderer.x3d.write.ValueText}) and the walk over nodes ({@link
- * org.selectiverenderer.x3d.write.NodeText}) know nothing of XML; quotes, references, container
- * fields and layout are {@link org.selectiverenderer.x3d.write.X3dWriter}'s, so that another
- * encoding is another one of these.
+ * file. The formatting of values ({@link org.selectiverenderer.x3d.write.ValueText}) and the
+ * traversal of nodes ({@link org.selectiverenderer.x3d.write.NodeText}) are independent of XML;
+ * {@link org.selectiverenderer.x3d.write.X3dWriter} writes quotes, references, container fields and
+ * layout.
  *
- * <p>A document that is written anew in another encoding ({@link
- * org.selectiverenderer.x3d.write.SceneFormat}) first becomes {@code SceneItem}s, which know the
- * types of values, the fields of nodes and the places of comments; the text of each encoding is one
- * class that writes these. Uses {@code x3d.catalogue}, {@code x3d.field}, {@code x3d.source},
- * {@code x3d.read}, {@code base.problem}, {@code base.decimal} and Jackson's quoting of strings.
+ * <p>To convert a document to another encoding, {@link org.selectiverenderer.x3d.write.SceneFormat}
+ * first creates {@link org.selectiverenderer.x3d.write.SceneItem}s with the types of values, the
+ * fields of nodes and the positions of comments, which one class per encoding writes. Uses {@code
+ * x3d.catalogue}, {@code x3d.field}, {@code x3d.source}, {@code x3d.read}, {@code base.problem},
+ * {@code base.decimal} and Jackson's string escaping.
  */
 @NullMarked
 package org.selectiverenderer.x3d.write;

@@ -48,7 +48,7 @@ class OperatorMonitorTest {
   @Test
   void isNeverAnEyes() {
     assertThatThrownBy(() -> find(DisplayMode.DUAL, "HDMI-2", ALL))
-        .hasMessageContaining("monitor 'HDMI-2' is the participant's right eye's; name another")
+        .hasMessageContaining("monitor 'HDMI-2' shows the participant's right eye; name another")
         .hasMessageContaining("2: 1280x1024 at 1280,0 (DP-1)");
   }
 
@@ -63,7 +63,7 @@ class OperatorMonitorTest {
   @Test
   void whereNoneIsLeftTheKeysAreTold() {
     assertThat(find(DisplayMode.DUAL, "", List.of(LEFT, RIGHT))).isEmpty();
-    assertThat(messages).singleElement().asString().contains("no monitor is left", "F4, F8 and F9");
+    assertThat(messages).singleElement().asString().contains("no monitor is left", "F9 continues");
   }
 
   @Test

@@ -203,7 +203,7 @@ class SaiRunnerTest {
     builder.environment().remove("DISPLAY");
     Process panel = builder.start();
     assertThat(output(panel))
-        .contains("the browser does not start: it shows a window, and Java finds no display");
+        .contains("the browser does not start: it opens a window, but Java finds no display");
     assertThat(panel.exitValue()).isEqualTo(2);
   }
 
@@ -220,7 +220,7 @@ class SaiRunnerTest {
   void aSceneThatTheBrowserRefusesInItsOwnWayIsNoErrorOfOurs() throws Exception {
     Process refusing = process(RefusingFactory.class.getName()).start();
     assertThat(output(refusing))
-        .contains("the browser does not read the scene", "no profile Full")
+        .contains("the browser cannot read the scene", "no profile Full")
         .doesNotContain("internal error");
     assertThat(refusing.exitValue()).isEqualTo(2);
   }

@@ -189,7 +189,7 @@ class QuestionGuideTest {
     Files.writeString(folder.resolve("hall.png"), "no picture");
     assertThatThrownBy(() -> steps.next())
         .isInstanceOf(IOException.class)
-        .hasMessageContaining("hall.png is not a picture that can be shown");
+        .hasMessageContaining("hall.png cannot be read as a picture");
   }
 
   private static Mark.Picture picture(RunGuide guide) {

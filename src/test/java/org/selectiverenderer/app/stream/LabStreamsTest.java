@@ -303,6 +303,9 @@ class LabStreamsTest {
     Path missing = folder.resolve("none.so");
     assertThatThrownBy(() -> LslLibrary.open(Optional.of(missing)))
         .isInstanceOf(IOException.class)
-        .hasMessage(missing + ": there is no such file, where liblsl should be");
+        .hasMessage(
+            missing
+                + ": there is no such file; --lsl-library or SELECTIVE_RENDERER_LSL must name the"
+                + " file of liblsl");
   }
 }

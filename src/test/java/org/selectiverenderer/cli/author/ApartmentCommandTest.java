@@ -29,7 +29,9 @@ class ApartmentCommandTest extends CommandRun {
   void anObjectWithoutARecipeIsOneSentence() {
     assertThat(execute("apartment", folder.toString(), "--only", "trashCan,unicorn")).isEqualTo(2);
 
-    assertThat(messages()).contains("there is no recipe named unicorn").doesNotContain("Exception");
+    assertThat(messages())
+        .contains("--only: the apartment has no object named unicorn")
+        .doesNotContain("Exception");
     assertThat(folder.resolve("inlineNodes")).doesNotExist();
   }
 

@@ -43,8 +43,8 @@ class ConvertCommandTest extends CommandRun {
     assertThat(messages())
         .isEqualTo(
             elsewhere
-                + ": 1 file that the scene names (cup_v1.x3d) will not be found from here; write it"
-                + " into the folder of the scene, or copy them too\n");
+                + ": 1 file that the scene refers to (cup_v1.x3d) cannot be found from this folder;"
+                + " write the output into the folder of the scene, or copy these files too\n");
   }
 
   @Test

@@ -153,8 +153,8 @@ class EnrichCommandTest {
     assertThat(err)
         .isEqualTo(
             """
-            %1$s: 1 file that the scene names (cup_v1.x3d) will not be found from here; write it \
-            into the folder of the scene, or copy them too
+            %1$s: 1 file that the scene refers to (cup_v1.x3d) cannot be found from this folder; \
+            write the output into the folder of the scene, or copy these files too
             %1$s: enriched
             """
                 .formatted(other));

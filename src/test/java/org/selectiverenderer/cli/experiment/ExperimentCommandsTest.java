@@ -362,7 +362,9 @@ class ExperimentCommandsTest extends CommandRun {
     assertThat(text(err).lines())
         .hasSize(6)
         .allMatch(
-            line -> line.matches(".*r\\.csv:\\d+:1: no F of d′, log β, c about .*variance.*"));
+            line ->
+                line.matches(
+                    ".*r\\.csv:\\d+:1: d′, log β, c of the area .* cannot be tested: .*variance.*"));
     assertThat(text(out)).doesNotContain("NaN");
   }
 

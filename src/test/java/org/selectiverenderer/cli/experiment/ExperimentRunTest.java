@@ -101,13 +101,13 @@ class ExperimentRunTest extends CommandRun {
     assertThat(run("--participant", "1")).isEqualTo(2);
     assertThat(messages())
         .contains(
-            "the participant 1 looks like P01, who is there already; type P01 for the same person,"
-                + " or add --new-participant for somebody else");
+            "the ID 1 resembles P01 of the same study; use --participant P01 for the same"
+                + " person, or add --new-participant for a new one");
     assertThat(run("--participant", "p01", "--new-participant")).isEqualTo(2);
-    assertThat(messages()).contains("the participant p01 differs from P01 in capitals only");
+    assertThat(messages()).contains("the IDs p01 and P01 differ only in capitals");
     assertThat(run("--participant", "01", "--resume")).isEqualTo(2);
     assertThat(messages())
-        .contains("there is no participant 01 to continue with; did you mean --participant P01?");
+        .contains("--resume: the study has no participant 01; did you mean --participant P01?");
     assertThat(run("--new-participant")).isEqualTo(2);
     assertThat(messages()).contains("--new-participant needs --participant");
     assertThat(folder.resolve("sub-1")).doesNotExist();

@@ -140,7 +140,7 @@ class OperatorScreenTest {
     assertThat(run(said, "--operator-monitor", "1").waitFor()).isEqualTo(2);
     assertThat(said)
         .content()
-        .contains("monitor '1' is the participant's right eye's; name another", "2: 1280x1024");
+        .contains("monitor '1' shows the participant's right eye; name another", "2: 1280x1024");
     assertThat(folder.resolve("sub-001")).doesNotExist();
   }
 }

@@ -53,11 +53,10 @@ class ParticipantChoiceTest {
     assertThat(chosen("y", "--participant", "P1")).isEqualTo("P1");
     assertThat(asked)
         .containsExactly(
-            "The participant P1 is new, but looks like 001, who is there already. Is P1 somebody"
-                + " else? [y/n] ");
+            "The ID P1 is new but resembles 001 of the same study. Is P1 a new person? [y/n] ");
     assertThatThrownBy(() -> chosen("", "--participant", "P1"))
         .isInstanceOf(CommandFailure.class)
-        .hasMessage("no session was begun; --participant 001 is the one who is there already");
+        .hasMessage("no session was started; use --participant 001 for the participant of that ID");
   }
 
   @Test

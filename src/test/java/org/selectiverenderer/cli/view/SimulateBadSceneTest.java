@@ -136,7 +136,8 @@ class SimulateBadSceneTest {
         <Coordinate point='0 0 0 1 0 NaN 0 1 0 3'/></IndexedFaceSet></Shape>
         """,
         13,
-        "scene.x3d:2:8: IndexedFaceSet refers to point 9 of 3; 1 face is left out",
+        "scene.x3d:2:8: IndexedFaceSet refers to point index 9, but the number of points is 3;"
+            + " 1 face is left out",
         "scene.x3d:2:40: coordIndex: '2.5' is not a whole number; 2 is used",
         "scene.x3d:3:30: point: 'NaN' is not a finite number; 0 is used instead",
         "scene.x3d:3:40: point: the last value has only 1 of its 3 numbers; it is left out");
@@ -155,7 +156,7 @@ class SimulateBadSceneTest {
     assertTold(
         "<ExternProtoDeclare name='E' url='\"e.x3d#E\"'/><ProtoInstance name='E'/>",
         12,
-        "scene.x3d:2:1: the prototype E cannot be had: url 'e.x3d#E' is missing; its instances are"
+        "scene.x3d:2:1: the prototype E cannot be loaded: url 'e.x3d#E' is missing; its instances are"
             + " left out");
   }
 
@@ -294,7 +295,8 @@ class SimulateBadSceneTest {
           "<Shape><IndexedFaceSet coordIndex='0 1 7'><Coordinate point='%s'/></IndexedFaceSet></Shape>\n"
               .formatted("0 0 0 1 0 0 ".repeat(1 + (i * 37 % 60) % 3)));
       expected[i] =
-          "scene.x3d:%d:8: IndexedFaceSet refers to point 7 of %d; 1 face is left out"
+          ("scene.x3d:%d:8: IndexedFaceSet refers to point index 7, but the number of points is"
+                  + " %d; 1 face is left out")
               .formatted(i + 2, 2 * (1 + (i * 37 % 60) % 3));
     }
     for (int run = 0; run < 5; run++) {

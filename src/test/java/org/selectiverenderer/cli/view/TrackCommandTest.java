@@ -82,7 +82,7 @@ class TrackCommandTest extends CommandRun {
     Path log =
         Files.writeString(folder.resolve("log.csv"), "t,yaw,pitch,roll\n0,0,0,0\n0.8,0,0,0\n");
     assertThat(track("replay:" + log)).isEqualTo(1);
-    assertThat(text(err)).contains("replay:" + log + ": nothing came for 0.5 s");
+    assertThat(text(err)).contains("replay:" + log + ": no records for 0.5 s");
   }
 
   @Test

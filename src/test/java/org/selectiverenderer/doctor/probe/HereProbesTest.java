@@ -74,7 +74,7 @@ class HereProbesTest {
   void aRuntimesFileThatIsNotThereIsToldOf() throws IOException {
     Path file = folder.resolve("runtime.json");
     assertThat(HeadsetProbe.text(file))
-        .isEqualTo("; XR_RUNTIME_JSON names " + file + ", which is not there");
+        .isEqualTo("; XR_RUNTIME_JSON names " + file + ", which does not exist");
     assertThat(HeadsetProbe.text(Files.writeString(file, "{}"))).isEqualTo("; set up by " + file);
   }
 

@@ -75,7 +75,7 @@ class DoctorTest {
     assertThat(lines.get(0)).isEqualTo(Diagnosis.ok("child", "before the crash"));
     assertThat(lines.get(1).fatal()).isTrue();
     assertThat(lines.get(1).found())
-        .matches("the process that asked ended with status [0-9]+: crashed in .+");
+        .matches("the process of this check ended with status [0-9]+: crashed in .+");
     assertThat(lines.get(2).found()).isEqualTo("told");
     Matcher log = Pattern.compile("attach (\\S+\\.log)").matcher(lines.get(1).todo());
     assertThat(log.find()).isTrue();

@@ -95,7 +95,7 @@ class KeptNamesTest {
   void aNameThatNoSceneCanHoldIsRefusedWithItsReason() {
     assertThatThrownBy(() -> scene.edits().renameSchema("Room", "De\u0001sk"))
         .isInstanceOf(EditRefused.class)
-        .hasMessageContaining("cannot stand in a scene");
+        .hasMessageContaining("cannot be written");
     Optional<?> edit =
         MetadataTable.edit(
             scene.enrichment,

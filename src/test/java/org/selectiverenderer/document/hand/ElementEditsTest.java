@@ -107,7 +107,7 @@ class ElementEditsTest {
     for (String text : new String[] {"", "words", "<a><b></a>", "<a/><b/>"}) {
       assertThatThrownBy(() -> edits.paste(named("A"), text, "Paste"))
           .isInstanceOf(EditRefused.class)
-          .hasMessageStartingWith("The clipboard holds no");
+          .hasMessageStartingWith("The clipboard contains no");
     }
   }
 }

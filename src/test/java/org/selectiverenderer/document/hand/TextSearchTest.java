@@ -74,7 +74,7 @@ class TextSearchTest {
   void whatIsNoExpressionIsTold() {
     assertThatThrownBy(() -> expression("(a"))
         .isInstanceOf(BadSearch.class)
-        .hasMessageStartingWith("This is no regular expression");
+        .hasMessageStartingWith("This is not a valid regular expression");
     assertThatThrownBy(() -> expression("a").replaceAll("a", 0, 1, "$7", "r"))
         .hasMessageContaining("no group 7");
   }

@@ -85,7 +85,7 @@ class NodeEditsTest {
   void aNameThatIsNoneOrTakenIsRefusedWithWhatToDo() {
     assertThatThrownBy(() -> edits.rename(named("Box"), "my box"))
         .isInstanceOf(EditRefused.class)
-        .hasMessageContaining("'my box' is no name of a node")
+        .hasMessageContaining("'my box' is not a valid DEF name")
         .hasMessageContaining("Nmy_box");
     assertThatThrownBy(() -> edits.rename(named("Box"), "T"))
         .hasMessageContaining("TimeSensor in line 12 already");

@@ -150,6 +150,6 @@ class SwitchEditsTest {
     Scenes shared = Scenes.with(VERSIONS + "  <Group><Inline USE='Low'/></Group>\n");
     assertThatThrownBy(() -> edits(shared).unwrap(shared.switchNode("Switch_Vase")))
         .isInstanceOf(EditRefused.class)
-        .hasMessageContaining("Low is also shown elsewhere");
+        .hasMessageContaining("Low is used elsewhere");
   }
 }

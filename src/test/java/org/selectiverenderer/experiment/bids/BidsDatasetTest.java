@@ -205,8 +205,7 @@ class BidsDatasetTest {
         .anyMatch(
             line ->
                 line.endsWith(
-                    "events.jsonl:3:1: the line is no event, as a crash may leave it; it is left"
-                        + " out"))
+                    "events.jsonl:3:1: this line is damaged, perhaps by a crash; it is left out"))
         .anyMatch(line -> line.contains("events.jsonl:6:1: the last line is cut off"))
         .anyMatch(line -> line.contains("_tracker.csv"))
         .anyMatch(line -> line.contains("the study no longer has dropped; the answers to it are"))

@@ -305,7 +305,7 @@ class HeadLogTest {
     Problems problems = new Problems();
     assertThat(HeadLogReader.read(file, problems).orElseThrow().samples()).hasSize(1);
     assertThat(problems.list().get(0).toString())
-        .contains("session.csv:3:", "2026-01-01 00:00:01.100Z", "is no date and time like");
+        .contains("session.csv:3:", "2026-01-01 00:00:01.100Z", "is not a date and time such as");
   }
 
   @Test

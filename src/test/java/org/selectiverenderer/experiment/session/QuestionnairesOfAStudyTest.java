@@ -248,7 +248,7 @@ class QuestionnairesOfAStudyTest {
     assertThat(problems.list())
         .singleElement()
         .asString()
-        .contains("two steps of a session would be called own");
+        .contains("two steps of a session would have the id own;");
   }
 
   @Test
@@ -260,7 +260,7 @@ class QuestionnairesOfAStudyTest {
     assertThat(problems.list())
         .singleElement()
         .asString()
-        .contains("two steps of a session would be called own and o-wn, which names of files");
+        .contains("the steps own and o-wn would have the same file names");
   }
 
   @Test

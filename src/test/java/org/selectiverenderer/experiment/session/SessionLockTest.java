@@ -27,7 +27,7 @@ class SessionLockTest {
         .hasMessage(
             folder.resolve("session.lock")
                 + " cannot be locked (No locks available), so two programs could write at the same"
-                + " time; move the study to a disk that knows locks, such as one of this computer");
+                + " time; move the study to a disk that supports file locks, such as a local disk");
   }
 
   @Test

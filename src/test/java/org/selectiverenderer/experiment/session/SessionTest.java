@@ -121,7 +121,7 @@ class SessionTest extends TwoRoomsStudy {
     assertThat(problems.list())
         .singleElement()
         .asString()
-        .startsWith(events + ":" + (hit + 1) + ":1: this line is damaged and is no event;");
+        .startsWith(events + ":" + (hit + 1) + ":1: this line is damaged and is ignored;");
     assertThat(events)
         .content()
         .startsWith(damaged)

@@ -108,11 +108,11 @@ class StudyStatusTest extends TwoRoomsStudy {
         .extracting(Problem::toString)
         .containsExactly(
             events
-                + ":1:1: this line is damaged and is no event; the other lines are used, and nothing"
+                + ":1:1: this line is damaged and is ignored; the other lines are used, and nothing"
                 + " is deleted",
             events
                 + ":3:1: the last line is cut off, by a crash or because it is being written now; it"
-                + " is no event, and --resume mends the file");
+                + " is ignored, and --resume repairs the file");
     assertThat(problems.list())
         .extracting(Problem::severity)
         .containsExactly(Problem.Severity.WARNING, Problem.Severity.INFO);

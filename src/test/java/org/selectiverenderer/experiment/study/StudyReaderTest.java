@@ -231,7 +231,7 @@ class StudyReaderTest {
                 text.replaceFirst("\"quality\".*", "\"quality\": {\"max_slow_frames\": 0.2},")))
         .singleElement()
         .asString()
-        .contains("\"max_slow_frames\" says nothing without \"min_fps\"");
+        .contains("\"max_slow_frames\" needs \"min_fps\"");
   }
 
   @Test

@@ -49,9 +49,9 @@ class ThresholdReaderTest extends PilotFolder {
         "\"seed\": 7     | \"rung\": 7          | did you mean \"rungs\"?",
         "tell-apart      | look                 | 'look' is not one of tell-apart, recognise",
         "room.x3d        | hall.x3d             | there is no file 'hall.x3d'",
-        "\"seed\": 7     | \"reversals\": 7     | an even number must be left, two at least",
+        "\"seed\": 7     | \"reversals\": 7     | must be an even number, at least 2, but",
         "\"seed\": 7     | \"fewest\": 2        | \"fewest\" must be a number from",
-        "\"seed\": 7     | \"allow\": [\"no\"]   | there is no folder 'no' as seen from this file",
+        "\"seed\": 7     | \"allow\": [\"no\"]   | there is no folder 'no' relative to this file",
         "\"Mug\"         | \"Vase\"             | the object Vase is named twice",
         "\"name\": \"Pilot\", | ~~             | a threshold pilot needs \"name\""
       })

@@ -148,7 +148,10 @@ class ThresholdResultsTest extends PilotFolder {
     ThresholdResults results = ThresholdResults.read(study, problems);
 
     assertThat(results.objects()).filteredOn(object -> !object.estimates().isEmpty()).hasSize(1);
-    assertThat(told()).singleElement().asString().contains("the trials of sub-001 are not over");
+    assertThat(told())
+        .singleElement()
+        .asString()
+        .contains("the trials of sub-001 are not finished");
     assertThat(results.commands("selective-renderer", "room.x3d"))
         .contains(": nobody's threshold is known yet\n");
   }

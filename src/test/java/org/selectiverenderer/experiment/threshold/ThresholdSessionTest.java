@@ -61,7 +61,7 @@ class ThresholdSessionTest extends PilotFolder {
     assertThat(told())
         .singleElement()
         .asString()
-        .contains("trials.jsonl:30:1", "was moved to trials-cut-off-01.txt");
+        .contains("trials.jsonl:30:1", "a copy is in trials-cut-off-01.txt");
     assertThat(log("001")).anyMatch(line -> line.contains("\"event\":\"resumed\""));
     assertThat(log("001").get(29)).contains("\"event\":\"journal-mended\"");
     assertThat(log.resolveSibling("trials-cut-off-01.txt")).hasContent("{\"time\":\"20");

@@ -294,7 +294,8 @@ class IndexedFaceSetTest extends GeometryTest {
     assertThat(mesh(bad).polygons()).isEqualTo(1);
     assertThat(messages())
         .containsExactly(
-            "IndexedFaceSet refers to point 9 of 4; 2 faces are left out",
+            "IndexedFaceSet refers to point index 9, but the number of points is 4; 2 faces are"
+                + " left out",
             "IndexedFaceSet has points that are not finite; 1 face is left out",
             "IndexedFaceSet has a face with fewer than 3 points; 2 faces are left out");
     assertThat(problems.list().get(0).toString()).startsWith("test.x3d:1:1: ");
@@ -371,7 +372,7 @@ class IndexedFaceSetTest extends GeometryTest {
     assertThat(face(xyz).polygons()).isPositive();
     assertThat(messages())
         .containsExactly(
-            "IndexedFaceSet has a face of more than 256 points that cross themselves; they are"
+            "IndexedFaceSet has a face of more than 256 points that intersect themselves; they are"
                 + " filled roughly");
   }
 

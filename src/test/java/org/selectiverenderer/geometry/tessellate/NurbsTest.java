@@ -173,6 +173,6 @@ class NurbsTest extends GeometryTest {
             coordinate(1, 2, 3)));
 
     assertThat(messages().get(0)).contains("order 9").contains("left out");
-    assertThat(messages().get(1)).contains("1 control points for 9 x 9");
+    assertThat(messages().get(1)).contains("1 control points, too few for its dimensions 9 x 9");
   }
 }

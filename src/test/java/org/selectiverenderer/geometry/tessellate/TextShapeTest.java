@@ -201,6 +201,6 @@ class TextShapeTest extends GeometryTest {
     assertThat(problems.list())
         .singleElement()
         .asString()
-        .contains("the rest of the letters is left out");
+        .contains("the remaining letters are left out");
   }
 }

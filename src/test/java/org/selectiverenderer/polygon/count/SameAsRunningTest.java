@@ -37,7 +37,7 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
-/** What is counted without a running scene is what a running scene shows. */
+/** Compares the counts of files with those of the same scenes in a running browser. */
 class SameAsRunningTest {
   private static final NodeCatalogue CATALOGUE = NodeCatalogue.load();
 

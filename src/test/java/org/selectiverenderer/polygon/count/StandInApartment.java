@@ -8,8 +8,8 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * An apartment of the thesis's numbers and sensors whose objects are zigzag bands of exactly so
- * many triangles.
+ * A synthetic apartment with the sensors and polygon counts of the thesis; its objects are zigzag
+ * bands of exactly that many triangles.
  */
 public final class StandInApartment {
   private static final Map<String, Integer> SINGLE_VERSION =

@@ -209,8 +209,8 @@ class AtlasMakerTest {
     assertThatThrownBy(() -> make(scene, small))
         .isInstanceOf(UnlitSceneException.class)
         .hasMessageMatching(
-            "test.x3d:1:\\d+: the shape falls into 600 pieces, more than one picture of light holds;"
-                + " divide it into several shapes, or take --store vertices");
+            "test.x3d:1:\\d+: the shape is cut into 600 charts, more than one lightmap page holds;"
+                + " divide it into several shapes, or use --store vertices");
   }
 
   @Test

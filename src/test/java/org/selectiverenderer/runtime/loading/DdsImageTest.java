@@ -105,12 +105,11 @@ class DdsImageTest {
     assertThatThrownBy(() -> decode(file(100, 100, RGB, "", 4)))
         .hasMessage("is a damaged DDS image: it ends too early");
     assertThatThrownBy(() -> decode(file(0, 1, RGB, "", 4)))
-        .hasMessage("is a damaged DDS image: it has no size");
+        .hasMessage("is a damaged DDS image: its width or height is 0");
     assertThatThrownBy(() -> decode(file(Integer.MAX_VALUE, 1 << 30, RGB, "", 4)))
         .hasMessageContaining("more than the limit");
     assertThatThrownBy(() -> decode(file(1, 1, 0x4, "DX10", 16)))
         .hasMessage(
-            "is a DDS image in a form that is not read"
-                + " (uncompressed, DXT1, DXT3 and DXT5 are)");
+            "is a DDS image in an unsupported format" + " (use uncompressed, DXT1, DXT3 or DXT5)");
   }
 }

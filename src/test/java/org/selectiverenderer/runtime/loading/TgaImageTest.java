@@ -63,6 +63,6 @@ class TgaImageTest {
   void whatIsDamagedOrUnknownIsRefused() {
     assertThatThrownBy(() -> decode(2, 24, 0, 1)).hasMessage("is a damaged image");
     assertThatThrownBy(() -> decode(2, 16, 0, 1, 2, 3, 4))
-        .hasMessageStartingWith("is a TGA image in a form that is not read");
+        .hasMessageStartingWith("is a TGA image in an unsupported format");
   }
 }

@@ -182,7 +182,7 @@ class AuthorProgramsTest {
     assertThat(seen.told()).hasSize(1);
     assertThat(seen.told().get(0))
         .startsWith("s.x3d:6:")
-        .contains("the part FRAGMENT of ComposedShader S does not compile")
+        .contains("the FRAGMENT shader of ComposedShader S does not compile")
         .contains("nothing")
         .endsWith("the shape is drawn by its material");
     assertThat(seen.sent()).containsExactly("S.isSelected false", "S.isValid false");
@@ -195,8 +195,8 @@ class AuthorProgramsTest {
     assertThat(seen.middle()).isEqualTo(GREEN);
     assertThat(seen.told()).hasSize(1);
     assertThat(seen.told().get(0))
-        .contains("the parts of ComposedShader S do not fit together")
-        .endsWith("another shader is used");
+        .contains("the shader stages of ComposedShader S do not link")
+        .endsWith("the next shader of the Appearance is used");
     assertThat(seen.sent()).contains("S.isValid false", "T.isSelected true", "T.isValid true");
   }
 

@@ -132,6 +132,7 @@ class BetterThanXj3dTest {
       assertThat(sai.browser.getRenderingProperties()).isEqualTo(Map.of("Antialiased", true));
       assertThat(sai.browser.getBrowserProperties())
           .containsEntry("XML_ENCODING", true)
+          .containsEntry("CLASSIC_VRML_ENCODING", true)
           .containsEntry("PROTOTYPE_CREATE", false);
     }
   }

@@ -113,7 +113,7 @@ class BrowserTest {
       X3DScene scene = sai.scene();
       assertThatThrownBy(() -> scene.addRootNode(foreign))
           .isInstanceOf(InvalidNodeException.class)
-          .hasMessage("the node is of another browser");
+          .hasMessage("the node belongs to another browser");
       assertThatThrownBy(() -> sai.node("S", Switch.class).setChildren(new X3DNode[] {foreign}))
           .isInstanceOf(InvalidNodeException.class);
       assertThatThrownBy(() -> scene.updateNamedNode("F", foreign))

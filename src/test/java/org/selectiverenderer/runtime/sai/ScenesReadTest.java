@@ -77,6 +77,8 @@ class ScenesReadTest {
     assertThat(sai.problems.any()).isTrue();
     assertThat(browser.createX3DFromString(SaiFixture.file("")).getRootNodes()).isEmpty();
     assertThat(browser.createX3DFromString(GOOD).getRootNodes()).hasSize(1);
+    String classic = "#X3D V3.3 utf8\nPROFILE Full\nGroup {}\n";
+    assertThat(browser.createX3DFromString(classic).getRootNodes()).hasSize(1);
   }
 
   @Test

@@ -172,7 +172,10 @@ class ScriptsTest {
     try (Fixture scene = new Fixture(GO.replace("<Script>", self).formatted(code))) {
       scene.go(1);
 
-      assertThat(scene.told()).singleElement().asString().contains("call each other endlessly");
+      assertThat(scene.told())
+          .singleElement()
+          .asString()
+          .contains("triggered each other endlessly");
     }
   }
 

@@ -88,7 +88,7 @@ class SpeakerTest {
         fault = speaker.fault();
         Thread.onSpinWait();
       }
-      assertThat(fault).contains("the sound device takes no more");
+      assertThat(fault).contains("the sound device has stopped accepting sound");
     }
   }
 

@@ -243,6 +243,6 @@ class AnovaTest {
     Factor group = new Factor("group", List.of("x", "y"));
     Design design = new Design("y", List.of(none), List.of(group), List.of("age"), subjects);
     assertThat(design.obstacle())
-        .contains("the covariate age says nothing that the groups do not: leave it out");
+        .contains("the covariate age is redundant: the groups predict it exactly; leave it out");
   }
 }

@@ -84,7 +84,8 @@ class ObservationsReaderTest {
         .containsExactly(
             "d.csv:6:3: the group 'a' (1 participant) looks like 'A' (2, first in line 2); they are"
                 + " analysed as two groups; write both alike if they are one",
-            "d.csv:6:3: the group a has one participant only, so it has no spread of its own");
+            "d.csv:6:3: the group a has one participant only, so its standard deviation is"
+                + " undefined");
   }
 
   @Test

@@ -224,7 +224,7 @@ class ResponsesReaderTest {
         .isEqualTo(
             "r.csv:3:32: participant p2: cup (kitchen) is absent here and present for 1 of 2"
                 + " participants, first in line 2; each answer counts as its row says"
-                + " (--counterbalanced if that is meant)");
+                + " (use --counterbalanced if that is intended)");
     assertThat(found.usable()).hasSize(2);
     Path file = folder.resolve("r.csv");
     Files.writeString(file, text);
@@ -247,7 +247,8 @@ class ResponsesReaderTest {
         .containsExactly(
             "r.csv:4:4: the condition 'a' (1 participant) looks like 'A' (2, first in line 2); they"
                 + " are analysed as two conditions; write both alike if they are one",
-            "r.csv:4:4: the condition a has one participant only, so it has no spread of its own");
+            "r.csv:4:4: the condition a has one participant only, so its standard deviation is"
+                + " undefined");
   }
 
   @Test

@@ -48,9 +48,9 @@ class OpenTrackTest {
       send(socket, port, datagram(48, 0, 0, 0, 0, Double.POSITIVE_INFINITY, 0));
       send(socket, port, datagram(48, 0, 0, 0, 0, 0, 1e9));
       watching.until("all seven", () -> tracker.health().bad() == 7);
-      watching.problem("cannot be understood");
+      watching.problem("no valid records");
       send(socket, port, datagram(48, 0, 0, 0, 1, 2, 3));
-      watching.problem("records come again");
+      watching.problem("records arrive again");
       assertThat(watching.orientations).containsExactly(new Orientation(1, 2, 3));
     }
   }
@@ -86,7 +86,7 @@ class OpenTrackTest {
           });
       assertThat(watching.messages())
           .containsExactly(
-              "more than 5000 records come per second; all are read and the newest is used");
+              "more than 5000 records arrive per second; all are read and the latest is used");
       assertThat(tracker.health().records()).isGreaterThan(5_000);
     }
   }

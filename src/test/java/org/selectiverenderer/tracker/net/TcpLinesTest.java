@@ -87,7 +87,7 @@ class TcpLinesTest {
       watching.problem("has closed the connection on port " + server.getLocalPort());
       try (Socket client = server.accept()) {
         say(client, "4 5 6\n");
-        watching.problem("records come again");
+        watching.problem("records arrive again");
       }
       assertThat(watching.orientations).endsWith(new Orientation(4, 5, 6));
       assertThat(tracker.health().reconnects()).isEqualTo(1);
@@ -100,7 +100,7 @@ class TcpLinesTest {
         HeadTracker tracker = open(server);
         Socket client = server.accept()) {
       say(client, "1 2 3\n");
-      watching.problem("nothing came for 0.5 s; the last orientation is kept");
+      watching.problem("no records for 0.5 s; the last orientation is kept");
       assertThat(tracker.health().state()).isEqualTo(State.SILENT);
       assertThat(tracker.health().silentSeconds()).isGreaterThan(0.5);
     }

@@ -72,7 +72,7 @@ class VrpnTest {
     try (VrpnServer server = new VrpnServer();
         HeadTracker tracker = open(server, "Tracker0")) {
       server.welcome("vrpn: ver. 06.04  0");
-      watching.problem("speaks version 06.04, this program 07.38");
+      watching.problem("has protocol version 06.04, but this program needs 07.38");
       assertThat(tracker.health().records()).isZero();
     }
   }
@@ -82,7 +82,7 @@ class VrpnTest {
     try (VrpnServer server = new VrpnServer();
         HeadTracker tracker = open(server, "Tracker0")) {
       server.welcome("HTTP/1.1 400 Bad Request");
-      watching.problem("sends is not VRPN");
+      watching.problem("is not a VRPN server");
       assertThat(tracker.health().records()).isZero();
     }
   }

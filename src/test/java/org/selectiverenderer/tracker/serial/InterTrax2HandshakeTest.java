@@ -121,13 +121,13 @@ class InterTrax2HandshakeTest {
     try (FarEnd device = new FarEnd(link(), InterTrax2HandshakeTest::obeys);
         HeadTracker tracker = open()) {
       watching.more(2);
-      watching.problem("nothing came for 0.5 s; the last orientation is kept");
+      watching.problem("no records for 0.5 s; the last orientation is kept");
       assertThat(tracker.health().stale()).isTrue();
       device.says(RECORD);
-      watching.problem("records come again");
+      watching.problem("records arrive again");
       long before = watching.samples();
       device.says(new byte[8 * 20]);
-      watching.problem("cannot be understood");
+      watching.problem("no valid records");
       assertThat(tracker.health().bad()).isPositive();
       device.says(RECORD);
       device.says(RECORD);

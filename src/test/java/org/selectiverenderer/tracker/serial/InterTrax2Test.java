@@ -82,7 +82,7 @@ class InterTrax2Test {
         assertThat(tracker.health().reconnects()).isEqualTo(round);
       }
       assertThat(tracker.health().dropped()).isZero();
-      watching.problem("records come again, after");
+      watching.problem("records arrive again, after");
       assertThat(watching.messages())
           .filteredOn(message -> message.contains("has disappeared (was the cable pulled?)"))
           .hasSize(2);

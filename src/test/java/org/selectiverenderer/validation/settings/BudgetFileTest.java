@@ -131,7 +131,7 @@ class BudgetFileTest {
     assertThatThrownBy(() -> file.put(OFFICE))
         .isInstanceOf(IOException.class)
         .hasMessageContaining("validate.json:1:14")
-        .hasMessageContaining("nothing is written");
+        .hasMessageContaining("the budget is not saved");
     assertThat(text()).isEqualTo("{\"budgets\": [{\"scope\": \"Office\"}]}");
   }
 }

@@ -115,18 +115,18 @@ class NetworkTest {
     ContentRoot root = root("127.0.0.1");
     assertThat(read(root, host + "/to?" + host + "/b")).isEqualTo("/b");
     assertThat(read(root, host + "/to?" + host.replace("127.0.0.1", "localhost") + "/secret"))
-        .isEqualTo("UNREACHABLE leads on to localhost; --allow-net localhost would allow it");
+        .isEqualTo("UNREACHABLE redirects to localhost; --allow-net localhost would allow it");
     assertThat(read(root, host + "/to?file:///etc/hostname"))
-        .isEqualTo("UNREACHABLE leads on to file, which is not followed");
+        .isEqualTo("UNREACHABLE redirects to file, which is not followed");
     assertThat(read(root, host + "/to?" + "/to?".repeat(7) + "/c"))
-        .isEqualTo("UNREACHABLE leads on more than 5 times");
+        .isEqualTo("UNREACHABLE redirects more than 5 times");
     assertThat(asked).doesNotContain("/secret");
   }
 
   @Test
   void aRefusalIsRemembered() throws IOException {
     ContentRoot root = root("127.0.0.1");
-    String answer = "UNREACHABLE cannot be had: the server answers 404";
+    String answer = "UNREACHABLE cannot be fetched: the server answers 404";
     assertThat(read(root, host + "/none")).isEqualTo(answer);
     assertThat(read(root, host + "/none")).isEqualTo(answer);
     assertThat(asked).containsExactly("/none");
@@ -138,7 +138,8 @@ class NetworkTest {
     String large = "UNREACHABLE cannot be fetched: it has more than 1000 bytes, which is the limit";
     assertThat(read(root, host + "/big")).isEqualTo(large);
     assertThat(read(root, host + "/big-unsaid")).isEqualTo(large);
-    assertThat(read(root, host + "/slow")).isEqualTo("UNREACHABLE does not come within 1 seconds");
+    assertThat(read(root, host + "/slow"))
+        .isEqualTo("UNREACHABLE does not arrive within 1 seconds");
   }
 
   @Test

@@ -227,8 +227,8 @@ class BadInputTest {
               multiplying(40, body)
                   + "<ProtoInstance name='P39'/><ProtoInstance name='P1'/><Group/>");
       fixture.assertOnly(
-          "test.x3d:42:1: an instance of the prototype P39 makes more than what is left of the"
-              + " 10000 nodes that a file may have; it is left out");
+          "test.x3d:42:1: this instance of the prototype P39 exceeds the limit of 10000 nodes in a"
+              + " file; it is left out");
       assertThat(file.nodes()).hasSize(2);
     }
   }
@@ -246,8 +246,8 @@ class BadInputTest {
     assertThat(small.problems.list())
         .extracting(Problem::message)
         .containsExactly(
-            "an instance of the prototype P makes more than what is left of the 20 nodes that"
-                + " a file may have; it is left out",
+            "this instance of the prototype P exceeds the limit of 20 nodes in a file; it is left"
+                + " out",
             "the file has more than 20 nodes and routes, which is the limit; the rest is left out");
   }
 

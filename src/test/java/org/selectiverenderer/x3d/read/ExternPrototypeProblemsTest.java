@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.base.problem.Problem;
 
-/** What is said of external prototypes that cannot be had (X3D 4.0, 4.4.5). */
+/** Messages about external prototypes that cannot be loaded (X3D 4.0, 4.4.5). */
 class ExternPrototypeProblemsTest extends ExternPrototypesCase {
   @Test
   void aMissingLibraryIsOneProblemHoweverManyNodesItWouldHaveMade() {
@@ -21,7 +21,7 @@ class ExternPrototypeProblemsTest extends ExternPrototypesCase {
                 <ROUTE fromNode='T' fromField='fraction_changed' toNode='A' toField='set_fraction'/>
                 """);
     assertTold(
-        "test.x3d:2:1: the prototype Door cannot be had: url 'none.x3d#Door' is missing; its"
+        "test.x3d:2:1: the prototype Door cannot be loaded: url 'none.x3d#Door' is missing; its"
             + " instances are left out");
     assertThat(file.nodes()).hasSize(2);
     assertThat(file.exports()).isEmpty();
@@ -35,9 +35,9 @@ class ExternPrototypeProblemsTest extends ExternPrototypesCase {
             + extern("Any", "\"empty.x3d\"")
             + "<ProtoInstance name='Lmap'/><ProtoInstance name='Any'/>");
     assertTold(
-        "test.x3d:2:1: the prototype Lmap cannot be had: it is not in lib/lamps.x3d, which has no"
+        "test.x3d:2:1: the prototype Lmap cannot be loaded: it is not in lib/lamps.x3d, which has no"
             + " prototype Lmap (did you mean Lamp?); its instances are left out",
-        "test.x3d:3:1: the prototype Any cannot be had: it is not in empty.x3d, which declares no"
+        "test.x3d:3:1: the prototype Any cannot be loaded: it is not in empty.x3d, which declares no"
             + " prototype; its instances are left out");
   }
 
@@ -82,8 +82,8 @@ class ExternPrototypeProblemsTest extends ExternPrototypesCase {
     assertThat(problems.list())
         .extracting(Problem::message)
         .containsExactly(
-            "the prototype P cannot be had: files name one another for it, and none of them"
-                + " declares it; its instances are left out",
+            "the prototype P cannot be loaded: its ExternProtoDeclares refer to one another, and"
+                + " no file declares it; its instances are left out",
             "the prototype Q contains itself; this instance is left out");
   }
 
@@ -94,7 +94,7 @@ class ExternPrototypeProblemsTest extends ExternPrototypesCase {
     assertThat(problems.list()).hasSize(1);
     assertThat(problems.list().get(0).toString())
         .startsWith(
-            "test.x3d:2:1: the prototype Red cannot be had: url 'picture.x3d#Red' cannot be read (")
+            "test.x3d:2:1: the prototype Red cannot be loaded: url 'picture.x3d#Red' cannot be read (")
         .endsWith("); its instances are left out");
   }
 
@@ -126,8 +126,8 @@ class ExternPrototypeProblemsTest extends ExternPrototypesCase {
     }
     X3dFile file = scene(extern("P", "\"p7.x3d#P\"") + "<ProtoInstance name='P'/>");
     assertTold(
-        "test.x3d:3:1: an instance of the prototype P makes more than what is left of the 10000"
-            + " nodes that a file may have; it is left out");
+        "test.x3d:3:1: this instance of the prototype P exceeds the limit of 10000 nodes in a file;"
+            + " it is left out");
     assertThat(file.nodes()).isEmpty();
   }
 

@@ -151,8 +151,8 @@ class PrototypesTest {
     }
     X3dFile file = fixture.scene(text + "<ProtoInstance name='P29'/>");
     fixture.assertOnly(
-        "test.x3d:32:1: an instance of the prototype P29 makes more than what is left of the 10000"
-            + " nodes that a file may have; it is left out");
+        "test.x3d:32:1: this instance of the prototype P29 exceeds the limit of 10000 nodes in a"
+            + " file; it is left out");
     assertThat(file.nodes()).isEmpty();
   }
 
@@ -167,7 +167,7 @@ class PrototypesTest {
             <ProtoInstance name='Door'/><ProtoInstance name='Door'/><Group/>
             """);
     fixture.assertOnly(
-        "test.x3d:2:1: the prototype Door cannot be had: it is in another file, which is not read here;"
+        "test.x3d:2:1: the prototype Door cannot be loaded: it is in another file, which is not read here;"
             + " its instances are left out");
     assertThat(file.nodes()).hasSize(1);
   }
@@ -234,7 +234,7 @@ class PrototypesTest {
     assertThat(fixture.problems.list())
         .extracting(problem -> problem.message())
         .containsExactly(
-            "the Group that metadata is given would contain the instance itself; it is left out",
-            "the Group that proxy is given would contain the instance itself; it is left out");
+            "the Group in the field metadata would contain the instance itself; it is left out",
+            "the Group in the field proxy would contain the instance itself; it is left out");
   }
 }

@@ -273,9 +273,9 @@ class VrmlTest {
         "WorldInfo { title \"a }|2:19: the string that begins here has no closing quote",
         "Coordinate { point [ 0 0 0 }|2:20: the list that begins here has no closing ']'",
         "Group { } }|2:11: a node or a statement is expected here, not '}'",
-        "ROUTE A.b C.d|2:11: TO and the other end of the ROUTE is expected here, not 'C.d'",
+        "ROUTE A.b C.d|2:11: TO and the destination of the ROUTE is expected here, not 'C.d'",
         "ROUTE A TO C.d|2:9: '.' between a node and its field, as in ROUTE Clock.isActive",
-        "PROTO A [ field SFFlot x 1 ] { }|2:17: 'SFFlot' is no type of fields",
+        "PROTO A [ field SFFlot x 1 ] { }|2:17: 'SFFlot' is not a field type",
         "PROTO A [ SFFloat x 1 ] { }|2:11: inputOnly, outputOnly, inputOutput or initializeOnly is",
         "META \"a\" b|2:1: META must stand before the first node of a scene",
         "Group META|2:7: '{' after the type of a node, 'Group', is expected here, not 'META'"

@@ -18,8 +18,8 @@ import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * Questionnaires on paper: one HTML page that needs nothing beside it, a sheet for each page of a
- * questionnaire, memory lists laid out as thesis Fig 86.
+ * Renders questionnaires for printing: one self-contained HTML page, a sheet for each page of a
+ * questionnaire, recognition lists laid out as in thesis Fig 86.
  */
 public final class PaperPage {
   private static final String STYLE =
@@ -51,7 +51,7 @@ public final class PaperPage {
   }
 
   /**
-   * The page of a participant.
+   * Returns the HTML page of a participant.
    *
    * @throws IOException if a picture cannot be read
    */
@@ -132,7 +132,10 @@ public final class PaperPage {
         .formatted(Markup.attribute(wording.filled("print.when", asked, values)));
   }
 
-  /** Rows of one table where all have the same columns, such as a memory list; else one by one. */
+  /**
+   * Renders the questions as rows of one table if all have the same columns, as in a recognition
+   * list; else one by one.
+   */
   private String questions(Questionnaire questionnaire, Page page) {
     boolean alike =
         page.questions().stream().allMatch(question -> question.when().isEmpty() && row(question))
@@ -154,7 +157,7 @@ public final class PaperPage {
     return html.append("</table>\n").toString();
   }
 
-  /** Whether all that it asks stands on one line. */
+  /** Returns whether a question fits on one row of a table. */
   private boolean row(Question question) {
     return question.kind().fields(wording).stream()
         .allMatch(
@@ -162,7 +165,7 @@ public final class PaperPage {
                 field instanceof AnswerField.Choice choice && !choice.several() && choice.inLine());
   }
 
-  /** How many cells each field takes, and what the options mean. */
+  /** Returns the columns of a question, for comparison: options and labelled ends of each field. */
   private List<Object> columns(Question question) {
     return question.kind().fields(wording).stream()
         .<Object>map(

@@ -16,12 +16,12 @@ import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * The table that goes with a {@link PaperPage}, to type the answers into. Of questionnaires that
- * ask about memory alone, or about expectancy alone, it has the columns of those answers; of all
- * others a row for each question, with what may be typed.
+ * The data-entry template for a {@link PaperPage}: a CSV table to type the answers into. For
+ * recognition lists alone, or expectancy ratings alone, it has the columns of those tables; else a
+ * row for each question, with the valid answers.
  */
 public final class PaperTable {
-  /** What a table of all kinds has. */
+  /** Columns of a template for questions of all kinds. */
   private static final List<String> COLUMNS =
       List.of(
           "participant",
@@ -37,9 +37,9 @@ public final class PaperTable {
   private PaperTable() {}
 
   /**
-   * A table without answers.
+   * Returns a template without answers.
    *
-   * @param condition empty where it is not known
+   * @param condition the participant's condition; empty if unknown
    */
   public static String text(
       List<Questionnaire> questionnaires, Wording wording, String participant, String condition) {

@@ -6,9 +6,9 @@ import org.selectiverenderer.base.csv.CsvTable;
 import org.selectiverenderer.experiment.questionnaire.AnswerField;
 import org.selectiverenderer.experiment.questionnaire.ItemsKind;
 
-/** Which columns of a typed table hold what. */
+/** The column layouts of a data-entry table. */
 enum TypedForm {
-  /** Of all kinds of questions. */
+  /** A table of questions of all kinds. */
   ANY(
       "questionnaire",
       "question",
@@ -33,7 +33,7 @@ enum TypedForm {
     this.columns = columns;
   }
 
-  /** The form that a header has. */
+  /** Returns the layout of a table, by its header. */
   static TypedForm of(CsvTable table) {
     if (table.has("question") || table.has("value")) {
       return ANY;
@@ -41,12 +41,12 @@ enum TypedForm {
     return table.has("rating") ? RATINGS : MEMORY;
   }
 
-  /** Those that the header must name. */
+  /** Returns the columns that the header must name. */
   List<String> columns() {
     return columns;
   }
 
-  /** Those that must not be empty where there is an answer. */
+  /** Returns the columns that must not be empty in a row with an answer. */
   List<String> names() {
     return List.of("participant", part, question);
   }
@@ -59,7 +59,7 @@ enum TypedForm {
     return value;
   }
 
-  /** The id of the questionnaire that a row is of. */
+  /** Returns the id of a row's questionnaire. */
   String step(CsvRow row) {
     return switch (this) {
       case ANY -> row.cell(part);

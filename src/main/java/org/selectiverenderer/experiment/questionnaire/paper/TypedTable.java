@@ -22,24 +22,24 @@ import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 import org.selectiverenderer.experiment.questionnaire.Wording;
 
 /**
- * Answers on paper, typed into a {@link PaperTable}: of memory {@code
- * participant,condition,area,object,response,confidence}, of expectancy {@code
- * participant,area,object,rating}, of all kinds {@code participant,questionnaire,question,value}
- * and, where there are any, {@code condition} and {@code confidence}. Other columns are not looked
- * at: what an object is stands in the study. A row without an answer is a question that was not
- * answered.
+ * Answers on paper that were typed into a {@link PaperTable}: for recognition lists {@code
+ * participant,condition,area,object,response,confidence}, for expectancy {@code
+ * participant,area,object,rating}, for all kinds of questions {@code
+ * participant,questionnaire,question,value} and optionally {@code condition} and {@code
+ * confidence}. Other columns are ignored: the study knows the properties of an object. A row
+ * without an answer is a question that was not answered.
  *
- * @param rows with an answer, in the file's order
+ * @param rows the rows with an answer, in the file's order
  */
 public record TypedTable(List<Filled> rows) {
   private static final String LEFT_OUT = "; the answer is left out";
 
   /**
-   * A row that was filled in.
+   * A row with an answer.
    *
-   * @param condition as typed; empty where it was not, or is not asked for
-   * @param step the questionnaire's id
-   * @param question its id
+   * @param condition as typed; empty if missing
+   * @param step id of the questionnaire
+   * @param question id of the question
    */
   public record Filled(
       String participant,
@@ -58,9 +58,9 @@ public record TypedTable(List<Filled> rows) {
   /**
    * Reads a table.
    *
-   * @param asked what a participant is asked in a step, by the ids of both; empty for none
-   * @return empty when it is none, which is then in {@code problems}
-   * @throws IOException if the file cannot be read at all
+   * @param asked finds the questionnaire by the ids of a participant and a step; empty for none
+   * @return empty if the file is not such a table, which is then in {@code problems}
+   * @throws IOException if the file cannot be read
    */
   public static Optional<TypedTable> read(
       Path file,
@@ -87,7 +87,7 @@ public record TypedTable(List<Filled> rows) {
     return Optional.of(new TypedTable(withoutDoubles(rows, problems)));
   }
 
-  /** Reads one row, or says why it cannot be used. */
+  /** Reads one row, or reports why it cannot be used. */
   private record RowReader(CsvRow row, TypedForm form, Wording wording, Problems problems) {
     Optional<Filled> read(BiFunction<String, String, Optional<Questionnaire>> asked) {
       String value = row.cell(form.value());
@@ -102,7 +102,7 @@ public record TypedTable(List<Filled> rows) {
       Optional<Answer> answer =
           question.isPresent()
               ? answer(question.get(), value, confidence)
-              : Optional.of(Answer.of(value)); // Told later: the study does not ask it.
+              : Optional.of(Answer.of(value)); // Reported later: the study has no such question.
       return answer
           .filter(one -> named())
           .map(
@@ -156,7 +156,7 @@ public record TypedTable(List<Filled> rows) {
     }
   }
 
-  /** Of answers given twice alike one is kept; of those that differ none. */
+  /** Removes duplicates: of equal answers to a question one is kept, of different ones none. */
   private static List<Filled> withoutDoubles(List<Filled> rows, Problems problems) {
     Map<Asked, Filled> first = new HashMap<>();
     Set<Asked> torn = new HashSet<>();

@@ -1,10 +1,10 @@
 /**
- * Questionnaires on paper: a page to print, the table that goes with it, and what was typed into
- * such tables.
+ * Questionnaires on paper: a page to print, the data-entry table for its answers, and the reader of
+ * filled-in tables.
  *
- * <p>In: questionnaires as a participant meets them; tables. Out: HTML, CSV, and answers by
- * participant and questionnaire, or what is wrong with the table, by line and column. Knows {@link
- * org.selectiverenderer.experiment.questionnaire.AnswerField}s, and no kinds of questions.
+ * <p>In: questionnaires in a participant's order of questions; tables. Out: HTML, CSV, and answers
+ * by participant and questionnaire, or the faults of a table by line and column. Depends on {@link
+ * org.selectiverenderer.experiment.questionnaire.AnswerField}s, not on kinds of questions.
  *
  * <p>Uses {@code experiment.questionnaire} and {@code base}. No GL, no AWT.
  */

@@ -24,10 +24,10 @@ import org.selectiverenderer.experiment.questionnaire.Wording;
 import org.selectiverenderer.statistics.detection.Response;
 
 /**
- * Reads the objects of a questionnaire: {@code area,object,consistency,present} or {@code
- * area,schema,object}, and a column of names for each language. Each area makes a questionnaire of
- * one page. A fault means none: a questionnaire with a question missing cannot be compared with the
- * others.
+ * Reads the items of a recognition list ({@code area,object,consistency,present}) or an expectancy
+ * questionnaire ({@code area,schema,object}), with a column of names for each language. Each area
+ * becomes a questionnaire of one page. A faulty table is not used at all: answers to a
+ * questionnaire that lacks a question cannot be compared with the others.
  */
 public final class ItemsReader {
   private static final String UNUSED = "; the questionnaire is not used";
@@ -44,13 +44,13 @@ public final class ItemsReader {
   }
 
   /**
-   * Reads them.
+   * Reads a table of items.
    *
    * @param name of the questionnaire in the study
-   * @param wording its language is that of the names that are needed
-   * @return a questionnaire for each area, in the table's order; empty when there are faults, which
+   * @param wording messages in the language in which the names are needed
+   * @return a questionnaire for each area, in the table's order; empty if there are faults, which
    *     are then in {@code problems}
-   * @throws IOException if the file cannot be read at all
+   * @throws IOException if the file cannot be read
    */
   public static Optional<List<Questionnaire>> read(
       ItemsKind kind, Path file, String name, Wording wording, Problems problems)

@@ -7,8 +7,8 @@ import org.selectiverenderer.base.json.JsonMembers;
 import org.selectiverenderer.experiment.questionnaire.QuestionKind;
 
 /**
- * Texts of one language: a text in quotes is for all languages, an object has one for each, {@code
- * {"en": "Yes", "el": "Ναι"}}.
+ * Reads texts in one language: a JSON string is the text in all languages, an object has a text for
+ * each, {@code {"en": "Yes", "el": "Ναι"}}.
  */
 final class LanguageTexts implements QuestionKind.Texts {
   private final String language;

@@ -29,7 +29,7 @@ public final class QuestionnaireReader {
   private static final JsonSettings JSON =
       new JsonSettings("a questionnaire", "the questionnaire is not used");
 
-  /** What names and ids consist of; tables, journals and files have them. */
+  /** Pattern of names and ids, which occur in tables, journals and names of files. */
   private static final String NAME = "[0-9A-Za-z][0-9A-Za-z_-]*";
 
   private final Optional<Path> folder;
@@ -45,9 +45,9 @@ public final class QuestionnaireReader {
   /**
    * Reads a file.
    *
-   * @param language whose texts are needed
-   * @return empty when it has faults, which are then in {@code problems}
-   * @throws IOException if it cannot be read at all
+   * @param language code of the language of the texts
+   * @return empty if the file has faults, which are then in {@code problems}
+   * @throws IOException if the file cannot be read
    */
   public static Optional<Questionnaire> read(Path file, String language, Problems problems)
       throws IOException {
@@ -55,14 +55,14 @@ public final class QuestionnaireReader {
     try {
       return JSON.read(file, problems, new QuestionnaireReader(folder, language)::questionnaire);
     } catch (UncheckedIOException e) {
-      throw e.getCause(); // A picture that cannot be read.
+      throw e.getCause(); // A picture could not be read.
     }
   }
 
   /**
-   * Reads a text that lies in no folder, so that it cannot name pictures.
+   * Parses a text that is not a file in a folder, and so cannot refer to pictures.
    *
-   * @param file its name, for messages
+   * @param file name of the text, for messages
    */
   static Optional<Questionnaire> parse(
       String file, String text, String language, Problems problems) {
@@ -72,7 +72,7 @@ public final class QuestionnaireReader {
 
   private Questionnaire questionnaire(JsonMembers keys) {
     String name = name(keys, "name", "a questionnaire's name");
-    keys.text("source", false); // For people: where the questions are from.
+    keys.text("source", false); // A citation of the questions' source, for people.
     String title = texts.optional(keys, "title");
     List<Page> read = keys.objects("pages", "a page", page -> page(page, title));
     if (read.isEmpty()) {
@@ -95,7 +95,7 @@ public final class QuestionnaireReader {
             ? name(keys, "name", "a page's name")
             : String.format(Locale.ROOT, "page-%d", pages.size() + 1);
     if (!pages.add(id)) {
-      keys.fault("name", "the page " + id + " is there twice");
+      keys.fault("name", "the page " + id + " is defined twice");
     }
     String own = texts.optional(keys, "title");
     String text = texts.optional(keys, "text");
@@ -126,7 +126,7 @@ public final class QuestionnaireReader {
     if (!name.toLowerCase(Locale.ROOT).matches(".*\\.(png|jpe?g)")) {
       keys.fault("picture", "a picture must be a PNG or JPEG file");
     } else if (file.isEmpty() || !Files.isRegularFile(file.get())) {
-      keys.fault("picture", "there is no file '" + name + "' as seen from the questionnaire");
+      keys.fault("picture", "there is no file '" + name + "' relative to the questionnaire's file");
     } else if (!isPicture(file.get())) {
       keys.fault(
           "picture", "the file '" + name + "' is neither a PNG nor a JPEG, whatever its name");
@@ -134,7 +134,7 @@ public final class QuestionnaireReader {
     return file;
   }
 
-  /** Whether a file begins as a PNG (RFC 2083, 3.1) or a JPEG does. */
+  /** Returns whether a file has the signature of a PNG (RFC 2083, 3.1) or a JPEG. */
   private static boolean isPicture(Path file) {
     try (InputStream in = Files.newInputStream(file)) {
       byte[] begin = in.readNBytes(4);
@@ -166,7 +166,7 @@ public final class QuestionnaireReader {
     if (sets.equals(Optional.of(Question.Sets.IPD)) && kind.isPresent() && !isIpd(kind.get())) {
       keys.fault(
           "sets",
-          ("the distance of the pupils is a \"number\" in millimetres; it needs \"min\" and "
+          ("an interpupillary distance is a \"number\" in millimetres; it needs \"min\" and "
                   + "\"max\" from 0 to %.0f")
               .formatted(EyeGeometry.LARGEST_IPD));
     }
@@ -176,31 +176,30 @@ public final class QuestionnaireReader {
     Optional<Question> read =
         kind.map(known -> new Question(id, text, known, optional, when, must, sets, personal));
     if (read.isPresent() && questions.putIfAbsent(id, read.get()) != null) {
-      keys.fault("id", "the question " + id + " is there twice");
+      keys.fault("id", "the question " + id + " is defined twice");
     }
     return read;
   }
 
-  /** Tells of a value that no answer can have: it would never be met. */
+  /** Reports a value that no answer can have. */
   private static void known(JsonMembers keys, String key, String value, QuestionKind kind) {
     List<String> values = kind.values();
     if (!values.isEmpty() && !values.contains(value)) {
       keys.fault(
           key,
-          "no answer can be '%s'; it is one of %s".formatted(value, String.join(", ", values)));
+          "'%s' is not a possible answer; possible are %s"
+              .formatted(value, String.join(", ", values)));
     }
   }
 
-  /** Whether whatever is answered is a distance of pupils. */
+  /** Returns whether every valid answer is a possible interpupillary distance. */
   private static boolean isIpd(QuestionKind kind) {
     return kind.numbers()
         .filter(range -> range.least() >= 0 && range.most() <= EyeGeometry.LARGEST_IPD)
         .isPresent();
   }
 
-  /**
-   * A condition on an earlier question: what is asked later cannot decide what was asked before.
-   */
+  /** Reads a branching rule, which may refer to earlier questions only. */
   private Optional<AskedIf> when(JsonMembers keys) {
     Set<String> earlier = Set.copyOf(questions.keySet());
     return keys.object(

@@ -13,7 +13,7 @@ import org.selectiverenderer.experiment.questionnaire.Question;
 import org.selectiverenderer.experiment.questionnaire.ScaleQuestion;
 import org.selectiverenderer.experiment.questionnaire.ScaleScore;
 
-/** Reads the scores of a questionnaire, whose questions are read before. */
+/** Reads the definitions of a questionnaire's scores, after its questions. */
 final class ScoresReader {
   private final Map<String, Question> questions;
   private final Set<String> earlier = new HashSet<>();
@@ -52,7 +52,7 @@ final class ScoresReader {
       keys.fault("a score needs \"questions\" or \"scores\"");
     }
     if (!earlier.add(name)) {
-      keys.fault("name", "the score " + name + " is there twice");
+      keys.fault("name", "the score " + name + " is defined twice");
     }
     return new ScaleScore(
         name, by, of, scores, Set.copyOf(new ArrayList<>(reversed)), least, weight);
@@ -66,7 +66,7 @@ final class ScoresReader {
     if (!all.contains(name)) {
       keys.fault(
           key,
-          "\"%s\" names '%s', which is not there%s"
+          "\"%s\" names '%s', which does not exist%s"
               .formatted(
                   key,
                   name,

@@ -10,23 +10,23 @@ import org.selectiverenderer.base.problem.Problems;
 import org.selectiverenderer.experiment.questionnaire.Questionnaire;
 
 /**
- * The questionnaires that come with the program, each a file of its own that cites where its
- * questions are from. Texts that are not in the study's language are in English.
+ * The standard questionnaires that come with the program, each in a file that cites its source.
+ * Texts that do not exist in the study's language are in English.
  */
 public final class StandardScales {
   /**
-   * Names: presence by Slater, Usoh and Steed, and by igroup; simulator sickness by Kennedy and
-   * others.
+   * Names of the questionnaires: SUS presence (Slater, Usoh and Steed), igroup presence
+   * questionnaire, and simulator sickness questionnaire (Kennedy and others).
    */
   public static final List<String> NAMES = List.of("sus", "ipq", "ssq");
 
   private StandardScales() {}
 
   /**
-   * One of them.
+   * Returns one of the questionnaires.
    *
    * @param name one of {@link #NAMES}
-   * @return empty when it has no texts in the language, which is then in {@code problems}
+   * @return empty if it has no texts in the language, which is then in {@code problems}
    * @throws IOException if the program's own files cannot be read
    */
   public static Optional<Questionnaire> of(String name, String language, Problems problems)
@@ -34,7 +34,7 @@ public final class StandardScales {
     return read(name + ".json", language, problems);
   }
 
-  /** Consent and age of a study that has no form of its own. */
+  /** Returns the default form, consent and age, for a study without a form. */
   public static Optional<Questionnaire> form(String language, Problems problems)
       throws IOException {
     return read("form.json", language, problems);

@@ -1,14 +1,14 @@
 package org.selectiverenderer.runtime.movie.mpeg;
 
-/** Reads bits, the highest of a byte first. Behind its end there are zeros. */
+/** Reads bits from a byte array, the most significant bit first. Beyond the end it gives zeros. */
 final class BitReader {
   private final byte[] data;
   private final long end;
   private long at;
 
   /**
-   * @param from first byte
-   * @param to behind the last one
+   * @param from the index of the first byte
+   * @param to the index after the last byte
    */
   BitReader(byte[] data, int from, int to) {
     this.data = data;
@@ -16,17 +16,17 @@ final class BitReader {
     end = 8L * Math.min(to, data.length);
   }
 
-  /** Whether all bits have been read. */
+  /** Returns whether all bits have been read. */
   boolean over() {
     return at >= end;
   }
 
-  /** Whether more bits were read than there are. */
+  /** Returns whether more bits were read than there are. */
   boolean past() {
     return at > end;
   }
 
-  /** The next bits, 25 at most, which stay. */
+  /** Returns the next bits, at most 25, without consuming them. */
   int peek(int count) {
     int from = (int) (at >> 3);
     int word = 0;
@@ -36,7 +36,7 @@ final class BitReader {
     return word << (int) (at & 7) >>> 32 - count;
   }
 
-  /** The next bits, 1 to 25. */
+  /** Reads the next bits, 1 to 25. */
   int read(int count) {
     int bits = peek(count);
     at += count;

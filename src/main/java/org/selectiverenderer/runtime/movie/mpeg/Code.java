@@ -3,9 +3,9 @@ package org.selectiverenderer.runtime.movie.mpeg;
 import java.util.Arrays;
 import java.util.Map;
 
-/** A table of variable-length codes: what the next bits mean, by one look. */
+/** A decoding table for a variable-length code, indexed by the next bits. */
 final class Code {
-  /** What {@link #read} gives for bits that are no code. */
+  /** The value that {@link #read} returns for bits that are no code word. */
   static final int NONE = -1;
 
   private final int longest;
@@ -13,7 +13,7 @@ final class Code {
   private final byte[] lengths;
 
   /**
-   * @param codes as words of 0 and 1
+   * @param codes the code words, as strings of 0 and 1, with their values
    */
   Code(Map<String, Integer> codes) {
     longest = codes.keySet().stream().mapToInt(String::length).max().orElseThrow();
@@ -29,7 +29,7 @@ final class Code {
         });
   }
 
-  /** Takes a code from the bits and gives its value. */
+  /** Reads a code word and returns its value. */
   int read(BitReader bits) {
     int next = bits.peek(longest);
     bits.skip(lengths[next]);

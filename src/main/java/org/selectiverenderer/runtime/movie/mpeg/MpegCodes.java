@@ -9,17 +9,17 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * The variable-length codes of MPEG-1 video (ISO/IEC 11172-2, Annex B), from a table of this
- * package.
+ * The variable-length code tables of MPEG-1 video (ISO/IEC 11172-2, Annex B), read from a resource
+ * of this package.
  *
- * @param increment how far it is to the next macroblock, or {@link #STUFFING}, {@link #ESCAPE}
- * @param types flags of a macroblock's type, by the picture's type: 1 I, 2 P, 3 B
- * @param motion how far a vector is from the one before, without a sign
- * @param pattern which blocks are coded, the first one the highest of six bits
- * @param luminance how many bits a mean value takes
- * @param chrominance the same of colours
- * @param coefficient 64 times its run, and its level without a sign; or {@link #END}, {@link
- *     #ESCAPE}
+ * @param increment the macroblock address increment, or {@link #STUFFING}, {@link #ESCAPE}
+ * @param types the flags of the macroblock type, for each picture type: 1 I, 2 P, 3 B
+ * @param motion the motion code: the absolute difference to the previous vector component
+ * @param pattern the coded block pattern, the first block in the highest of six bits
+ * @param luminance the size in bits of the DC difference of a luminance block
+ * @param chrominance the size in bits of the DC difference of a chrominance block
+ * @param coefficient 64 times the run plus the absolute level of a DCT coefficient; or {@link
+ *     #END}, {@link #ESCAPE}
  */
 record MpegCodes(
     Code increment,

@@ -3,8 +3,9 @@ package org.selectiverenderer.runtime.movie.mpeg;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes the pictures of a film. One after the other is fast; for one elsewhere all are decoded that
- * it comes from. What is damaged looks damaged. Belongs to one thread at a time.
+ * Decodes the frames of an MPEG-1 video. Decoding in order is fast; for a random frame all its
+ * reference frames must be decoded. Damaged data give visible artefacts. Belongs to one thread at a
+ * time.
  */
 public final class MpegDecoder {
   private final MpegVideo video;
@@ -13,7 +14,7 @@ public final class MpegDecoder {
   private final int across;
   private final int down;
 
-  /** The last two pictures that others come from, the older one first. */
+  /** The last two reference pictures, the older one first. */
   private @Nullable Planes before;
 
   private @Nullable Planes after;
@@ -22,7 +23,7 @@ public final class MpegDecoder {
   private int afterIs = -1;
   private int betweenIs = -1;
 
-  /** The next one to be decoded, in the order of coding. */
+  /** The index of the next picture to be decoded, in coding order. */
   private int next;
 
   MpegDecoder(MpegVideo video) {
@@ -32,9 +33,9 @@ public final class MpegDecoder {
   }
 
   /**
-   * Makes a picture.
+   * Decodes a picture.
    *
-   * @param picture 0 to {@link MpegVideo#pictures()} without it
+   * @param picture the index in display order, from 0 to below {@link MpegVideo#pictures()}
    * @return four bytes r, g, b, a per pixel; the first row is the lowest
    */
   public byte[] picture(int picture) {
@@ -76,19 +77,20 @@ public final class MpegDecoder {
       afterIs = code;
       forward = before;
     }
-    // Without one before it, as in damaged films, what is not coded stays as it was.
+    // Without a reference picture, as in damaged videos, macroblocks that are not coded keep their
+    // old pixels.
     Planes from = forward == null ? target : forward;
     Planes to = after == null ? from : after;
     slices(code, target, from, to);
   }
 
-  /** Whether a picture, by the order of coding, is there to its end. */
+  /** Returns whether a picture, by its index in coding order, is complete. */
   boolean complete(int code) {
     Planes any = new Planes(across, down);
     return slices(code, any, any, any);
   }
 
-  /** Makes a picture's slices; whether the last of them is whole. */
+  /** Decodes a picture's slices; returns whether the last one is complete. */
   private boolean slices(int code, Planes target, Planes forward, Planes backward) {
     int start = video.start(code);
     int end = video.end(code);

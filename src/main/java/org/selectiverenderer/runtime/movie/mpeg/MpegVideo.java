@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.util.Arrays;
 
 /**
- * A film of MPEG-1 video: its size, and where each of its pictures is. Nobody changes it.
+ * An MPEG-1 video stream: its size and the positions of its pictures. Immutable.
  *
- * <p>Pictures are coded in another order than they are shown in: those that lie between two others
- * come after both.
+ * <p>Coding order differs from display order: B pictures, which are predicted from two others, are
+ * coded after both.
  */
 public final class MpegVideo {
   static final int PICTURE = 0x00;
@@ -15,10 +15,10 @@ public final class MpegVideo {
   private static final int SEQUENCE = 0xb3;
   private static final int EXTENSION = 0xb5;
 
-  /** Pictures above which the rest is left out: those of nine hours. */
+  /** Largest number of pictures; the rest is left out. This many last over nine hours. */
   static final int MOST = 1 << 20;
 
-  /** Types of pictures. */
+  /** The picture types I and B (ISO/IEC 11172-2, 2.4.3.4). */
   static final int WHOLE = 1;
 
   static final int BETWEEN = 3;
@@ -41,14 +41,14 @@ public final class MpegVideo {
   private final int height;
   private final double rate;
 
-  /** By the order of coding: the first byte, the type, and the place in the order of showing. */
+  /** By coding order: the first byte, the type, and the index in display order. */
   private int[] starts = new int[64];
 
   private byte[] types = new byte[64];
   private int[] shown = new int[64];
   private int count;
 
-  /** By the order of showing: the place in the order of coding. */
+  /** By display order: the index in coding order. */
   private final int[] coded;
 
   private MpegVideo(byte[] data, int header) {
@@ -56,7 +56,7 @@ public final class MpegVideo {
     BitReader bits = new BitReader(data, header + 4, data.length);
     width = bits.read(12);
     height = bits.read(12);
-    bits.skip(4); // The shape of pixels.
+    bits.skip(4); // The pixel aspect ratio.
     rate = RATES[Math.min(bits.read(4) % 16, RATES.length - 1)];
     bits.skip(18 + 1 + 10 + 1);
     intraWeights = bits.bit() ? weights(bits) : INTRA_WEIGHTS;
@@ -76,7 +76,7 @@ public final class MpegVideo {
     return weights;
   }
 
-  /** Whether a file is MPEG video, or a stream that may hold one. */
+  /** Returns whether a file is MPEG video, or a system stream that may contain one. */
   public static boolean is(byte[] file) {
     return SystemStream.is(file) || SystemStream.startCode(file, 0) == SEQUENCE;
   }
@@ -84,8 +84,8 @@ public final class MpegVideo {
   /**
    * Finds the pictures of a file.
    *
-   * @throws IOException with a clause that reads after the file's name, when it has none that can
-   *     be decoded
+   * @throws IOException if the file has no picture that can be decoded, with a clause as message
+   *     that follows the file's name
    */
   public static MpegVideo of(byte[] file) throws IOException {
     byte[] data = SystemStream.is(file) ? SystemStream.video(file) : file;
@@ -98,7 +98,7 @@ public final class MpegVideo {
     }
     int behind = next(data, header + 4);
     if (SystemStream.startCode(data, behind) == EXTENSION) {
-      throw new IOException("is MPEG-2 video, of which this program knows MPEG-1 only");
+      throw new IOException("is MPEG-2 video; only MPEG-1 video is supported");
     }
     MpegVideo video = new MpegVideo(data, header);
     if (video.width == 0 || video.height == 0 || video.count == 0) {
@@ -107,7 +107,10 @@ public final class MpegVideo {
     return video;
   }
 
-  /** Where the next start code is, at a place or behind it; the end for none. */
+  /**
+   * Returns the position of the next start code at or after a position; the end of the data if
+   * there is none.
+   */
   static int next(byte[] data, int from) {
     for (int at = from; at + 3 < data.length; at++) {
       if (data[at + 2] == 1 && data[at + 1] == 0 && data[at] == 0) {
@@ -122,7 +125,7 @@ public final class MpegVideo {
       if (SystemStream.startCode(data, at) == PICTURE && at + 5 < data.length) {
         int type = data[at + 5] >> 3 & 7;
         if (type < WHOLE || type > BETWEEN || count == 0 && type != WHOLE) {
-          continue; // A film begins with a whole picture; those for fast winding are passed over.
+          continue; // Starts with an I picture; D pictures (fast winding) are skipped.
         }
         if (count == starts.length) {
           starts = Arrays.copyOf(starts, 2 * count);
@@ -156,42 +159,42 @@ public final class MpegVideo {
     }
   }
 
-  /** Pixels. */
+  /** Returns the width in pixels. */
   public int width() {
     return width;
   }
 
-  /** Pixels. */
+  /** Returns the height in pixels. */
   public int height() {
     return height;
   }
 
-  /** How many pictures it has. */
+  /** Returns the number of pictures. */
   public int pictures() {
     return count;
   }
 
-  /** Pictures per second. */
+  /** Returns the pictures per second. */
   public double rate() {
     return rate;
   }
 
-  /** Whether it ends within a picture, as a film does that was not copied or downloaded whole. */
+  /** Returns whether the data end within a picture, as in an incomplete copy or download. */
   public boolean cutOff() {
     return !decoder().complete(count - 1);
   }
 
-  /** Makes pictures of it, for one thread. */
+  /** Makes a decoder, for one thread. */
   public MpegDecoder decoder() {
     return new MpegDecoder(this);
   }
 
-  /** Where in the order of coding a picture is. */
+  /** Returns the index in coding order of a picture in display order. */
   int coded(int picture) {
     return coded[picture];
   }
 
-  /** Where in the order of showing a picture is. */
+  /** Returns the index in display order of a picture in coding order. */
   int shown(int code) {
     return shown[code];
   }
@@ -204,12 +207,18 @@ public final class MpegVideo {
     return starts[code];
   }
 
-  /** Behind a picture's last byte, and maybe headers of the next one. */
+  /**
+   * Returns the position after a picture's last byte; headers of the next picture may lie before
+   * it.
+   */
   int end(int code) {
     return code + 1 < count ? starts[code + 1] : data.length;
   }
 
-  /** From which whole picture on, by the order of coding, one has to decode for another. */
+  /**
+   * Returns the I picture, by its index in coding order, from which decoding must start for a
+   * picture.
+   */
   int keyOf(int code) {
     int key = code;
     while (key > 0 && (types[key] != WHOLE || shown[key] > shown[code])) {

@@ -3,8 +3,8 @@ package org.selectiverenderer.runtime.movie.mpeg;
 import java.util.Arrays;
 
 /**
- * A picture as it is coded: a plane of brightness, and two of colour of half the size either way,
- * all in whole macroblocks.
+ * A decoded picture in YCbCr 4:2:0: a luma plane and two chroma planes of half the width and
+ * height, all in whole macroblocks.
  */
 final class Planes {
   final int stride;
@@ -12,8 +12,8 @@ final class Planes {
   final byte[][] samples;
 
   /**
-   * @param across macroblocks, 16 pixels each
-   * @param down macroblocks
+   * @param across the macroblocks per row, 16 pixels each
+   * @param down the rows of macroblocks
    */
   Planes(int across, int down) {
     stride = 16 * across;
@@ -27,7 +27,7 @@ final class Planes {
     return plane;
   }
 
-  /** Samples of a plane's row. */
+  /** Returns the samples per row of a plane. */
   int stride(int plane) {
     return plane == 0 ? stride : stride / 2;
   }
@@ -37,13 +37,14 @@ final class Planes {
   }
 
   /**
-   * Copies a square of another picture to a place of this one, from halfway between pixels where
-   * the vector says so. What would lie outside is taken from the edge.
+   * Copies a square of a reference picture to a place of this one (motion compensation),
+   * interpolated between pixels for half-pixel vectors. Outside the reference its edge pixels are
+   * repeated.
    *
-   * @param size side of the square
-   * @param right by how many half pixels it lies to the right of the place
-   * @param down and below
-   * @param mix whether the mean with what is there is kept
+   * @param size the side of the square in samples
+   * @param right the horizontal motion vector in half pixels, positive to the right
+   * @param down the vertical motion vector in half pixels, positive down
+   * @param mix whether the result is averaged with the present samples
    */
   void predict(Planes from, int plane, int x, int y, int size, int right, int down, boolean mix) {
     byte[] source = from.samples[plane];
@@ -74,7 +75,7 @@ final class Planes {
   }
 
   /**
-   * The picture in colours (ITU-R BT.601).
+   * Converts the picture to RGB (ITU-R BT.601).
    *
    * @return four bytes r, g, b, a per pixel; the first row is the lowest
    */

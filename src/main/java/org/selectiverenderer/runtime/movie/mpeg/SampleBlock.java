@@ -3,11 +3,11 @@ package org.selectiverenderer.runtime.movie.mpeg;
 import java.util.Arrays;
 
 /**
- * The coefficients of 8 x 8 samples, read and turned into samples (ISO/IEC 11172-2, 2.4.3.7 and
- * 2.4.4). Used for one block after the other.
+ * A block of 8 x 8 DCT coefficients: reads, dequantizes and inversely transforms them (ISO/IEC
+ * 11172-2, 2.4.3.7 and 2.4.4). Reused for one block after the other.
  */
 final class SampleBlock {
-  /** The places of coefficients in the order in which they are coded. */
+  /** The positions of coefficients in coding order. */
   static final int[] ZIGZAG = {
     0, 1, 8, 16, 9, 2, 3, 10, 17, 24, 32, 25, 18, 11, 4, 5, 12, 19, 26, 33, 40, 48, 41, 34, 27, 20,
     13, 6, 7, 14, 21, 28, 35, 42, 49, 56, 57, 50, 43, 36, 29, 22, 15, 23, 30, 37, 44, 51, 58, 59,
@@ -19,11 +19,11 @@ final class SampleBlock {
   private final Code code;
   private final float[] values = new float[64];
 
-  /** Of waves along eight samples, [frequency * 8 + sample]; orthonormal. */
+  /** The orthonormal cosine basis, [frequency * 8 + sample]. */
   private final float[] waves = new float[64];
 
   /**
-   * @param code of coefficients
+   * @param code the code table of coefficients
    */
   SampleBlock(Code code) {
     this.code = code;
@@ -36,10 +36,10 @@ final class SampleBlock {
   }
 
   /**
-   * Reads a block whose mean is known.
+   * Reads an intra block whose DC coefficient is known.
    *
-   * @param mean eight times that of its samples
-   * @return whether it could be read
+   * @param mean the DC coefficient: eight times the mean of the samples
+   * @return whether the block could be read
    */
   boolean intra(BitReader bits, int mean, int quantizer, int[] weights) {
     Arrays.fill(values, 0);
@@ -48,14 +48,14 @@ final class SampleBlock {
   }
 
   /**
-   * Reads the difference to what was predicted.
+   * Reads a non-intra block: the difference to the prediction.
    *
-   * @return whether it could be read
+   * @return whether the block could be read
    */
   boolean difference(BitReader bits, int quantizer, int[] weights) {
     Arrays.fill(values, 0);
     int from = -1;
-    if (bits.peek(1) == 1) { // No end of a block may stand here: its code is short.
+    if (bits.peek(1) == 1) { // The first one has a shorter code: no end.
       bits.skip(1);
       from = 0;
       values[0] = value(bits.bit() ? -1 : 1, 1, quantizer, weights[0]);
@@ -64,8 +64,8 @@ final class SampleBlock {
   }
 
   /**
-   * @param at place in the order of coding of what is there already
-   * @param more 1 where half a step is added to a level, else 0
+   * @param at the index in coding order of the last coefficient already present
+   * @param more 1 if half a quantizer step is added to a level, else 0
    */
   private boolean read(BitReader bits, int at, int more, int quantizer, int[] weights) {
     int place = at;
@@ -98,7 +98,10 @@ final class SampleBlock {
     }
   }
 
-  /** A level as it was before it was coded: odd, so that errors do not add up. */
+  /**
+   * Dequantizes a level; the result is made odd, so that rounding errors of different decoders do
+   * not accumulate.
+   */
   private static int value(int level, int more, int quantizer, int weight) {
     int value = (2 * level + more * Integer.signum(level)) * quantizer * weight / 16;
     if ((value & 1) == 0) {
@@ -108,9 +111,9 @@ final class SampleBlock {
   }
 
   /**
-   * Puts its samples into a plane.
+   * Writes the samples to a plane.
    *
-   * @param add whether they are added to what is there
+   * @param add whether they are added to the present samples
    */
   void put(byte[] plane, int at, int stride, boolean add) {
     for (int row = 0; row < 64; row += 8) {
@@ -128,7 +131,10 @@ final class SampleBlock {
     }
   }
 
-  /** Turns eight coefficients into samples: waves of even and odd frequency mirror each other. */
+  /**
+   * Applies the one-dimensional inverse DCT to eight coefficients, using the symmetry of even and
+   * odd basis functions.
+   */
   private void samples(int from, int step) {
     float c0 = values[from];
     float c1 = values[from + step];

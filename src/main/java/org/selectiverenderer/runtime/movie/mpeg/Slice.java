@@ -1,33 +1,33 @@
 package org.selectiverenderer.runtime.movie.mpeg;
 
 /**
- * Reads the macroblocks of slices into a picture (ISO/IEC 11172-2, 2.4.2.7 and 2.4.4). A slice that
- * is damaged ends there; what it has not reached stays as it was.
+ * Decodes the macroblocks of slices into a picture (ISO/IEC 11172-2, 2.4.2.7 and 2.4.4). Decoding
+ * of a damaged slice ends at the error; the remaining macroblocks keep their old pixels.
  */
 final class Slice {
   private static final int MEAN = 128 * 8;
 
   /**
-   * How coefficients are weighted.
+   * The quantizer matrices.
    *
-   * @param intra of blocks that stand for themselves
-   * @param difference of those that are added to what was predicted
+   * @param intra the matrix of intra blocks
+   * @param difference the matrix of non-intra blocks
    */
   record Weights(int[] intra, int[] difference) {}
 
   /**
-   * The picture that is made and those that it comes from.
+   * The picture being decoded and its reference pictures.
    *
-   * @param across macroblocks in a row
-   * @param down rows
+   * @param across the macroblocks per row
+   * @param down the rows of macroblocks
    */
   record Pictures(Planes target, Planes forward, Planes backward, int across, int down) {}
 
   /**
-   * How vectors of one direction are coded.
+   * The coding of motion vectors in one direction.
    *
-   * @param wholePixels whether they count pixels, else halves
-   * @param bits by which they are longer than their codes
+   * @param wholePixels whether vectors are in whole pixels; otherwise in half pixels
+   * @param bits the number of extra bits after each code word (r_size)
    */
   record Vectors(boolean wholePixels, int bits) {
     static final Vectors NONE = new Vectors(false, 0);
@@ -43,13 +43,13 @@ final class Slice {
   private final Vectors back;
   private final int[] means = new int[3];
 
-  /** The last vectors: forward right, forward down, backward right, backward down. */
+  /** The last vector components: forward right, forward down, backward right, backward down. */
   private final int[] vectors = new int[4];
 
-  /** How many macroblocks are still made, all slices of the picture together. */
+  /** The number of macroblocks that may still be decoded in this picture. */
   private int left;
 
-  /** The last macroblock that was made whole, by its place; -1 for none. */
+  /** The address of the last macroblock that was decoded completely; -1 for none. */
   private int reached = -1;
 
   private int quantizer;
@@ -71,14 +71,14 @@ final class Slice {
     this.pictures = pictures;
     this.ahead = ahead;
     this.back = back;
-    // Slices do not overlap in a film that is whole; those of a hostile one might go on for hours.
+    // Slices of a valid video do not overlap; those of a malicious one might take hours to decode.
     left = 2 * pictures.across() * pictures.down();
   }
 
   /**
-   * Reads one.
+   * Decodes a slice.
    *
-   * @param row of macroblocks in which it begins
+   * @param row the row of macroblocks in which the slice starts
    */
   void read(BitReader bits, int row) {
     quantizer = bits.read(5);
@@ -113,20 +113,20 @@ final class Slice {
   }
 
   /**
-   * Whether the picture's last macroblock was made, which no picture leaves out (ISO/IEC 11172-2,
-   * 2.4.2.6).
+   * Returns whether the picture's last macroblock was decoded, which no picture may omit (ISO/IEC
+   * 11172-2, 2.4.2.6).
    */
   boolean complete() {
     return reached == pictures.across() * pictures.down() - 1;
   }
 
-  /** How far it is to the next macroblock; 0 for nonsense. */
+  /** Reads the address increment to the next macroblock; 0 if it is invalid. */
   private int increment(BitReader bits) {
     int sum = 0;
     while (true) {
       int next = codes.increment().read(bits);
       if (next == Code.NONE || bits.over() || sum > left) {
-        return 0; // Also far beyond the picture.
+        return 0; // Increments far beyond the picture are invalid, too.
       } else if (next == MpegCodes.ESCAPE) {
         sum += 33;
       } else if (next != MpegCodes.STUFFING) {
@@ -135,7 +135,10 @@ final class Slice {
     }
   }
 
-  /** One that is not coded: as the one before it moves, else as it was. */
+  /**
+   * Fills a skipped macroblock: in B pictures with the previous vectors, else with a copy of the
+   * reference.
+   */
   private void skip(int address) {
     forgetMeans();
     if (!between) {
@@ -196,7 +199,7 @@ final class Slice {
       }
       if (size > 0) {
         int change = bits.read(size);
-        // Without its highest bit it is below zero.
+        // A clear highest bit means a negative difference.
         means[plane] += 8 * (change >> size - 1 != 0 ? change : change - (1 << size) + 1);
       }
       if (!block.intra(bits, means[plane], quantizer, weights.intra)) {
@@ -217,7 +220,7 @@ final class Slice {
     return true;
   }
 
-  /** Reads one number of a vector, as the difference to the last one. */
+  /** Reads a vector component, coded as the difference to the previous one. */
   private boolean vector(BitReader bits, int which, Vectors coding) {
     int code = codes.motion().read(bits);
     if (code == Code.NONE) {

@@ -2,7 +2,7 @@ package org.selectiverenderer.runtime.movie.mpeg;
 
 import java.util.Arrays;
 
-/** Takes the first video out of a system stream of MPEG-1 or a program stream of MPEG-2. */
+/** Extracts the first video stream from an MPEG-1 system stream or an MPEG-2 program stream. */
 final class SystemStream {
   private static final int PACK = 0xba;
   private static final int FIRST_VIDEO = 0xe0;
@@ -10,15 +10,15 @@ final class SystemStream {
 
   private SystemStream() {}
 
-  /** Whether a file is such a stream. */
+  /** Returns whether a file is such a stream. */
   static boolean is(byte[] file) {
     return startCode(file, 0) == PACK;
   }
 
   /**
-   * The code that begins at a place, 0 to 255; -1 for none.
+   * Returns the start code at a position, 0 to 255; -1 for none.
    *
-   * @param at where two bytes of zeros, one of 1 and the code's would stand
+   * @param at the position at which the bytes 0, 0, 1 and the code would be
    */
   static int startCode(byte[] data, int at) {
     return at + 3 < data.length && data[at] == 0 && data[at + 1] == 0 && data[at + 2] == 1
@@ -26,7 +26,7 @@ final class SystemStream {
         : -1;
   }
 
-  /** The bytes of the video; none, where the stream has no video. */
+  /** Returns the bytes of the video; an empty array if the stream has no video. */
   static byte[] video(byte[] file) {
     byte[] video = new byte[file.length];
     int length = 0;
@@ -37,7 +37,7 @@ final class SystemStream {
       if (code == -1) {
         at++;
       } else if (code <= PACK) {
-        at += 4; // The header of a pack holds no start code.
+        at += 4; // A pack header contains no start code.
       } else {
         int end = Math.min(file.length, at + 6 + number(file, at + 4));
         if (code >= FIRST_VIDEO && code <= LAST_VIDEO && (wanted == -1 || code == wanted)) {
@@ -52,17 +52,17 @@ final class SystemStream {
     return Arrays.copyOf(video, length);
   }
 
-  /** Where a packet's content begins, behind its header (ISO/IEC 11172-1, 2.4.3.3). */
+  /** Returns the position of a packet's payload, after its header (ISO/IEC 11172-1, 2.4.3.3). */
   private static int payload(byte[] file, int from, int end) {
     int at = from;
-    if (at + 3 <= end && (file[at] & 0xc0) == 0x80) { // MPEG-2 tells the header's length.
+    if (at + 3 <= end && (file[at] & 0xc0) == 0x80) { // MPEG-2: gives its length.
       return Math.min(end, at + 3 + (file[at + 2] & 0xff));
     }
     while (at < end && file[at] == (byte) 0xff) {
       at++;
     }
     if (at < end && (file[at] & 0xc0) == 0x40) {
-      at += 2; // The decoder's buffer.
+      at += 2; // The size of the decoder's buffer.
     }
     int stamps = at < end ? file[at] & 0xf0 : 0;
     return Math.min(end, at + (stamps == 0x20 ? 5 : stamps == 0x30 ? 10 : 1));

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.runtime.scene.Cascade;
 
-/** The stack of one kind of bindable node; the topmost is bound (X3D 4.0, 7.2.2). */
+/** The binding stack of one kind of bindable node; the topmost node is bound (X3D 4.0, 7.2.2). */
 final class BindStack {
   private final List<BindableNode> stack = new ArrayList<>();
 
@@ -14,7 +14,10 @@ final class BindStack {
     return stack.isEmpty() ? Optional.empty() : Optional.of(stack.get(stack.size() - 1));
   }
 
-  /** Brings a node to the top: first the one bound till then is told, then the node. */
+  /**
+   * Moves a node to the top; first the node bound before is told that it is unbound, then the new
+   * one that it is bound.
+   */
   void bind(BindableNode node, Cascade cascade) {
     Optional<BindableNode> before = top();
     if (before.isPresent() && before.get() == node) {
@@ -26,7 +29,7 @@ final class BindStack {
     node.sendBound(true, cascade);
   }
 
-  /** Takes a node out; if it was bound, it is told, then the one that is now. */
+  /** Removes a node; if it was bound, it is told so, and then the node that is bound now. */
   void unbind(BindableNode node, Cascade cascade) {
     boolean bound = top().filter(topmost -> topmost == node).isPresent();
     stack.remove(node);
@@ -36,7 +39,10 @@ final class BindStack {
     }
   }
 
-  /** Takes out nodes that are gone, as if they were unbound; what is bound then is told once. */
+  /**
+   * Removes the nodes that are not present any more, as if they were unbound; the node that is
+   * bound then is told once.
+   */
   void retain(Set<BindableNode> present, Cascade cascade) {
     Optional<BindableNode> before = top();
     stack.removeIf(node -> !present.contains(node));

@@ -16,9 +16,9 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodeObserver;
 
 /**
- * Which Viewpoint, NavigationInfo, Background and Fog of a scene are bound (X3D 4.0, 7.2.2). At the
- * start that is the first of each kind in the file; those in Inlines can be bound later. {@link
- * #update} follows nodes that come into the scene and leave it.
+ * The binding stacks of a scene for Viewpoint, NavigationInfo, Background and Fog nodes (X3D 4.0,
+ * 7.2.2). Initially the first node of each kind in the file is bound; nodes in Inlines can be bound
+ * later. {@link #update} follows nodes that enter or leave the scene.
  */
 public final class BindStacks {
   /** The kinds of bindable nodes; each has a stack of its own. */
@@ -80,7 +80,7 @@ public final class BindStacks {
   }
 
   /**
-   * The node of a kind that is in force.
+   * Returns the bound node of a kind.
    *
    * @param kind {@code X3DViewpointNode} or {@code Viewpoint}, {@code NavigationInfo}, {@code
    *     X3DBackgroundNode} or {@code Background}, {@code Fog}
@@ -90,13 +90,15 @@ public final class BindStacks {
     return stacks.get(Kind.of(kind)).top().map(Node.class::cast);
   }
 
-  /** All nodes of a kind in the scene, bound or not, Inlines included, in document order. */
+  /**
+   * Returns all nodes of a kind in the scene, bound or not, Inlines included, in document order.
+   */
   public List<Node> all(String kind) {
     Kind wanted = Kind.of(kind);
     return present.stream().filter(n -> Kind.of(n) == wanted).map(Node.class::cast).toList();
   }
 
-  /** Brings a bindable node of the scene into force; any other node is left alone. */
+  /** Binds a bindable node of the scene; ignores any other node. */
   public void bind(Node node, Cascade cascade) {
     if (node instanceof BindableNode bindable) {
       cascade.send(bindable, bindable.setBind(), true);
@@ -116,8 +118,8 @@ public final class BindStacks {
   }
 
   /**
-   * Follows changes of the scene: nodes that came can be bound, nodes that left no longer are.
-   * Costs nothing while no group's children change.
+   * Follows changes of the scene: added nodes can be bound, removed nodes are unbound. Costs
+   * nothing while no group's children change.
    */
   public void update(Cascade cascade) {
     if (!stale) {
@@ -136,7 +138,7 @@ public final class BindStacks {
     observe(walk.groups);
   }
 
-  /** The scene is no longer this one's: its nodes answer no {@code set_bind} any more. */
+  /** Releases the scene: its nodes no longer react to {@code set_bind}. */
   public void close() {
     present.forEach(BindableNode::leave);
     observe(Set.of());

@@ -8,9 +8,9 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A node of which one at a time is in force (X3D 4.0, 7.2.2): Background, TextureBackground, Fog,
- * NavigationInfo, and the base of Viewpoint. It answers {@code set_bind} once its scene's {@link
- * BindStacks} know it.
+ * A bindable node, of whose kind one is bound at a time (X3D 4.0, X3DBindableNode, 7.2.2):
+ * Background, TextureBackground, Fog, NavigationInfo, and the base class of Viewpoint. It reacts to
+ * {@code set_bind} once its scene's {@link BindStacks} know it.
  */
 public class BindableNode extends Node {
   private final int setBind;
@@ -37,7 +37,7 @@ public class BindableNode extends Node {
     stacks = null;
   }
 
-  /** Sends that it comes into force or no longer is, and when. */
+  /** Sends {@code isBound} and {@code bindTime}. */
   void sendBound(boolean bound, Cascade cascade) {
     emit(isBound, bound, cascade);
     emit(bindTime, cascade.time(), cascade);

@@ -12,8 +12,8 @@ import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Viewpoint and OrthoViewpoint (X3D 4.0, 23.4.6, 23.4.5): a place to look from, in the node's local
- * coordinates. The NavigationInfo in it is bound and unbound with it.
+ * Viewpoint and OrthoViewpoint (X3D 4.0, 23.4.6, 23.4.5): a pose of the viewer, in the node's local
+ * coordinates. The NavigationInfo in its field {@code navigationInfo} is bound and unbound with it.
  */
 public class ViewpointNode extends BindableNode {
   /** The default of Viewpoint's {@code fieldOfView}. */
@@ -31,14 +31,14 @@ public class ViewpointNode extends BindableNode {
   }
 
   /**
-   * From the coordinates in which it stands, +Y up, to those of the group that it is in; the same
-   * but for a GeoViewpoint.
+   * Returns the matrix from the coordinates of the node's fields, +Y up, to those of its group; the
+   * identity except for a GeoViewpoint.
    */
   public Matrix4dc frame() {
     return IDENTITY;
   }
 
-  /** The point that the viewer turns about, in the coordinates of {@link #frame()}, if any. */
+  /** Returns the point that EXAMINE turns about, in the coordinates of {@link #frame()}, if any. */
   public Optional<Vector3d> centerOfRotation() {
     if (!type().name().equals("Viewpoint")) {
       return Optional.empty();
@@ -52,30 +52,33 @@ public class ViewpointNode extends BindableNode {
     return new Vector3d(p[0], p[1], p[2]);
   }
 
-  /** Takes the viewer's frame, looking along -Z, to the local coordinates. */
+  /** Returns the rotation from the viewer's frame, looking along -Z, to the local coordinates. */
   public Quaterniond orientation() {
     return Rotations.read(floats("orientation"), 0, new Quaterniond());
   }
 
-  /** The smaller viewing angle in radians; the default for an OrthoViewpoint, which has none. */
+  /**
+   * Returns the smaller viewing angle in radians; for an OrthoViewpoint, which has none, the
+   * default of Viewpoint.
+   */
   public double fieldOfView() {
     return value(fieldOfView) instanceof Float angle ? angle : DEFAULT_FIELD_OF_VIEW;
   }
 
   /**
-   * What an OrthoViewpoint shows, in its own unit: left, bottom, right, top as its field has them.
+   * Returns the {@code fieldOfView} of an OrthoViewpoint in local units: left, bottom, right, top.
    * Empty for a Viewpoint.
    */
   public Optional<float[]> extent() {
     return value(fieldOfView) instanceof float[] numbers ? Optional.of(numbers) : Optional.empty();
   }
 
-  /** Whether binding it takes the viewer there. */
+  /** Returns whether binding the viewpoint moves the viewer there. */
   public boolean jump() {
     return bool("jump");
   }
 
-  /** Whether all of the scene is to be seen from it (X3D 4.0, 23.3.5). */
+  /** Returns whether the viewpoint shows the whole scene (X3D 4.0, 23.3.5). */
   public boolean viewAll() {
     return bool("viewAll");
   }

@@ -10,12 +10,13 @@ import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Dragging about an axis, as a rotation (X3D 4.0, 20.4.1): about Y of the coordinates that {@code
- * axisRotation} turns. A pointer whose bearing is less than {@code diskAngle} off the axis when the
- * drag begins is followed on a disk, the plane across the axis through the point where it begins;
- * else on a cylinder through that point, and beside the cylinder where it passes nearest. Turning
- * on beyond half a turn goes on counting. {@code minAngle} and {@code maxAngle} limit the angle
- * where the minimum is not above the maximum.
+ * Converts dragging to a rotation about an axis (X3D 4.0, 20.4.1), the Y axis of the coordinates
+ * rotated by {@code axisRotation}. If the angle between pointer ray and axis is below {@code
+ * diskAngle} when the drag begins, the pointer is followed on a disk: the plane normal to the axis
+ * through the starting point. Otherwise it is followed on the cylinder through that point; where
+ * the ray misses the cylinder, by the ray's nearest point to the axis. The angle accumulates beyond
+ * half a turn. {@code minAngle} and {@code maxAngle} limit it unless the minimum is above the
+ * maximum.
  */
 final class CylinderSensorNode extends DragSensorNode {
   private static final Vector3dc ACROSS = new Vector3d(1, 0, 1);
@@ -58,7 +59,7 @@ final class CylinderSensorNode extends DragSensorNode {
     return min <= max ? Math.max(min, Math.min(max, angle)) : angle;
   }
 
-  /** One drag. */
+  /** The surface of one drag. */
   private final class Turn implements DragSurface {
     private final Quaterniond turned;
     private final Vector3dc start;
@@ -110,7 +111,7 @@ final class CylinderSensorNode extends DragSensorNode {
     }
   }
 
-  /** The angle about Y, from Z towards X; that of a point on the axis means nothing. */
+  /** Returns the angle about Y, from Z towards X; it is undefined for a point on the axis. */
   private static double heading(Vector3dc point) {
     return Math.atan2(point.x(), point.z());
   }

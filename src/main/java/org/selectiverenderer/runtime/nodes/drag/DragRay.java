@@ -5,9 +5,9 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Where the pointer points, in coordinates of a drag sensor.
+ * The ray of the pointer in the local coordinates of a drag sensor.
  *
- * @param direction of any length but 0
+ * @param direction the direction, of any length but 0
  */
 record DragRay(Vector3dc origin, Vector3dc direction) {
 
@@ -15,7 +15,10 @@ record DragRay(Vector3dc origin, Vector3dc direction) {
     return new Vector3d(origin).fma(distance, direction);
   }
 
-  /** Where it meets the plane through a point with that normal; empty behind it and along it. */
+  /**
+   * Returns the intersection with the plane through a point with a given normal; empty if the plane
+   * is behind the origin or parallel to the ray.
+   */
   Optional<Vector3d> onPlane(Vector3dc point, Vector3dc normal) {
     double along = direction.dot(normal);
     double distance = point.sub(origin, new Vector3d()).dot(normal) / along;
@@ -25,16 +28,17 @@ record DragRay(Vector3dc origin, Vector3dc direction) {
   }
 
   /**
-   * Where it meets what is at a distance from the origin of the coordinates, measured along some of
-   * the axes: a sphere, or a cylinder about the axis left out. Beside it, where it passes nearest.
+   * Returns the intersection with a sphere about the origin of the coordinates, or with a cylinder
+   * about the axis that {@code axes} leaves out. If the ray misses it, returns the ray's nearest
+   * point.
    *
-   * @param axes 1 for an axis that counts, 0 for one that does not
-   * @param far whether the second of two places is meant
+   * @param axes 1 for each coordinate that counts for the radius, 0 for the others
+   * @param far whether to return the second of two intersections
    */
   Vector3d atRadius(double radius, Vector3dc axes, boolean far) {
     double a = direction.mul(axes, new Vector3d()).lengthSquared();
     if (!(a > 0)) {
-      return new Vector3d(origin); // Along the axis: no place is nearer than another.
+      return new Vector3d(origin); // Parallel to the axis: all points are equally near.
     }
     double half = direction.mul(axes, new Vector3d()).dot(origin) / a;
     double rest = origin.mul(axes, new Vector3d()).lengthSquared() - radius * radius;

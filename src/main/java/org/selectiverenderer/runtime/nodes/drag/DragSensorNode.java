@@ -14,13 +14,13 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A sensor that turns dragging into a value (X3D 4.0, X3DDragSensorNode, 20.3.1). Pressing the
- * button over its geometry sends {@code isActive TRUE} and nothing else; each move after that sends
- * {@code trackPoint_changed}, where the pointer is on the surface, and the value, which begins at
- * {@code offset}. Releasing it sends {@code isActive FALSE}; with {@code autoOffset} the last value
- * becomes the {@code offset}, which is sent too.
+ * A sensor that converts dragging to a value (X3D 4.0, X3DDragSensorNode, 20.3.1). Pressing the
+ * button over its geometry sends {@code isActive TRUE} and nothing else. Each later move sends
+ * {@code trackPoint_changed}, the pointer's position on the drag surface, and the value, which
+ * starts at {@code offset}. Releasing it sends {@code isActive FALSE}; with {@code autoOffset} the
+ * last value becomes the {@code offset}, which is sent too.
  *
- * <p>A drag goes on in the coordinates in which it began, so that a sensor may stand in the very
+ * <p>A drag continues in the coordinates in which it began, so that a sensor may be in the very
  * group that it moves.
  */
 abstract class DragSensorNode extends PointingSensorNode {
@@ -34,7 +34,7 @@ abstract class DragSensorNode extends PointingSensorNode {
   private @Nullable Object sent;
 
   /**
-   * @param output the field with the value that is dragged
+   * @param output the output field for the value
    */
   DragSensorNode(NodeType type, @Nullable String name, Location location, String output) {
     super(type, name, location);
@@ -54,10 +54,10 @@ abstract class DragSensorNode extends PointingSensorNode {
   }
 
   /**
-   * What the pointer is followed along in a drag that begins now.
+   * Returns the surface for a drag that begins now.
    *
-   * @param hit where it begins, in local coordinates
-   * @param ray the pointer, in local coordinates
+   * @param hit the starting point, in local coordinates
+   * @param ray the pointer's ray, in local coordinates
    */
   abstract DragSurface surface(Vector3dc hit, DragRay ray);
 
@@ -66,7 +66,7 @@ abstract class DragSensorNode extends PointingSensorNode {
     sent = null;
     surface = null;
     bearing.place().invert(toLocal);
-    if (toLocal.isFinite()) { // Else a transformation above flattens it: nothing can be dragged.
+    if (toLocal.isFinite()) { // Else a scale of 0 above prevents it.
       DragRay ray = ray(bearing);
       surface = surface(at.point(), ray);
       last = surface.follow(ray).orElse(null);

@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.nodes.drag;
 import java.util.Map;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 
-/** The drag sensors by the names of their types. */
+/** The constructors of the drag sensors, by node type name. */
 public final class DragSensors {
   public static final Map<String, NodeMaker> MAKERS =
       Map.of(

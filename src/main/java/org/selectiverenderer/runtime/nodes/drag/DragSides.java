@@ -2,12 +2,16 @@ package org.selectiverenderer.runtime.nodes.drag;
 
 import org.joml.Vector3dc;
 
-/** On which side of a round surface a drag began: outside on the near one, inside on the far. */
+/**
+ * Determines on which side of a sphere or cylinder a drag began: on the near side, seen from
+ * outside, or on the far side, seen from inside.
+ */
 final class DragSides {
   private DragSides() {}
 
   /**
-   * Whether a point that a ray hits is nearer to the second place at that radius than the first.
+   * Returns whether a hit point is nearer to the ray's second intersection with the surface than to
+   * the first.
    */
   static boolean far(DragRay ray, Vector3dc hit, double radius, Vector3dc axes) {
     return ray.atRadius(radius, axes, true).distanceSquared(hit)

@@ -4,14 +4,17 @@ import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** What a pointer is followed along during one drag. All in the sensor's local coordinates. */
+/**
+ * The surface along which the pointer is followed during one drag. All coordinates are the sensor's
+ * local ones.
+ */
 interface DragSurface {
-  /** The point on it that a ray points at; empty where it points at none. */
+  /** Returns the point of the surface on a ray; empty if there is none. */
   Optional<Vector3d> follow(DragRay ray);
 
-  /** The value to send for a point; called once for each point, in their order. */
+  /** Returns the value to send for a point; called once for each point, in their order. */
   Object value(Vector3dc point);
 
-  /** The {@code offset} from which another drag goes on where this one ended. */
+  /** Returns the {@code offset} with which another drag continues where this one ended. */
   Object offset();
 }

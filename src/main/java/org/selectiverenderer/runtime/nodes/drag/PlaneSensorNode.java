@@ -10,11 +10,11 @@ import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Dragging along a plane, as a translation (X3D 4.0, 20.4.2). The plane goes through the point at
- * which the drag begins, parallel to z = 0 of the coordinates that {@code axisRotation} turns; in
- * those coordinates {@code minPosition} and {@code maxPosition} limit the translation, each axis
- * for which the minimum is not above the maximum. What is sent is in the sensor's own local
- * coordinates, so that it moves a Transform beside it along with the pointer.
+ * Converts dragging to a translation in a plane (X3D 4.0, 20.4.2). The plane contains the point at
+ * which the drag begins and is parallel to z = 0 of the coordinates rotated by {@code
+ * axisRotation}. In those coordinates {@code minPosition} and {@code maxPosition} limit the
+ * translation on each axis whose minimum is not above its maximum. The value sent is in the
+ * sensor's own local coordinates, so that a sibling Transform moves along with the pointer.
  */
 final class PlaneSensorNode extends DragSensorNode {
   private final int axisRotation;

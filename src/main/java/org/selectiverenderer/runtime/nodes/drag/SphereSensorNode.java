@@ -10,10 +10,10 @@ import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Dragging along a sphere, as a rotation (X3D 4.0, 20.4.3). The sphere is that about the origin of
- * the local coordinates through the point at which the drag begins; the rotation is the one that
- * takes that point to where the pointer is, after {@code offset}. Beside the sphere the pointer is
- * taken to the point of it that is nearest.
+ * Converts dragging to a rotation of a sphere (X3D 4.0, 20.4.3). The sphere has its centre at the
+ * origin of the local coordinates and contains the point at which the drag begins. The rotation is
+ * {@code offset} followed by the one that moves that point to the pointer. If the ray misses the
+ * sphere, the sphere's nearest point counts.
  */
 final class SphereSensorNode extends DragSensorNode {
   private static final Vector3dc ALL_AXES = new Vector3d(1);

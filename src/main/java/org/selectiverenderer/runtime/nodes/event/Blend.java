@@ -3,21 +3,21 @@ package org.selectiverenderer.runtime.nodes.event;
 import org.joml.Quaterniond;
 import org.selectiverenderer.runtime.scene.Rotations;
 
-/** How an interpolator goes from one tuple of its key values to the next. */
+/** The interpolation between two neighbouring key values. */
 @FunctionalInterface
 public interface Blend {
   /**
-   * Writes the tuple that lies a part of the way between two.
+   * Writes the tuple interpolated between two key values.
    *
    * @param values the key values
-   * @param from where the one tuple begins
-   * @param to where the other begins
-   * @param part above 0, below 1
-   * @param into is written from {@code at}
+   * @param from the index at which the first tuple starts
+   * @param to the index at which the second tuple starts
+   * @param part the interpolation parameter, above 0 and below 1
+   * @param into the target, written from index {@code at}
    */
   void between(float[] values, int from, int to, float part, float[] into, int at);
 
-  /** Each of a number of components for itself. */
+  /** Returns linear interpolation of each component. */
   static Blend linear(int components) {
     return (values, from, to, part, into, at) -> {
       for (int i = 0; i < components; i++) {
@@ -26,7 +26,7 @@ public interface Blend {
     };
   }
 
-  /** Rotations: the short way on the unit sphere of quaternions (X3D 4.0, 19.4.6). */
+  /** Returns spherical linear interpolation of rotations, the short way (X3D 4.0, 19.4.6). */
   static Blend rotation() {
     Quaterniond a = new Quaterniond();
     Quaterniond b = new Quaterniond();
@@ -38,7 +38,10 @@ public interface Blend {
     };
   }
 
-  /** Unit vectors: along the great circle (X3D 4.0, 19.4.5). Opposite ones have none: the first. */
+  /**
+   * Returns interpolation of unit vectors along the great circle (X3D 4.0, 19.4.5). Between
+   * opposite vectors, which have no unique great circle, it gives the first.
+   */
   static Blend normal() {
     return (v, from, to, part, into, at) -> {
       double dot = v[from] * v[to] + v[from + 1] * v[to + 1] + v[from + 2] * v[to + 2];
@@ -52,7 +55,10 @@ public interface Blend {
     };
   }
 
-  /** Colours: linearly in hue, saturation and value, the short way round (X3D 4.0, 19.4.1). */
+  /**
+   * Returns linear interpolation of colours in HSV, the short way around the hue circle (X3D 4.0,
+   * 19.4.1).
+   */
   static Blend hsv() {
     float[] a = new float[3];
     float[] b = new float[3];

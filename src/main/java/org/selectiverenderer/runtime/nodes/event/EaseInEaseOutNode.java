@@ -5,7 +5,10 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Speeds up after a key and slows down before the next one (X3D 4.0, 19.4.4). */
+/**
+ * EaseInEaseOut: modifies a fraction so that motion speeds up after a key and slows down before the
+ * next (X3D 4.0, 19.4.4).
+ */
 public final class EaseInEaseOutNode extends KeyedNode {
   private final int ease;
   private final int modified;
@@ -32,8 +35,8 @@ public final class EaseInEaseOutNode extends KeyedNode {
   }
 
   /**
-   * @param out the part of the interval in which it speeds up
-   * @param in the part in which it slows down
+   * @param out the part of the interval in which the motion speeds up
+   * @param in the part of the interval in which the motion slows down
    */
   private static double eased(double part, double out, double in) {
     double sum = out + in;

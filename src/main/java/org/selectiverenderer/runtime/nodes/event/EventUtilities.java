@@ -9,7 +9,7 @@ import org.selectiverenderer.runtime.scene.NodeMaker;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** The filters and triggers of X3D 4.0, 30.4: each answers one input with an event of its own. */
+/** The filters and triggers of X3D 4.0, 30.4, which answer an input event with an output event. */
 public final class EventUtilities {
   private EventUtilities() {}
 
@@ -51,33 +51,39 @@ public final class EventUtilities {
     }
   }
 
-  /** 30.4.1: passes TRUE on as inputTrue, FALSE as inputFalse, and either negated. */
+  /**
+   * BooleanFilter (30.4.1): forwards TRUE as inputTrue, FALSE as inputFalse, and the negated value
+   * as inputNegate.
+   */
   private static void filter(Object value, Node node, Cascade cascade) {
     boolean is = (Boolean) value;
     send(node, is ? "inputTrue" : "inputFalse", is, cascade);
     send(node, "inputNegate", !is, cascade);
   }
 
-  /** 30.4.3: TRUE turns the toggle over, FALSE does nothing. */
+  /** BooleanToggle (30.4.3): TRUE inverts the toggle, FALSE does nothing. */
   private static void toggle(Object value, Node node, Cascade cascade) {
     if ((Boolean) value) {
       send(node, "toggle", !node.bool("toggle"), cascade);
     }
   }
 
-  /** 30.4.4. */
+  /** BooleanTrigger (30.4.4): a time sends TRUE. */
   private static void triggerTrue(Object value, Node node, Cascade cascade) {
     send(node, "triggerTrue", true, cascade);
   }
 
-  /** 30.4.6: TRUE sends the key; what FALSE does the standard leaves open: nothing. */
+  /**
+   * IntegerTrigger (30.4.6): TRUE sends the key; FALSE, which the standard leaves undefined, does
+   * nothing.
+   */
   private static void triggerInteger(Object value, Node node, Cascade cascade) {
     if ((Boolean) value) {
       send(node, "triggerValue", node.integer("integerKey"), cascade);
     }
   }
 
-  /** 30.4.7: any value sends the time at which it came. */
+  /** TimeTrigger (30.4.7): any value sends its time stamp. */
   private static void triggerTime(Object value, Node node, Cascade cascade) {
     send(node, "triggerTime", cascade.time(), cascade);
   }

@@ -1,10 +1,13 @@
 package org.selectiverenderer.runtime.nodes.event;
 
-/** Hue in 0..6 from red over green and blue, saturation and value in 0..1. */
+/**
+ * Converts colours between RGB and HSV; hue is in 0..6 from red over green and blue, saturation and
+ * value are in 0..1.
+ */
 final class Hsv {
   private Hsv() {}
 
-  /** Of r, g, b at an offset. The hue of a grey is 0. */
+  /** Converts r, g, b at an offset to HSV. The hue of a grey is 0. */
   static void of(float[] rgb, int offset, float[] into) {
     float r = rgb[offset];
     float g = rgb[offset + 1];
@@ -22,7 +25,7 @@ final class Hsv {
     }
   }
 
-  /** The r, g, b of a colour; the hue may be outside 0..6. */
+  /** Converts HSV to r, g, b; the hue may be outside 0..6. */
   static void rgb(float hue, float saturation, float value, float[] into, int offset) {
     for (int i = 0; i < 3; i++) {
       float from = hue - 2 * i; // from red, green, blue

@@ -9,9 +9,9 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * The interpolators of X3D 4.0, 19.4, which differ in how they blend two key values. Every fraction
- * sends a value; outside the keys that is the first or last one. Without a whole key value, and for
- * a fraction that is NaN, nothing is sent.
+ * The interpolators of X3D 4.0, 19.4, which differ in how they interpolate between two key values.
+ * Every fraction sends a value; outside the keys it is the first or last one. Nothing is sent
+ * without a complete key value or for a fraction of NaN.
  */
 public final class InterpolatorNode extends Node {
   private final int fraction;
@@ -56,7 +56,7 @@ public final class InterpolatorNode extends Node {
   }
 
   /**
-   * @param length numbers per key
+   * @param length the number of values per key
    */
   private float[] between(float[] keys, float[] values, int count, int length, float at) {
     int low = KeyFrames.at(keys, count, at);

@@ -1,14 +1,14 @@
 package org.selectiverenderer.runtime.nodes.event;
 
-/** Finds a fraction among the keys of an interpolator or sequencer. */
+/** Searches the keys of an interpolator or sequencer for a fraction. */
 public final class KeyFrames {
   private KeyFrames() {}
 
   /**
-   * The index of the last key that is not above the fraction, 0 below the first key.
+   * Returns the index of the last key that is not above the fraction; 0 below the first key.
    *
-   * @param key in ascending order
-   * @param count how many keys count, at least 1
+   * @param key the keys in ascending order
+   * @param count the number of keys to use, at least 1
    */
   public static int at(float[] key, int count, float fraction) {
     int low = 0;

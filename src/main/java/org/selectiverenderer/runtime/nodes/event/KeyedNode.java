@@ -8,8 +8,8 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A node that answers a fraction by what it has between two keys (X3D 4.0, 19.2.1). Without a whole
- * key value, and for a fraction that is NaN, nothing is sent.
+ * A node that answers a fraction with a value interpolated between two keys (X3D 4.0, 19.2.1).
+ * Nothing is sent without a complete key value or for a fraction of NaN.
  */
 public abstract class KeyedNode extends Node {
   private final int fraction;
@@ -38,15 +38,15 @@ public abstract class KeyedNode extends Node {
     send(low, count, between ? (at - keys[low]) / (keys[low + 1] - keys[low]) : 0, cascade);
   }
 
-  /** How many keys have a value. */
+  /** Returns the number of key values. */
   protected abstract int values();
 
   /**
    * Answers a fraction.
    *
-   * @param low the key at or before it; the first one where it is before that
-   * @param count of the keys that count, 1 at least
-   * @param part how far it is from there to the next key, from 0; 0 at and outside of the keys
+   * @param low the last key that is not above the fraction; 0 below the first key
+   * @param count the number of keys to use, at least 1
+   * @param part the position between that key and the next, from 0; 0 at a key and outside the keys
    */
   protected abstract void send(int low, int count, float part, Cascade cascade);
 }

@@ -9,9 +9,9 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * BooleanSequencer and IntegerSequencer: steps through key values (X3D 4.0, X3DSequencerNode,
- * 30.3.1). A fraction sends the value of the last key that it reached, when that is another key
- * than before; next and previous step around the ends.
+ * BooleanSequencer and IntegerSequencer: step through key values (X3D 4.0, X3DSequencerNode,
+ * 30.3.1). A fraction sends the value of the last key not above it if that key differs from the one
+ * before; next and previous wrap around the ends.
  */
 public final class SequencerNode extends Node {
   private final int fraction;
@@ -48,7 +48,7 @@ public final class SequencerNode extends Node {
     } else {
       super.receive(field, value, cascade);
       if (field.index() == key || field.index() == keyValue) {
-        at = -1; // The keys are others: the next fraction sends its value.
+        at = -1; // Keys changed: the next fraction sends a value.
       }
     }
   }

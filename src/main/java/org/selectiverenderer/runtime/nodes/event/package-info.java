@@ -1,6 +1,6 @@
 /**
- * Nodes that answer an event by another: interpolators, sequencers, filters and triggers (X3D 4.0,
- * clauses 19 and 30).
+ * Nodes that answer an event with another event: interpolators, sequencers, filters and triggers
+ * (X3D 4.0, clauses 19 and 30).
  *
  * <p>In: events. Out: events of the same time stamp. Uses {@code runtime.scene}, {@code
  * x3d.catalogue}, {@code x3d.field} and {@code base.problem}.

@@ -5,12 +5,15 @@ import java.util.Arrays;
 import java.util.Deque;
 
 /**
- * The response of chasers, of finite length (X3D 4.0, 39.3.1): each change of the destination is
- * gone in {@code duration} seconds, slowly at both ends as half a wave of a cosine; the value is
- * the sum of the ways so far. So a new destination blends with what is under way.
+ * The finite response of chasers (X3D 4.0, 39.3.1): each change of the destination is a transition
+ * that lasts {@code duration} seconds, eased at both ends by half a cosine wave. The value is the
+ * sum of all transitions, so that a new destination blends with transitions in progress.
  */
 final class ChaserResponse implements FollowerResponse {
-  /** Ways under way at most; earlier ones are gone at once, so that no sender fills the memory. */
+  /**
+   * Largest number of transitions in progress; older ones are completed at once, so that memory is
+   * bounded.
+   */
   private static final int MOST = 1024;
 
   private record Way(double[] way, double since) {}
@@ -50,7 +53,7 @@ final class ChaserResponse implements FollowerResponse {
     }
   }
 
-  /** Elements that are new are at their destination at once. */
+  /** Adapts to a destination of another length; new elements are at their destination at once. */
   private void refit(double[] to) {
     base = FollowSpace.fitted(base, to);
     value = FollowSpace.fitted(value, to);
@@ -68,7 +71,7 @@ final class ChaserResponse implements FollowerResponse {
       base = space.along(base, ways.remove().way, 1);
     }
     if (ways.isEmpty()) {
-      base = destination; // Without what rounding has added up.
+      base = destination; // Drops accumulated rounding errors.
     }
     double[] sum = base;
     for (Way way : ways) {

@@ -4,12 +4,12 @@ import java.util.Arrays;
 import java.util.function.DoubleSupplier;
 
 /**
- * The response of dampers, of infinite length (X3D 4.0, 39.3.2): filters one after the other, each
- * of which gets nearer to what the one before it gives by the factor e in {@code tau} seconds. It
- * arrives when all are within the tolerance.
+ * The infinite response of dampers (X3D 4.0, 39.3.2): a chain of low-pass filters, each of which
+ * reduces the distance to the output of the previous one by the factor e in {@code tau} seconds.
+ * The value has arrived when all filters are within the tolerance.
  */
 final class DamperResponse implements FollowerResponse {
-  /** Share of the way that is left when it counts as gone, where the author does not say. */
+  /** Share of the distance that counts as arrived if the author gives no tolerance. */
   private static final double NEAR = 1e-4;
 
   private final FollowSpace space;
@@ -23,7 +23,7 @@ final class DamperResponse implements FollowerResponse {
 
   /**
    * @param order the number of filters, at least 1
-   * @param tolerance negative for what suits the way
+   * @param tolerance the tolerance; negative for one in proportion to the distance
    */
   DamperResponse(FollowSpace space, int order, DoubleSupplier tau, DoubleSupplier tolerance) {
     this.space = space;

@@ -4,9 +4,12 @@ import java.util.Arrays;
 import org.joml.Quaterniond;
 import org.selectiverenderer.runtime.scene.Rotations;
 
-/** The values that a follower follows, as arrays of numbers that are calculated with. */
+/**
+ * The value space of a follower: converts field values to arrays of numbers and computes
+ * differences and steps between them.
+ */
 enum FollowSpace {
-  /** Numbers, vectors, colours and lists of vectors: each number for itself. */
+  /** Numbers, vectors, colours and lists of vectors; each component is independent. */
   LINEAR {
     @Override
     double[] read(Object value) {
@@ -61,7 +64,7 @@ enum FollowSpace {
     }
   },
 
-  /** Rotations, as quaternions x, y, z, w: the short way round. */
+  /** Rotations as quaternions x, y, z, w, interpolated the short way. */
   ROTATION {
     @Override
     double[] read(Object value) {
@@ -104,22 +107,22 @@ enum FollowSpace {
   abstract double[] read(Object value);
 
   /**
-   * The value of a field.
+   * Converts numbers to a field value.
    *
-   * @param scalar whether it is a single number
+   * @param scalar whether the value is a single number
    */
   abstract Object write(double[] numbers, boolean scalar);
 
-  /** What leads from one value to another of the same length. */
+  /** Returns the difference from one value to another of the same length. */
   abstract double[] way(double[] from, double[] to);
 
-  /** Where one is who goes a share of a way. */
+  /** Returns the value reached after a share of a difference. */
   abstract double[] along(double[] from, double[] way, double share);
 
-  /** How long a way is: the longest of its numbers, or an angle in radians. */
+  /** Returns the length of a difference: its largest component, or an angle in radians. */
   abstract double length(double[] way);
 
-  /** As many numbers as another value has; those that are new are the other's. */
+  /** Returns numbers with the length of another value; added elements are copied from it. */
   static double[] fitted(double[] numbers, double[] other) {
     double[] fitted = Arrays.copyOf(numbers, other.length);
     if (other.length > numbers.length) {

@@ -10,10 +10,10 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A value that follows a destination (X3D 4.0, X3DFollowerNode, 39.3.3). A new destination sends
- * {@code isActive TRUE}, each frame after that {@code value_changed}, the last one with the
- * destination itself and {@code isActive FALSE}. {@code set_value} is sent on at once and begins a
- * way from there. A destination for which no time is wanted is sent on as it comes.
+ * A node whose value follows a destination (X3D 4.0, X3DFollowerNode, 39.3.3). A new destination
+ * sends {@code isActive TRUE}; each later frame sends {@code value_changed}, the last one with the
+ * destination itself and {@code isActive FALSE}. {@code set_value} is forwarded at once and starts
+ * a transition from there. With a duration of 0 a destination is forwarded at once.
  */
 abstract class FollowerNode extends Node implements Sleeper {
   final FollowSpace space;
@@ -43,17 +43,17 @@ abstract class FollowerNode extends Node implements Sleeper {
     scalar = !output.type().multiple() && output.type().components() == 1;
   }
 
-  /** The way in which the value gets to its destination; asked for once. */
+  /** Returns the response by which the value reaches its destination; called once. */
   abstract FollowerResponse respond();
 
-  /** Whether it gets there in no time, as the fields say now. */
+  /** Returns whether the present fields make the value jump to its destination at once. */
   abstract boolean immediate();
 
   private boolean active() {
     return (Boolean) value(isActive);
   }
 
-  /** Until its first frame it may have a way to begin. */
+  /** Awake until the first frame, since initial value and destination may differ. */
   @Override
   public final boolean awake() {
     return response == null || active();
@@ -64,7 +64,7 @@ abstract class FollowerNode extends Node implements Sleeper {
     wake = call;
   }
 
-  /** Follows the fields with which it was made. */
+  /** Starts with the initial values of the fields. */
   private FollowerResponse begun(Cascade cascade) {
     FollowerResponse known = response;
     if (known == null) {
@@ -94,9 +94,9 @@ abstract class FollowerNode extends Node implements Sleeper {
   }
 
   /**
-   * Rests at its destination.
+   * Stops at the destination.
    *
-   * @param changed whether it was elsewhere
+   * @param changed whether the value was elsewhere before
    */
   private void settle(FollowerResponse known, boolean changed, Cascade cascade) {
     known.start(destination);

@@ -1,18 +1,24 @@
 package org.selectiverenderer.runtime.nodes.follow;
 
-/** How a value gets to its destination. Times are in seconds and never go back. */
+/**
+ * The response of a follower: how its value reaches the destination. Times are in seconds and never
+ * decrease.
+ */
 interface FollowerResponse {
-  /** Is at a value and rests there. */
+  /** Sets the value, which stays there. */
   void start(double[] value);
 
-  /** Is to get from where it is at that time to a destination of any length. */
+  /**
+   * Starts moving towards a destination, which may have another length, from the value at that
+   * time.
+   */
   void aim(double[] destination, double time);
 
-  /** Goes on to a time. */
+  /** Advances to a time. */
   void advance(double time);
 
   double[] value();
 
-  /** Whether it is there; then {@link #value} is the destination. */
+  /** Returns whether the value has arrived; then {@link #value} is the destination. */
   boolean arrived();
 }

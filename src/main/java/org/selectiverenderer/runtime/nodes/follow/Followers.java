@@ -8,8 +8,8 @@ import org.selectiverenderer.runtime.scene.NodeMaker;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * The chasers and dampers by the names of their types (X3D 4.0, 39.4). Colours go from one to the
- * other in red, green and blue.
+ * The constructors of chasers and dampers, by node type name (X3D 4.0, 39.4). Colours are
+ * interpolated in RGB.
  */
 public final class Followers {
   public static final Map<String, NodeMaker> MAKERS = makers();

@@ -9,7 +9,10 @@ import org.selectiverenderer.geometry.tessellate.NodeContent;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** GeoLocation and GeoTransform (X3D 4.0, 25.3.7, 25.3.11): place their children on the earth. */
+/**
+ * GeoLocation and GeoTransform (X3D 4.0, 25.3.7, 25.3.11): grouping nodes that place their children
+ * on the earth.
+ */
 final class GeoGroupNode extends GroupingNode {
   private static final Set<String> PLACING =
       Set.of("geoCoords", "geoCenter", "translation", "rotation", "scale", "scaleOrientation");

@@ -15,9 +15,9 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * GeoLOD (X3D 4.0, 25.3.6): its root from afar, its four children from near. Files are read when
- * they are first to be shown, in the background, as those of Inlines are; whoever makes the node
- * gives it an Inline for each of its urls. What has been read stays.
+ * GeoLOD (X3D 4.0, 25.3.6): shows its root from afar and its four children from near. Files are
+ * read in the background when they are first needed; for this, the loader gives the node an Inline
+ * for each of its urls. Files that have been read stay loaded.
  */
 public final class GeoLodNode extends GroupingNode implements ViewerDependent {
   private final int rootNode;
@@ -40,10 +40,10 @@ public final class GeoLodNode extends GroupingNode implements ViewerDependent {
   }
 
   /**
-   * What its urls name.
+   * Sets the Inlines that stand for the node's urls.
    *
-   * @param root of {@code rootUrl}; none when there is a {@code rootNode}
-   * @param children of {@code child1Url} to {@code child4Url}, those that are not empty
+   * @param root the Inline of {@code rootUrl}; empty if there is a {@code rootNode}
+   * @param children the Inlines of {@code child1Url} to {@code child4Url} that are not empty
    */
   public void files(List<InlineNode> root, List<InlineNode> children) {
     rootFiles = List.copyOf(root);

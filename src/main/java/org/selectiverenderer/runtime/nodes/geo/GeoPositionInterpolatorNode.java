@@ -9,8 +9,8 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * GeoPositionInterpolator (X3D 4.0, 25.3.8): interpolates places in their own coordinates, and
- * sends these and the point of the scene.
+ * GeoPositionInterpolator (X3D 4.0, 25.3.8): interpolates geographic positions in their own
+ * coordinate system, and sends the result both there and in scene coordinates.
  */
 final class GeoPositionInterpolatorNode extends KeyedNode {
   private final int keyValue;

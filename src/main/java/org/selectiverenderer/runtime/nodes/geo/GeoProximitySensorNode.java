@@ -10,9 +10,9 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * GeoProximitySensor (X3D 4.0, 25.3.9): a box of the scene about a place on the earth, which also
- * sends where on the earth the viewer is. The centre is {@code geoCenter} (X3D 3.3), and where that
- * is 0 0 0, {@code center}.
+ * GeoProximitySensor (X3D 4.0, 25.3.9): a ProximitySensor around a geographic position that also
+ * sends the viewer's geographic position. The centre is {@code geoCenter} (X3D 3.3), or {@code
+ * center} if that is 0 0 0.
  */
 final class GeoProximitySensorNode extends ProximitySensorNode {
   private final int geoCoordChanged;

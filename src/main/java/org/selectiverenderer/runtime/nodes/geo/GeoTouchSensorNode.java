@@ -8,7 +8,10 @@ import org.selectiverenderer.runtime.nodes.sensor.TouchSensorNode;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** GeoTouchSensor (X3D 4.0, 25.3.10): also sends the place on the earth that is pointed at. */
+/**
+ * GeoTouchSensor (X3D 4.0, 25.3.10): a TouchSensor that also sends the geographic position of the
+ * point hit.
+ */
 final class GeoTouchSensorNode extends TouchSensorNode {
   private final int hitGeoCoord;
 

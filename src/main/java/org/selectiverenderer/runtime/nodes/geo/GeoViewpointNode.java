@@ -11,8 +11,8 @@ import org.selectiverenderer.runtime.nodes.bind.ViewpointNode;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * GeoViewpoint (X3D 4.0, 25.3.12): stands at the origin of the axes east, up and south of its
- * position, and its orientation is about these: without one it looks north.
+ * GeoViewpoint (X3D 4.0, 25.3.12): a viewpoint whose orientation is relative to the local axes
+ * east, up and south at its geographic position; with the default orientation it looks north.
  */
 final class GeoViewpointNode extends ViewpointNode {
   private final int position;

@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.nodes.geo;
 import java.util.Map;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 
-/** The makers of the geospatial nodes that behave. */
+/** The constructors of the geospatial nodes that have a behaviour, by node type name. */
 public final class Geospatial {
   public static final Map<String, NodeMaker> MAKERS =
       Map.of(

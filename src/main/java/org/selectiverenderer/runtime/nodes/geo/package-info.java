@@ -1,7 +1,6 @@
 /**
- * The behaviour of geospatial nodes (X3D 4.0, clause 25): groups placed on the earth, viewpoints,
- * sensors and interpolators whose numbers are places on it. What places mean is told by {@code
- * geometry.geo}.
+ * The behaviour of geospatial nodes (X3D 4.0, clause 25): groups, viewpoints, sensors and
+ * interpolators whose positions are geographic coordinates. {@code geometry.geo} converts these.
  *
  * <p>In and out: events, as in the packages beside it. Uses {@code runtime.nodes.bind}, {@code
  * runtime.nodes.event}, {@code runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code

@@ -9,7 +9,10 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Turns its children's +Z towards the viewer about an axis, or freely (X3D 4.0, 23.4.1). */
+/**
+ * Billboard: turns its children's +Z axis towards the viewer, about an axis or freely (X3D 4.0,
+ * 23.4.1).
+ */
 public final class BillboardNode extends GroupingNode implements ViewerDependent {
   private final int axisOfRotation;
   private final Matrix4d placement = new Matrix4d();
@@ -37,7 +40,10 @@ public final class BillboardNode extends GroupingNode implements ViewerDependent
     return Effect.PLACEMENT;
   }
 
-  /** About an axis: the viewer's direction projected onto the plane that the axis is normal to. */
+  /**
+   * Returns the rotation about an axis that turns +Z towards the viewer's direction, projected onto
+   * the plane normal to the axis.
+   */
   private static Matrix4d turned(Vector3d axis, Vector3dc viewer) {
     Vector3d to = new Vector3d(viewer).fma(-axis.dot(viewer), axis);
     Vector3d front = new Vector3d(0, 0, 1).fma(-axis.z, axis);
@@ -48,7 +54,7 @@ public final class BillboardNode extends GroupingNode implements ViewerDependent
     return new Matrix4d().rotate(angle, axis);
   }
 
-  /** Without an axis: +Z to the viewer, +Y along the viewer's up as far as that allows. */
+  /** Returns the free rotation: +Z to the viewer, +Y as near to the viewer's up as that allows. */
   private static Matrix4d facing(Vector3dc viewer, Vector3dc up) {
     Vector3d z = new Vector3d(viewer).normalize();
     Vector3d x = up.cross(z, new Vector3d()).normalize();

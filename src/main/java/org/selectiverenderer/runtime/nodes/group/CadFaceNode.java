@@ -6,7 +6,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Holds one shape of a CAD part, in a field of its own (X3D 4.0, 32.4.2). */
+/** CADFace: holds one shape of a CAD part in its field {@code shape} (X3D 4.0, 32.4.2). */
 public final class CadFaceNode extends GroupingNode {
   private final int shape;
 

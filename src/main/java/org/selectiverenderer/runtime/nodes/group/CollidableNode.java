@@ -11,7 +11,8 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
  * CollidableShape and CollidableOffset: place the shape or the collidable that they hold (X3D 4.0,
- * 37.3.2). Nothing is moved by physics; what stands among the children of a scene is seen.
+ * 37.3.2). Rigid body physics is not supported; the nodes are only drawn if they are children of a
+ * group.
  */
 public final class CollidableNode extends GroupingNode {
   private final int held;

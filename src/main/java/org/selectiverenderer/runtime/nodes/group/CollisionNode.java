@@ -7,7 +7,10 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Says what the viewer bumps into: its children, a proxy, or nothing (X3D 4.0, 23.4.2). */
+/**
+ * Collision: selects the geometry that the viewer collides with: its children, a proxy, or none
+ * (X3D 4.0, 23.4.2).
+ */
 public final class CollisionNode extends GroupingNode {
   private final int enabled;
   private final int isActive;
@@ -20,14 +23,14 @@ public final class CollisionNode extends GroupingNode {
     collideTime = type.indexOf("collideTime");
   }
 
-  /** Whether the viewer collides with the children or the proxy at all. */
+  /** Returns whether the viewer collides with the children or the proxy. */
   public boolean enabled() {
     return (Boolean) value(enabled);
   }
 
   /**
-   * Tells it, once per frame, whether the viewer bumps into its geometry: sends {@code isActive}
-   * when that changes, and before it {@code collideTime} when it begins.
+   * Notes, once per frame, whether the viewer collides with the node's geometry: sends {@code
+   * isActive} if that has changed, and before it {@code collideTime} if a collision begins.
    */
   public void collide(boolean colliding, Cascade cascade) {
     boolean now = colliding && enabled();
@@ -40,7 +43,7 @@ public final class CollisionNode extends GroupingNode {
     emit(isActive, now, cascade);
   }
 
-  /** What stands for the children in collisions; it is not drawn. */
+  /** Returns the geometry that replaces the children in collisions; it is not drawn. */
   public Optional<Node> proxy() {
     return Optional.ofNullable(node("proxy"));
   }

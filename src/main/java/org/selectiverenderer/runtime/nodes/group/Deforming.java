@@ -1,10 +1,11 @@
 package org.selectiverenderer.runtime.nodes.group;
 
 /**
- * A group that gives geometry in it another form when other nodes in it move or change. It is asked
- * to once when it comes into a scene, and then after each {@link GroupingNode.Effect#FORM}.
+ * A group that deforms geometry in it when other nodes in it move or change, such as a humanoid's
+ * skin. {@link #deform} is called once when the group enters a scene, and then after each {@link
+ * GroupingNode.Effect#FORM}.
  */
 public interface Deforming {
-  /** Brings the geometry up to date; costs little when nothing has changed. */
+  /** Deforms the geometry; costs little if nothing has changed. */
   void deform();
 }

@@ -15,8 +15,8 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A node with children (X3D 4.0, 10.2.1): Group, StaticGroup, Anchor, and the base of those that
- * choose among their children or place them.
+ * A grouping node (X3D 4.0, 10.2.1): Group, StaticGroup, Anchor, and the base class of nodes that
+ * choose among their children or transform them.
  */
 public class GroupingNode extends Node {
   private final int children;
@@ -36,28 +36,31 @@ public class GroupingNode extends Node {
     return type.field(field).map(FieldDefinition::index).orElse(-1);
   }
 
-  /** What stands in the group, in order. */
+  /** Returns the children, in order. */
   @SuppressWarnings("unchecked")
   public List<Node> children() {
     return children < 0 ? List.of() : (List<Node>) value(children);
   }
 
-  /** Whether the child at that index is to be seen, as far as this node decides. */
+  /** Returns whether this node shows the child at an index. */
   public boolean shows(int child) {
     return visible();
   }
 
-  /** The field {@code visible} (X3D 4.0); true for what has none. */
+  /** Returns the field {@code visible} (X3D 4.0); true for node types without it. */
   protected final boolean visible() {
     return visible < 0 || (Boolean) value(visible);
   }
 
-  /** From the children's coordinates to the group's own; empty when they are the same. */
+  /**
+   * Returns the matrix from the children's coordinates to the group's own; empty if they are the
+   * same.
+   */
   public Optional<Matrix4d> placement() {
     return Optional.empty();
   }
 
-  /** What a change of a field means for the instances of the group. */
+  /** Returns the effect of a changed field on the instances of the group. */
   public Effect effectOf(int field) {
     if (field == children) {
       return Effect.STRUCTURE;
@@ -67,16 +70,16 @@ public class GroupingNode extends Node {
         : Effect.NONE;
   }
 
-  /** What follows from a new value of a field. */
+  /** The effects of a new field value. */
   public enum Effect {
     NONE,
-    /** Other children. */
+    /** The children are other nodes. */
     STRUCTURE,
-    /** Other children are shown, or may be picked. */
+    /** Other children are shown or may be picked. */
     CHOICE,
-    /** The children are elsewhere. */
+    /** The children have another transformation. */
     PLACEMENT,
-    /** What is in it has another form: {@link Deforming#deform()}. */
+    /** The geometry is to be deformed by {@link Deforming#deform()}. */
     FORM
   }
 
@@ -106,7 +109,10 @@ public class GroupingNode extends Node {
     }
   }
 
-  /** What is already there is not added, what is not there not removed (X3D 4.0, 10.2.1). */
+  /**
+   * Sends the new children; a child already present is not added again, and removing an absent one
+   * has no effect (X3D 4.0, 10.2.1).
+   */
   private void sendChildren(List<Node> now, Cascade cascade) {
     if (now.size() != children().size()) {
       emit(children, List.copyOf(now), cascade);

@@ -9,7 +9,7 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Holds the scene of another file (X3D 4.0, 9.4.2). */
+/** Inline: holds the scene of another file (X3D 4.0, 9.4.2). */
 public final class InlineNode extends GroupingNode {
   private final int load;
   private final int url;
@@ -23,20 +23,21 @@ public final class InlineNode extends GroupingNode {
     url = type.indexOf("url");
   }
 
-  /** The loaded scene; empty until it is there, and when it could not be read. */
+  /** Returns the loaded scene; empty before it is loaded and if it could not be read. */
   public Optional<Scene> content() {
     return Optional.ofNullable(content);
   }
 
-  /** The scene that it shows: the loaded one, unless {@code load} is FALSE. */
+  /** Returns the scene shown: the loaded one, unless {@code load} is FALSE. */
   public Optional<Scene> shown() {
     return (Boolean) value(load) ? content() : Optional.empty();
   }
 
   /**
-   * Fills the Inline.
+   * Sets the content.
    *
-   * @param newScale units of the including scene per unit of the content (X3D 4.0, 4.3.6)
+   * @param newScale the units of length of the including scene per unit of the content (X3D 4.0,
+   *     4.3.6)
    */
   public void fill(@Nullable Scene newContent, double newScale) {
     content = newContent;
@@ -44,19 +45,22 @@ public final class InlineNode extends GroupingNode {
   }
 
   /**
-   * What its content was read from, or was to be: the value that the field {@code url} had. Null
-   * when nobody has asked for any.
+   * Returns the value of the field {@code url} for which the content was requested; null if none
+   * was requested.
    */
   public String @Nullable [] asked() {
     return asked;
   }
 
-  /** Its content is that of these urls, or there is none since they cannot be read. */
+  /** Notes the urls for which the content was requested, whether or not they could be read. */
   public void asked(String[] urls) {
     asked = urls;
   }
 
-  /** Fills it while the world runs: observers see other children, no event is sent. */
+  /**
+   * Replaces the content while the world runs: observers are told of other children, but no event
+   * is sent.
+   */
   public void refill(@Nullable Scene newContent, double newScale) {
     fill(newContent, newScale);
     tellObservers(load);
@@ -72,7 +76,7 @@ public final class InlineNode extends GroupingNode {
     return scale == 1 ? Optional.empty() : Optional.of(new Matrix4d().scale(scale));
   }
 
-  /** The index of the field {@code url}. */
+  /** Returns the index of the field {@code url}. */
   public int urlField() {
     return url;
   }

@@ -6,7 +6,7 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Shows one of its children by the viewer's distance (X3D 4.0, 23.4.3). */
+/** LOD: shows one of its children by the viewer's distance (X3D 4.0, 23.4.3). */
 public final class LodNode extends GroupingNode implements ViewerDependent {
   private final int levelChanged;
   private final int center;
@@ -27,7 +27,7 @@ public final class LodNode extends GroupingNode implements ViewerDependent {
 
   /**
    * Chooses the level: the number of {@code range} values that the distance reaches. Without ranges
-   * the most detailed one is shown.
+   * the most detailed level is shown.
    */
   @Override
   public Effect view(Vector3dc viewer, Vector3dc up, Cascade cascade) {

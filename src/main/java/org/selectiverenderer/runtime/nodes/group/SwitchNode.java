@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Shows one of its children, or none (X3D 4.0, 10.4.3; thesis 2.5.3). */
+/** Switch: shows one of its children, or none (X3D 4.0, 10.4.3; thesis 2.5.3). */
 public final class SwitchNode extends GroupingNode {
   private final int whichChoice;
 
@@ -13,7 +13,7 @@ public final class SwitchNode extends GroupingNode {
     whichChoice = type.indexOf("whichChoice");
   }
 
-  /** The index of the child shown; any value that is no index shows none. */
+  /** Returns the index of the child shown; a value that is no index shows none. */
   public int whichChoice() {
     return (Integer) value(whichChoice);
   }

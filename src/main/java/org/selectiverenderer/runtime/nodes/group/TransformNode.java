@@ -8,8 +8,8 @@ import org.selectiverenderer.geometry.tessellate.TransformPlacement;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Transform, CADPart, EspduTransform, HAnimJoint and HAnimSite: places its children, P' = T C R SR
- * S -SR -C P (X3D 4.0, 10.4.4).
+ * Transform, CADPart, EspduTransform, HAnimJoint and HAnimSite: transforms its children by P' = T C
+ * R SR S -SR -C P (X3D 4.0, 10.4.4).
  */
 public class TransformNode extends GroupingNode {
   private final int translation;

@@ -1,6 +1,6 @@
 /**
- * Nodes that hold other nodes, and say which of them are there and where (X3D 4.0, clauses 10 and
- * 23).
+ * Grouping nodes: they hold other nodes and decide which of them are shown and where (X3D 4.0,
+ * clauses 10 and 23).
  *
  * <p>In: events. Out: children, transformations. Uses {@code runtime.scene}, {@code
  * geometry.tessellate}, {@code x3d.catalogue} and {@code base.problem}.

@@ -3,11 +3,13 @@ package org.selectiverenderer.runtime.nodes.hanim;
 import java.util.List;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** Moves single points by the HAnimDisplacers of a joint or segment (X3D 4.0, 26.3.1). */
+/**
+ * Applies the HAnimDisplacers of a joint or segment, which move single points (X3D 4.0, 26.3.1).
+ */
 final class Displacers {
   private Displacers() {}
 
-  /** Those of a joint or segment. */
+  /** Returns the displacers of a joint or segment. */
   static List<Node> of(Node holder) {
     return holder.nodes("displacers").stream()
         .filter(node -> node.type().name().equals("HAnimDisplacer"))
@@ -15,10 +17,10 @@ final class Displacers {
   }
 
   /**
-   * Adds to each point that a displacer names its displacement times its weight. Indices that no
-   * point has, and those without a displacement, are passed over.
+   * Adds to each point that a displacer names its displacement times the weight. Indices without a
+   * point or a displacement are ignored.
    *
-   * @param points x, y, z each; changed
+   * @param points the points as x, y, z; changed in place
    */
   static void apply(List<Node> displacers, float[] points) {
     for (Node displacer : displacers) {

@@ -16,9 +16,8 @@ import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * HAnimHumanoid (X3D 4.0, 26.3.2): places a skeleton of joints, and the skin whose points follow
- * them. The skin is deformed when a joint, a displacer or the skin itself has changed, once per
- * frame at most.
+ * HAnimHumanoid (X3D 4.0, 26.3.2): a skeleton of joints and a skin that follows them. The skin is
+ * deformed, at most once per frame, when a joint, a displacer or the skin itself has changed.
  */
 public final class HumanoidNode extends TransformNode implements Deforming {
   private final int skeleton;
@@ -69,7 +68,7 @@ public final class HumanoidNode extends TransformNode implements Deforming {
     }
     if (points != null && node == points.node() && !points.others(field)
         || normals != null && node == normals.node() && !normals.others(field)) {
-      return; // Its own doing.
+      return; // The change is this node's own.
     }
     if (node.type().name().equals("HAnimJoint")) {
       String changed = node.type().fields().get(field).name();
@@ -121,7 +120,7 @@ public final class HumanoidNode extends TransformNode implements Deforming {
     if (before != null && before.node() == node) {
       return before;
     }
-    joints = null; // To be observed too.
+    joints = null; // Forces observation of the new nodes, too.
     return new RestValues(node, field);
   }
 

@@ -18,13 +18,13 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * HAnimMotion (X3D 4.0, 26.3.4): recorded motion of a humanoid's joints, in the channels of
- * BioVision files: degrees about X, Y, Z in the order of the channels, and translations. It plays
- * while it is enabled, from {@code startFrame} to {@code endFrame} (0: the last), each frame for
- * {@code frameDuration}.
+ * HAnimMotion (X3D 4.0, 26.3.4): plays recorded motion of a humanoid's joints. Its channels are
+ * those of BVH files: rotations in degrees about X, Y, Z in the order of the channels, and
+ * translations. It plays while enabled, from {@code startFrame} to {@code endFrame} (0 for the
+ * last), each frame for {@code frameDuration}.
  */
 public final class MotionNode extends Node implements FrameNode {
-  /** One number of a frame: which joint, and X, Y, Z of its translation or rotation. */
+  /** One value of a frame: the joint and the axis of its translation or rotation. */
   private record Channel(String joint, int axis, boolean turns) {}
 
   private final int enabled;
@@ -44,9 +44,9 @@ public final class MotionNode extends Node implements FrameNode {
   }
 
   /**
-   * The joints that it moves, those of its humanoid.
+   * Sets the joints to be moved, those of the humanoid.
    *
-   * @param may whether the humanoid's {@code motionsEnabled} lets it
+   * @param may whether the humanoid's {@code motionsEnabled} allows the motion
    */
   void joints(List<TransformNode> all, boolean may) {
     Map<String, TransformNode> byName = new HashMap<>();
@@ -126,7 +126,7 @@ public final class MotionNode extends Node implements FrameNode {
     pose(number, cascade);
   }
 
-  /** Sends the joints where a frame has them. */
+  /** Sends a frame's translations and rotations to the joints. */
   private void pose(int number, Cascade cascade) {
     if (number < 0 || number >= frames()) {
       return;
@@ -173,7 +173,7 @@ public final class MotionNode extends Node implements FrameNode {
     }
   }
 
-  /** Reads the names of joints and channels when they are others than before. */
+  /** Parses the names of joints and channels if they have changed. */
   private void read() {
     String named = string("joints");
     String given = string("channels");
@@ -193,7 +193,7 @@ public final class MotionNode extends Node implements FrameNode {
         String name = joint >= 0 && joint < names.length ? names[joint] : "";
         all.add(new Channel(name, axis, turns));
       } else {
-        joint++; // The number of the next joint's channels.
+        joint++; // A number: the count of the next joint's channels.
       }
     }
     channels = List.copyOf(all);

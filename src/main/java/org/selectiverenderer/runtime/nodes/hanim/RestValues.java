@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * The points or normals of one node as its author gave them, while the node holds deformed ones. A
- * value that others put there meanwhile becomes the new rest.
+ * The rest-pose points or normals of a node, whose field holds the deformed ones. A value that
+ * another sender writes to the field becomes the new rest pose.
  */
 final class RestValues {
   private final Node node;
@@ -16,7 +16,7 @@ final class RestValues {
 
   /**
    * @param node a Coordinate or Normal
-   * @param field its points or vectors
+   * @param field the field with the points or vectors
    */
   RestValues(Node node, String field) {
     this.node = node;
@@ -27,12 +27,12 @@ final class RestValues {
     return node;
   }
 
-  /** Whether a change of the node's field is none of its own. */
+  /** Returns whether a change of the node's field came from another sender. */
   boolean others(int changed) {
     return changed == field && node.value(field) != derived;
   }
 
-  /** The values that nothing has deformed; x, y, z each. */
+  /** Returns the values of the rest pose, as x, y, z. */
   float[] rest() {
     float[] now = (float[]) node.value(field);
     if (now != derived) {
@@ -42,7 +42,7 @@ final class RestValues {
     return rest;
   }
 
-  /** Shows deformed values; does nothing when they are shown already. */
+  /** Writes deformed values to the field; does nothing if they are there already. */
   void show(float[] deformed) {
     if (!Arrays.equals((float[]) node.value(field), deformed)) {
       derived = deformed;

@@ -13,8 +13,8 @@ import org.selectiverenderer.runtime.scene.NodeObserver;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * HAnimSegment (X3D 4.0, 26.3.5): a part of the body with its shapes. Its displacers move the
- * points in its {@code coord}, which its shapes share.
+ * HAnimSegment (X3D 4.0, 26.3.5): a body segment with its shapes. Its displacers move the points of
+ * its {@code coord}, which the shapes share.
  */
 public final class SegmentNode extends GroupingNode implements Deforming {
   private final int displacers;

@@ -13,10 +13,10 @@ import org.selectiverenderer.runtime.nodes.group.TransformNode;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * The joints of a humanoid, each once, parents before children.
+ * The joint hierarchy of a humanoid: each joint once, parents before children.
  *
  * @param joints the joint nodes
- * @param parents the number of each joint's parent; -1 for those at the top
+ * @param parents the index of each joint's parent; -1 for root joints
  */
 record Skeleton(List<TransformNode> joints, int[] parents) {
 
@@ -46,7 +46,7 @@ record Skeleton(List<TransformNode> joints, int[] parents) {
         List.copyOf(joints), parents.stream().mapToInt(Integer::intValue).toArray());
   }
 
-  /** From each joint's coordinates to the humanoid's, as the joints stand now. */
+  /** Returns the present matrix from each joint's coordinates to the humanoid's. */
   Matrix4dc[] placements() {
     Matrix4dc[] all = new Matrix4dc[joints.size()];
     for (int i = 0; i < all.length; i++) {

@@ -7,19 +7,18 @@ import org.joml.Vector3d;
 import org.selectiverenderer.runtime.nodes.group.TransformNode;
 
 /**
- * Moves the points and normals of a skin with the joints (ISO/IEC 19774-1, 4.9; X3D 4.0, 26.2.4):
- * each point goes where the joints that name it would take it, weighted by their {@code
- * skinCoordWeight} and divided by the sum of the weights. The skin is given in the pose in which no
- * joint is turned. Points that no joint names stay.
+ * Linear blend skinning (ISO/IEC 19774-1, 4.9; X3D 4.0, 26.2.4): each skin point is the mean of its
+ * positions under the joints that name it, weighted by their {@code skinCoordWeight}. In the rest
+ * pose no joint is rotated. Points that no joint names stay in place.
  */
 final class Skinning {
   private Skinning() {}
 
   /**
    * @param joints the joints
-   * @param placements where they are now, to the humanoid's coordinates
-   * @param rest x, y, z each
-   * @param vectors whether these are normals: they are turned and not moved
+   * @param placements the joints' present matrices to the humanoid's coordinates
+   * @param rest the points or normals of the rest pose, as x, y, z
+   * @param vectors whether these are normals, which are rotated but not translated
    */
   static float[] of(
       List<TransformNode> joints, Matrix4dc[] placements, float[] rest, boolean vectors) {
@@ -33,7 +32,7 @@ final class Skinning {
       Matrix3d turn = vectors ? placements[j].normal(new Matrix3d()) : new Matrix3d();
       for (int i = 0; i < index.length; i++) {
         int p = index[i];
-        // A weight that is missing counts as 1, as in figures of one joint per point.
+        // A missing weight counts as 1, as in humanoids with one joint per point.
         double w = i < weight.length ? weight[i] : 1;
         if (p < 0 || p >= count || !(w != 0) || !Double.isFinite(w)) {
           continue;

@@ -1,11 +1,11 @@
 /**
- * Figures (X3D 4.0, clause 26, and ISO/IEC 19774): a humanoid's skeleton, the skin that its joints
- * move, the displacers that move single points, and recorded motion.
+ * Humanoid animation (X3D 4.0, clause 26, and ISO/IEC 19774): skeleton, skinning, displacers that
+ * move single points, and recorded motion.
  *
  * <p>In: events to joints and displacers, frames for motion. Out: the points and normals of the
- * skin, put into the nodes that hold them without an event, so that drawing, rays and collisions
- * meet the figure as it stands. A figure at rest costs nothing per frame. Joints and sites
- * themselves are Transforms of {@code nodes.group}.
+ * skin, written to their nodes without an event, so that drawing, ray casting and collisions use
+ * the deformed shape. A humanoid at rest costs nothing per frame. Joints and sites themselves are
+ * Transforms of {@code nodes.group}.
  *
  * <p>Uses {@code runtime.nodes.group}, {@code runtime.nodes.sensor}, {@code runtime.scene}, {@code
  * geometry.tessellate}, {@code x3d.catalogue} and {@code base.problem}.

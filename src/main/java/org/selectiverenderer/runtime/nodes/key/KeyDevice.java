@@ -10,12 +10,12 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 
 /**
- * The keyboard of a world (X3D 4.0, 21.2): gives what is typed to the sensor that is active, the
- * one that was enabled last. Belongs to the thread that steps the world; only {@link #type} may be
- * called by others.
+ * The keyboard of a world (X3D 4.0, 21.2): passes key events to the active sensor, which is the one
+ * enabled last. Belongs to the thread that steps the world; only {@link #type} may be called by
+ * other threads.
  */
 public final class KeyDevice {
-  /** The key device sensors by the names of their types. */
+  /** The constructors of the key device sensors, by node type name. */
   public static final Map<String, NodeMaker> MAKERS =
       Map.of("KeySensor", KeySensorNode::new, "StringSensor", StringSensorNode::new);
 
@@ -23,14 +23,14 @@ public final class KeyDevice {
   private Set<KeyDeviceSensorNode> sensors = Set.of();
   private @Nullable KeyDeviceSensorNode active;
 
-  /** A key went down or up; the sensor hears of it in the next step. Thread-safe. */
+  /** Reports that a key went down or up; the sensor receives it in the next step. Thread-safe. */
   public void type(KeyStroke stroke) {
     typed.add(stroke);
   }
 
   /**
-   * Whether a key is the scene's alone, and so nothing of the program's: what the active sensor
-   * listens to, but for function keys and those that only change others.
+   * Returns whether the scene consumes a key, so that the program must not react to it: keys that
+   * the active sensor uses, except function and modifier keys.
    */
   public boolean takes(KeyStroke.Key key) {
     boolean shared =
@@ -39,7 +39,7 @@ public final class KeyDevice {
     return !shared && active != null && active.wants(key);
   }
 
-  /** Follows the scene with the sensors that it has, in document order. */
+  /** Sets the scene's key device sensors, in document order. */
   public void follow(List<KeyDeviceSensorNode> now, Cascade cascade) {
     Set<KeyDeviceSensorNode> before = sensors;
     sensors = new LinkedHashSet<>(now);
@@ -60,7 +60,7 @@ public final class KeyDevice {
     }
   }
 
-  /** A sensor is enabled or no longer is. */
+  /** Is called when a sensor has been enabled or disabled. */
   void enabled(KeyDeviceSensorNode sensor, Cascade cascade) {
     KeyDeviceSensorNode before = active;
     if (sensor.enabled() && before != sensor) {
@@ -76,7 +76,7 @@ public final class KeyDevice {
     }
   }
 
-  /** Tells the active sensor what was typed since the last frame. */
+  /** Passes the key events since the last frame to the active sensor. */
   public void frame(Cascade cascade) {
     for (KeyStroke stroke = typed.poll(); stroke != null; stroke = typed.poll()) {
       if (active != null) {

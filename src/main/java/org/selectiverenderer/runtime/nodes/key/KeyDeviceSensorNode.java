@@ -8,8 +8,8 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A sensor of the keyboard (X3D 4.0, X3DKeyDeviceSensorNode, 21.3.1). Enabling it makes it active
- * and disables the one that was: of all sensors of a world one is active at a time.
+ * A key device sensor (X3D 4.0, X3DKeyDeviceSensorNode, 21.3.1). Enabling it makes it active and
+ * disables the one active before: only one sensor of a world is active at a time.
  */
 public abstract class KeyDeviceSensorNode extends Node {
   private final int enabled;
@@ -26,7 +26,7 @@ public abstract class KeyDeviceSensorNode extends Node {
     return (Boolean) value(enabled);
   }
 
-  /** It came into a scene whose keyboard that is, or left it. */
+  /** Sets the keyboard of the scene that the sensor entered; null when it left. */
   final void join(@Nullable KeyDevice ofScene) {
     device = ofScene;
   }
@@ -42,13 +42,13 @@ public abstract class KeyDeviceSensorNode extends Node {
     }
   }
 
-  /** Forgets what was typed before. */
+  /** Starts anew, without the keys typed before. */
   abstract void begin();
 
-  /** Whether anybody hears of a key, so that it is not the program's. */
+  /** Returns whether the sensor uses a key, so that the program must not react to it. */
   abstract boolean wants(KeyStroke.Key key);
 
-  /** A key went down or up while it is active. */
+  /** Is called when a key goes down or up while the sensor is active. */
   abstract void type(KeyStroke stroke, Cascade cascade);
 
   @Override

@@ -8,8 +8,8 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Tells each key that goes down and up, once however long it is held (X3D 4.0, 21.4.1). It wants
- * the kinds of keys of which an event goes anywhere, by a route or a listener.
+ * KeySensor: sends each key press and release, without key repeats (X3D 4.0, 21.4.1). It uses the
+ * kinds of keys whose output fields have a route or a listener.
  */
 final class KeySensorNode extends KeyDeviceSensorNode {
   private final int keyPress;
@@ -49,7 +49,7 @@ final class KeySensorNode extends KeyDeviceSensorNode {
   void type(KeyStroke stroke, Cascade cascade) {
     boolean pressed = stroke.pressed();
     if (pressed ? !held.add(stroke.key()) : !held.remove(stroke.key())) {
-      return; // Held, or pressed while another sensor was active.
+      return; // A repeat, or a key pressed while another sensor was active.
     }
     if (stroke.key() instanceof KeyStroke.Character character) {
       emit(pressed ? keyPress : keyRelease, character.text(), cascade);

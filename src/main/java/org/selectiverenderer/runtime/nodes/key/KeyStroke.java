@@ -1,28 +1,28 @@
 package org.selectiverenderer.runtime.nodes.key;
 
 /**
- * A key went down or up. One that is held may go down again and again.
+ * A key event: a key went down or up. A held key may go down repeatedly.
  *
- * @param pressed whether it went down
+ * @param pressed whether the key went down
  */
 public record KeyStroke(Key key, boolean pressed) {
-  /** The text of the key that ends a line. */
+  /** The text of the Enter key. */
   public static final String ENTER = "\n";
 
-  /** The text of the key that deletes the character before. */
+  /** The text of the Backspace key. */
   public static final String BACKSPACE = "\b";
 
-  /** A key as a key device sensor tells it. */
+  /** A key as key device sensors distinguish it. */
   public sealed interface Key {}
 
   /**
    * A key that produces a character.
    *
-   * @param text the character that it produced when it went down, also when it goes up
+   * @param text the character produced when the key went down; the same when it goes up
    */
   public record Character(String text) implements Key {}
 
-  /** The keys that produce none, with their numbers (X3D 4.0, 21.4.1). */
+  /** The action keys, which produce no character, with their numbers (X3D 4.0, 21.4.1). */
   public enum Action implements Key {
     F1,
     F2,
@@ -49,13 +49,13 @@ public record KeyStroke(Key key, boolean pressed) {
       return ordinal() + 1;
     }
 
-    /** Whether it is a function key. */
+    /** Returns whether this is a function key. */
     public boolean function() {
       return compareTo(F12) <= 0;
     }
   }
 
-  /** The keys that change what others mean. */
+  /** The modifier keys. */
   public enum Modifier implements Key {
     SHIFT,
     CONTROL,

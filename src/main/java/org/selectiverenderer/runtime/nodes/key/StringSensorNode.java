@@ -6,13 +6,13 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Collects what is typed (X3D 4.0, 21.4.2): each character sends {@code enteredText}, Backspace
- * takes the last one back unless {@code deletionAllowed} is FALSE, Enter sends it all as {@code
- * finalText} and begins anew with an {@code enteredText} that is empty. It wants all keys that
+ * StringSensor: collects typed text (X3D 4.0, 21.4.2). Each character sends {@code enteredText};
+ * Backspace deletes the last one unless {@code deletionAllowed} is FALSE; Enter sends the text as
+ * {@code finalText} and starts anew with an empty {@code enteredText}. It uses all keys that
  * produce characters.
  */
 final class StringSensorNode extends KeyDeviceSensorNode {
-  /** Characters of a line, so that a key that is stuck fills no memory. */
+  /** Largest length of a line in characters, so that a stuck key does not fill the memory. */
   private static final int LONGEST = 10_000;
 
   private final int deletionAllowed;

@@ -3,23 +3,23 @@ package org.selectiverenderer.runtime.nodes.layout;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * One direction of a Layout node (X3D 4.0, 36.4.1), as numbers of the world. What the scene leaves
- * out of its lists is as in the direction before, or the default.
+ * The horizontal or vertical part of a Layout node (X3D 4.0, 36.4.1), in world units. A value
+ * missing in one of its lists is that of the other direction, or the default.
  *
- * @param size of the rectangle
- * @param middle of the rectangle, from the middle of the one above
- * @param scale of the content; 0 for STRETCH, which takes the other direction's
+ * @param size the size of the layout rectangle
+ * @param middle the centre of the rectangle, relative to the centre of the parent rectangle
+ * @param scale the scale of the content; 0 for STRETCH, which takes that of the other direction
  */
 record LayoutAxis(double size, double middle, double scale) {
   private static final String WORLD = "WORLD";
 
   /**
-   * What a direction is measured by.
+   * The lengths by which a direction is measured.
    *
-   * @param above size of the rectangle above
-   * @param pixel size of a pixel
-   * @param unit length of the unit above; 0 where there is none above: then the scene's units and
-   *     scale are those of the rectangle (36.4.1: FRACTION)
+   * @param above the size of the parent rectangle
+   * @param pixel the size of a pixel
+   * @param unit the length of the parent's unit; 0 without a parent: then world units and scale are
+   *     fractions of the rectangle (36.4.1: FRACTION)
    */
   record Measure(double above, double pixel, double unit) {}
 
@@ -48,7 +48,7 @@ record LayoutAxis(double size, double middle, double scale) {
   }
 
   /**
-   * @param free what the rectangle above has more than this one
+   * @param free the difference between the sizes of the parent rectangle and this one
    */
   private static double aligned(String align, double free) {
     return switch (align) {
@@ -67,7 +67,10 @@ record LayoutAxis(double size, double middle, double scale) {
     };
   }
 
-  /** One value counts for both directions, but an alignment: that is CENTER for the other one. */
+  /**
+   * Returns the value for a direction. A single value holds for both directions, except for the
+   * alignment, which then is CENTER for the other one.
+   */
   private static String word(Node layout, String field, int direction, String missing) {
     String[] words = layout.strings(field);
     if (direction < words.length) {

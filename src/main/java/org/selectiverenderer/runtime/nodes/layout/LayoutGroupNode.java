@@ -11,11 +11,12 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * LayoutGroup and LayoutLayer: what they hold lies in a rectangle, which is measured by the
- * rectangle above it, in the end by the whole picture (X3D 4.0, 36.4.1 to 36.4.3). The rectangle's
- * middle is the origin of the content. Where nothing lies above, it stands in front of the viewer
- * and goes with it. Depths are scaled as the smaller of width and height, so that a solid keeps its
- * form. Without a {@code layout} it is a group like any other.
+ * LayoutGroup and LayoutLayer: groups whose content lies in a rectangle that is measured relative
+ * to the parent rectangle or, without a parent, to the whole picture (X3D 4.0, 36.4.1 to 36.4.3).
+ * The rectangle's centre is the origin of the content. The outermost rectangle is placed in front
+ * of the viewer and moves along. Depths are scaled by the smaller of the scales of width and
+ * height, so that solids keep their proportions. Without a {@code layout} the node is an ordinary
+ * group.
  */
 public final class LayoutGroupNode extends GroupingNode implements Seen {
   public LayoutGroupNode(NodeType type, @Nullable String name, Location location) {
@@ -30,7 +31,7 @@ public final class LayoutGroupNode extends GroupingNode implements Seen {
     }
     Region outer = above.orElseGet(() -> new Region(sight.width(), sight.height()));
     Vector3d units =
-        above.isPresent() ? world.getScale(new Vector3d()) : new Vector3d(); // None above: 0.
+        above.isPresent() ? world.getScale(new Vector3d()) : new Vector3d(); // No parent: 0.
     LayoutAxis across =
         LayoutAxis.of(
             layout,
@@ -41,7 +42,7 @@ public final class LayoutGroupNode extends GroupingNode implements Seen {
             layout,
             1,
             new LayoutAxis.Measure(outer.height(), sight.height() / sight.pixelsHigh(), units.y));
-    double both = Math.max(across.size(), up.size()); // Where each is to be as the other.
+    double both = Math.max(across.size(), up.size()); // Used if both are STRETCH.
     double x = across.scale() != 0 ? across.scale() : up.scale() != 0 ? up.scale() : both;
     double y = up.scale() != 0 ? up.scale() : x;
     Matrix4d content =
@@ -51,7 +52,7 @@ public final class LayoutGroupNode extends GroupingNode implements Seen {
     return new Spot(content, Optional.of(new Region(across.size(), up.size())));
   }
 
-  /** Where it stands and how it is turned. */
+  /** Returns the translation and rotation of a matrix, without its scale. */
   private static Matrix4d unscaled(Matrix4dc world) {
     Vector3d size = world.getScale(new Vector3d());
     return size.x == 0 || size.y == 0 || size.z == 0

@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.nodes.layout;
 import java.util.Map;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 
-/** The makers of the nodes that depend on the picture. */
+/** The constructors of the nodes whose layout depends on the picture, by node type name. */
 public final class Layouts {
   public static final Map<String, NodeMaker> MAKERS =
       Map.of(

@@ -1,9 +1,9 @@
 package org.selectiverenderer.runtime.nodes.layout;
 
 /**
- * The size of a layout's rectangle; its middle is the origin of what is in it.
+ * The size of a layout rectangle; its centre is the origin of its content.
  *
- * @param width in the world's unit of length
- * @param height in the world's unit of length
+ * @param width the width in world units
+ * @param height the height in world units
  */
 public record Region(double width, double height) {}

@@ -8,7 +8,10 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.runtime.nodes.group.GroupingNode;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** One unit in it is one pixel, wherever it stands (X3D 4.0, 36.4.5). */
+/**
+ * ScreenGroup: a group in which one unit is one pixel at any distance from the viewer (X3D 4.0,
+ * 36.4.5).
+ */
 final class ScreenGroupNode extends GroupingNode implements Seen {
   ScreenGroupNode(NodeType type, @Nullable String name, Location location) {
     super(type, name, location);

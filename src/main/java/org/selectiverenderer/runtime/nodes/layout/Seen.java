@@ -3,21 +3,24 @@ package org.selectiverenderer.runtime.nodes.layout;
 import java.util.Optional;
 import org.joml.Matrix4dc;
 
-/** A group whose content lies where the picture says: asked for each of its places. */
+/**
+ * A group whose layout depends on the viewer and on the size of the picture: LayoutGroup,
+ * LayoutLayer, ScreenGroup. It is laid out separately for each of its instances.
+ */
 public interface Seen {
   /**
-   * Where the content of a group goes.
+   * The layout of one instance of a group.
    *
-   * @param content from the content's coordinates to the world
-   * @param region the rectangle that groups below lie in; empty where it is the one above
+   * @param content the matrix from the content's coordinates to the world
+   * @param region the layout rectangle for the groups below; empty if it is the parent rectangle
    */
   record Spot(Matrix4dc content, Optional<Region> region) {}
 
   /**
-   * The spot of one place.
+   * Computes the layout of one instance.
    *
-   * @param world from the group's own coordinates to the world
-   * @param above the rectangle that the group lies in; empty for the whole picture
+   * @param world the matrix from the group's own coordinates to the world
+   * @param above the parent rectangle; empty for the whole picture
    */
   Spot spot(Matrix4dc world, Sight sight, Optional<Region> above);
 }

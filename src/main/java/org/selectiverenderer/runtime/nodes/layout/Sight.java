@@ -5,16 +5,19 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 
 /**
- * What is seen of a layer, and how large that is in a picture. Lengths are the world's. Immutable.
+ * The view parameters of a layer: view matrix, view volume and size of the picture in pixels.
+ * Lengths are in world units. Immutable.
  *
- * @param view from the world to the viewer's frame, looking along -Z; not written to
- * @param parallel whether lines of sight are parallel
- * @param left of what is seen: in a parallel view in the viewer's frame, else at a distance of 1
- * @param right of what is seen
- * @param bottom of what is seen
- * @param top of what is seen
- * @param pixelsWide width of the picture in pixels of the desktop
- * @param pixelsHigh its height
+ * @param view the view matrix: from the world to the viewer's frame, looking along -Z; not to be
+ *     changed
+ * @param parallel whether the projection is orthographic
+ * @param left the left edge of the view volume in the viewer's frame; in a perspective view, at
+ *     distance 1
+ * @param right the right edge of the view volume
+ * @param bottom the bottom edge of the view volume
+ * @param top the top edge of the view volume
+ * @param pixelsWide the width of the picture in desktop pixels
+ * @param pixelsHigh the height of the picture in desktop pixels
  */
 public record Sight(
     Matrix4dc view,
@@ -26,16 +29,24 @@ public record Sight(
     double pixelsWide,
     double pixelsHigh) {
 
-  /** Where rectangles lie that belong to no other: in front of what is seen at a near distance. */
+  /**
+   * Distance from the viewer at which outermost layout rectangles are placed in a perspective view.
+   */
   private static final double NEAR_PLANE = 1;
 
-  /** In a parallel view nothing grows by being near: far enough for some depth on either side. */
+  /**
+   * The same distance in an orthographic view, where sizes do not depend on it: enough for some
+   * depth on either side.
+   */
   private static final double FLAT_PLANE = 10;
 
-  /** A sight before anything is seen: a picture of one pixel. */
+  /** The parameters before anything is drawn: a picture of one pixel. */
   public static final Sight NONE = new Sight(new Matrix4d(), false, -1, 1, -1, 1, 1, 1);
 
-  /** The whole picture as a rectangle in the world, in front of the viewer and facing it. */
+  /**
+   * Returns the pose of the whole picture as a rectangle in the world, in front of the viewer and
+   * facing it.
+   */
   Matrix4d frame() {
     double depth = parallel ? FLAT_PLANE : NEAR_PLANE;
     double at = parallel ? 1 : depth;
@@ -43,17 +54,20 @@ public record Sight(
         .translate((left + right) / 2 * at, (bottom + top) / 2 * at, -depth);
   }
 
-  /** Width of that rectangle. */
+  /** Returns the width of that rectangle. */
   double width() {
     return (right - left) * (parallel ? 1 : NEAR_PLANE);
   }
 
-  /** Height of that rectangle. */
+  /** Returns the height of that rectangle. */
   double height() {
     return (top - bottom) * (parallel ? 1 : NEAR_PLANE);
   }
 
-  /** Height of a pixel where something stands; above 0 also beside and behind the viewer. */
+  /**
+   * Returns the height of a pixel at the distance of a place; above 0 also beside and behind the
+   * viewer.
+   */
   private double pixelAt(Matrix4dc place) {
     Vector3d at = place.getTranslation(new Vector3d());
     double depth = parallel ? 1 : Math.abs(view.transformPosition(at).z);
@@ -61,8 +75,8 @@ public record Sight(
   }
 
   /**
-   * By how much the axes of a place are to be scaled that one unit of each is as long as a pixel is
-   * high there; 1 for an axis without length.
+   * Returns the scale for each axis of a place by which one unit becomes as long as a pixel is high
+   * there; 1 for an axis without length.
    */
   public Vector3d pixelScale(Matrix4dc place) {
     double pixel = pixelAt(place);

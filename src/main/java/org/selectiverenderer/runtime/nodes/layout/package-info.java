@@ -1,13 +1,13 @@
 /**
- * Nodes whose place or size depends on the picture that they are seen in (X3D 4.0, clause 36): the
- * rectangles of LayoutLayer and LayoutGroup, and what is measured in pixels, ScreenGroup and the
- * text of a ScreenFontStyle.
+ * Nodes whose position or size depends on the size of the picture (X3D 4.0, clause 36): LayoutLayer
+ * and LayoutGroup, which lay out rectangles, and ScreenGroup and ScreenFontStyle, which are
+ * measured in pixels.
  *
- * <p>In: a {@link org.selectiverenderer.runtime.nodes.layout.Sight}, which is what the viewer sees
- * of a layer and how many pixels that is, and where a group stands. Out: where its content goes.
- * The tree of instances asks once for each place, whenever the sight is another; a scene without
- * such nodes is not asked. A pixel is one of the desktop: on a dense display it is several of the
- * picture, so that what is measured in pixels stays readable.
+ * <p>In: a {@link org.selectiverenderer.runtime.nodes.layout.Sight}, which holds the view volume of
+ * a layer and the size of the picture, and the matrix of a group. Out: the matrix of its content.
+ * The instance tree asks for it once per instance whenever the view parameters change; a scene
+ * without such nodes has no cost. Pixels are desktop pixels: on a high-density display one of them
+ * is several physical pixels, so that text stays readable.
  *
  * <p>Uses {@code runtime.nodes.group}, {@code runtime.scene} and {@code x3d.catalogue}.
  */

@@ -13,16 +13,16 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Tells how the files that other nodes name are coming on (X3D 4.0, 9.4.3). While some are read it
- * is active and tells which part of them is there. At the end it sends progress 1, isLoaded TRUE
- * and loadTime, or isLoaded FALSE where one could not be read or timeOut seconds have gone by; then
- * isActive FALSE. Of files that were there before its first frame it sends the same without having
- * been active.
+ * LoadSensor: reports the loading of the files that other nodes name (X3D 4.0, 9.4.3). While files
+ * are being read it is active and sends the share that is loaded. At the end it sends progress 1,
+ * isLoaded TRUE and loadTime, or isLoaded FALSE if a file could not be read or timeOut seconds have
+ * passed; then isActive FALSE. For files loaded before its first frame it sends the same events
+ * without having been active.
  */
 public final class LoadSensorNode extends Node implements Sleeper {
-  /** What has become of the file that a node names. */
+  /** The loading state of the file that a node names. */
   public enum State {
-    /** It names none, does not want it, or is of a type whose files are not read. */
+    /** The node names no file, has {@code load FALSE}, or is of a type whose files are not read. */
     NONE,
     LOADING,
     LOADED,
@@ -32,7 +32,7 @@ public final class LoadSensorNode extends Node implements Sleeper {
   private final Rest rest = new Rest();
   private Function<Node, State> states = node -> State.NONE;
 
-  /** Whether there is something to be told that it has not told. */
+  /** Whether there are events that have not been sent. */
   private boolean due = true;
 
   private boolean begun;
@@ -44,12 +44,12 @@ public final class LoadSensorNode extends Node implements Sleeper {
     super(type, name, location);
   }
 
-  /** Says whom to ask what has become of files. */
+  /** Sets the function that returns the loading state of a node's file. */
   public void asks(Function<Node, State> of) {
     states = of;
   }
 
-  /** A node's file begins to be read. */
+  /** Is called when reading a node's file begins. */
   public void begins(Node node) {
     if (watches(node)) {
       begun = true;
@@ -58,7 +58,7 @@ public final class LoadSensorNode extends Node implements Sleeper {
     }
   }
 
-  /** A node's file has been read, or cannot be. */
+  /** Is called when a node's file has been read or cannot be read. */
   public void ends(Node node) {
     if (watches(node)) {
       rouse();
@@ -93,7 +93,8 @@ public final class LoadSensorNode extends Node implements Sleeper {
     boolean loading = all.contains(State.LOADING);
     boolean active = bool("isActive");
     if (!active && !gaveUp && (loading || begun)) {
-      // One that has ended meanwhile is told in the next frame: FALSE cannot follow in this one.
+      // If loading has ended meanwhile, that is sent in the next frame: a field sends one event per
+      // cascade.
       begun = false;
       since = now;
       told = -1;
@@ -119,7 +120,7 @@ public final class LoadSensorNode extends Node implements Sleeper {
     return most > 0 && now - since >= most;
   }
 
-  /** Which part is there; never 1, which is told at the end. */
+  /** Sends the loaded share; never 1, which is sent at the end. */
   private void progress(List<State> all, Cascade cascade) {
     long loaded = all.stream().filter(state -> state == State.LOADED).count();
     float part = loaded == all.size() ? told : (float) loaded / all.size();

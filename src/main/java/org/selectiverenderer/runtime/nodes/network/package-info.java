@@ -1,8 +1,8 @@
 /**
- * Sensors of what is read from files and the network (X3D 4.0, clause 9): {@link
+ * Sensors of loading from files and the network (X3D 4.0, clause 9): {@link
  * org.selectiverenderer.runtime.nodes.network.LoadSensorNode}.
  *
- * <p>In: frames, and word of files that begin and end to be read. Out: events. Uses {@code
+ * <p>In: frames, and notice of files whose reading begins and ends. Out: events. Uses {@code
  * nodes.sensor}, {@code runtime.scene}, {@code x3d.catalogue} and {@code base.problem}.
  */
 @NullMarked

@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.nodes.particle;
 import java.util.SplittableRandom;
 import org.joml.Vector3d;
 
-/** The random values of one particle system: the same for the same seed. */
+/** The random numbers of one particle system, reproducible by their seed. */
 final class Chance {
   private final SplittableRandom random;
 
@@ -11,25 +11,25 @@ final class Chance {
     random = new SplittableRandom(seed);
   }
 
-  /** From 0 to below 1. */
+  /** Returns a uniform value from 0 to below 1. */
   double part() {
     return random.nextDouble();
   }
 
-  /** Evenly between two values. */
+  /** Returns a uniform value between two values. */
   double between(double low, double high) {
     return low + (high - low) * random.nextDouble();
   }
 
   /**
-   * A value around another: from {@code value * (1 - variation)} to {@code value * (1 +
+   * Returns a uniform value from {@code value * (1 - variation)} to {@code value * (1 +
    * variation)}, and not below 0.
    */
   double around(double value, double variation) {
     return Math.max(0, value * (1 + variation * between(-1, 1)));
   }
 
-  /** A direction, all being as likely; of unit length. */
+  /** Returns a unit vector, uniform on the sphere. */
   Vector3d direction() {
     double z = between(-1, 1);
     double angle = between(0, 2 * Math.PI);
@@ -38,10 +38,10 @@ final class Chance {
   }
 
   /**
-   * A direction no more than an angle from an axis, all being as likely.
+   * Returns a unit vector, uniform in a cone about an axis.
    *
-   * @param axis of unit length
-   * @param angle radians
+   * @param axis the cone's axis, of unit length
+   * @param angle the largest angle to the axis, in radians
    */
   Vector3d cone(Vector3d axis, double angle) {
     double along = between(Math.cos(Math.max(0, Math.min(angle, Math.PI))), 1);

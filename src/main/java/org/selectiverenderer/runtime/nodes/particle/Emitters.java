@@ -6,14 +6,14 @@ import java.util.Optional;
 import org.joml.Vector3d;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** The emitters of X3D 4.0, 40.4, as they stand at a moment. */
+/** Makes the particle emitters of X3D 4.0, 40.4, from the present fields of emitter nodes. */
 final class Emitters {
   private Emitters() {}
 
   /**
-   * What an emitter node does; nothing when it has nowhere to emit from.
+   * Makes the emitter of a node; empty if the node has no geometry to emit from.
    *
-   * @param meshes of the geometry nodes in it
+   * @param meshes the meshes of geometry nodes
    */
   static Optional<Emission> of(Node emitter, KnownMeshes meshes) {
     return switch (emitter.type().name()) {
@@ -32,7 +32,7 @@ final class Emitters {
     return new Vector3d(v[0], v[1], v[2]);
   }
 
-  /** The field {@code direction}, or any direction when it is 0 0 0. */
+  /** Writes the field {@code direction}, or a random direction if it is 0 0 0. */
   private static void towards(Vector3d given, Chance chance, Vector3d direction) {
     if (given.lengthSquared() > 0) {
       direction.set(given).normalize();
@@ -69,7 +69,7 @@ final class Emitters {
     };
   }
 
-  /** Along lines: every part of them is as likely. */
+  /** Makes an emitter with positions uniform along lines. */
   private static Optional<Emission> polyline(Node node) {
     Node coord = node.node("coord");
     if (coord == null || !coord.type().name().equals("Coordinate")) {

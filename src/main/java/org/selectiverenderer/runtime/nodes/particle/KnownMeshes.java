@@ -10,13 +10,13 @@ import org.selectiverenderer.geometry.tessellate.VertexMeshes;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * What one system has prepared of the meshes that it emits from and bounces off, so that a frame
- * only looks whether they are still the same.
+ * A cache of the sampling tables and BVHs of the meshes that a particle system emits from and
+ * bounces off.
  */
 final class KnownMeshes {
   private static final int KEPT = 8;
 
-  /** Compared by identity: a mesh is another object when it has changed. */
+  /** Compared by identity: a changed mesh is another object. */
   private record Key(Object one, @Nullable Object two) {
     @Override
     public boolean equals(@Nullable Object other) {
@@ -39,13 +39,13 @@ final class KnownMeshes {
       };
 
   /**
-   * @param meshes of geometry nodes
+   * @param meshes the meshes of geometry nodes
    */
   KnownMeshes(Function<Node, Optional<Mesh>> meshes) {
     this.meshes = meshes;
   }
 
-  /** The surface of a geometry node; nothing when it has none. */
+  /** Returns the surface of a geometry node; empty if it has none. */
   Optional<SurfacePoints> surface(@Nullable Node geometry) {
     return Optional.ofNullable(geometry)
         .flatMap(meshes)
@@ -53,14 +53,14 @@ final class KnownMeshes {
             mesh -> surfaces.computeIfAbsent(new Key(mesh, null), key -> SurfacePoints.of(mesh)));
   }
 
-  /** The surface of faces as an IndexedFaceSet has them. */
+  /** Returns the surface of faces given as in an IndexedFaceSet. */
   Optional<SurfacePoints> surface(float[] points, int[] coordIndex) {
     return surfaces.computeIfAbsent(
         new Key(points, coordIndex),
         key -> SurfacePoints.of(VertexMeshes.faces(points, coordIndex)));
   }
 
-  /** The mesh of a geometry node. */
+  /** Returns the mesh of a geometry node. */
   Optional<Mesh> mesh(Node geometry) {
     return meshes.apply(geometry);
   }

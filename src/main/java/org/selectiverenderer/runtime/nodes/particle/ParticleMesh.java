@@ -8,15 +8,15 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * The mesh of particles by their system's {@code geometryType} (X3D 4.0, 40.4.9): points; lines
- * along the way of each; QUAD and TRIANGLE upright in the system's x-y plane; SPRITE turned to the
- * viewer; or a geometry at each.
+ * Builds the mesh of a system's particles by its {@code geometryType} (X3D 4.0, 40.4.9): POINT;
+ * LINE along each particle's velocity; QUAD and TRIANGLE in the system's x-y plane; SPRITE facing
+ * the viewer; GEOMETRY, a copy of a geometry at each particle.
  */
 final class ParticleMesh {
-  /** Vertices above which geometries of further particles are left out. */
+  /** Largest number of vertices; the geometries of further particles are left out. */
   private static final int MAX_VERTICES = 2_000_000;
 
-  /** The same for their indices, of which a few vertices may have many. */
+  /** Largest number of indices. */
   private static final int MAX_INDICES = 3 * MAX_VERTICES;
 
   private static final float[] QUAD = {0, 0, 1, 0, 1, 1, 0, 1};
@@ -26,7 +26,7 @@ final class ParticleMesh {
   private final double ahead;
 
   /**
-   * @param ahead seconds by which positions are taken further than they are
+   * @param ahead the time in seconds by which positions are extrapolated
    */
   ParticleMesh(Node system, Particles particles, double ahead) {
     this.system = system;
@@ -36,8 +36,8 @@ final class ParticleMesh {
 
   /**
    * @param right the viewer's right in local coordinates, for sprites
-   * @param up the viewer's up
-   * @param geometry what stands at each particle, for GEOMETRY
+   * @param up the viewer's up in local coordinates, for sprites
+   * @param geometry the mesh to be copied to each particle, for GEOMETRY
    */
   Mesh make(Vector3dc right, Vector3dc up, @Nullable Mesh geometry) {
     return switch (system.string("geometryType")) {
@@ -175,12 +175,14 @@ final class ParticleMesh {
     return all;
   }
 
-  /** How far a particle is on its way from birth, 0, to the end, 1. */
+  /** Returns a particle's age as a fraction of its lifetime. */
   private float life(int i) {
     return (float) Math.min(1, (particles.ages[i] + ahead) / particles.lifetimes[i]);
   }
 
-  /** A colour between two keys of the ramp for each particle, at each of its vertices. */
+  /**
+   * Returns the colours interpolated from the colour ramp by age, for each vertex of each particle.
+   */
   private float @Nullable [] colors(int corners, int count) {
     Node ramp = system.node("color");
     if (ramp == null) {
@@ -210,7 +212,7 @@ final class ParticleMesh {
     return colors;
   }
 
-  /** The texture coordinates of the key that is reached, or the whole texture. */
+  /** Returns the texture coordinates of the last key reached, or those of the whole texture. */
   private float[] texCoords(int corners, float[] whole) {
     int count = particles.count();
     float[] all = new float[2 * corners * count];

@@ -19,18 +19,19 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * ParticleSystem (X3D 4.0, 40.4.9). New particles come evenly, so many that {@code maxParticles}
- * live at a time; an explosion makes all of them at once, and again when their lifetime is over.
- * {@code isActive} is TRUE while it is enabled and makes particles or has some.
+ * ParticleSystem (X3D 4.0, 40.4.9). New particles are created at a constant rate such that {@code
+ * maxParticles} live at a time; an explosion creates all of them at once, and again when their
+ * lifetime is over. {@code isActive} is TRUE while the system is enabled and creates particles or
+ * has some.
  */
 public final class ParticleSystemNode extends Node implements FrameNode, Formed {
-  /** More particles than this are not made. */
+  /** Largest number of particles. */
   public static final int MOST = 20_000;
 
-  /** Seconds of a step of the particles' own time. */
+  /** Duration of a simulation step in seconds. */
   static final double STEP = 1.0 / 60;
 
-  /** Steps made up for in a frame; of what is longer ago nothing is to be seen any more. */
+  /** Largest number of simulation steps in a frame; earlier particles would have expired. */
   private static final int MOST_STEPS = 600;
 
   private final int enabled;
@@ -117,7 +118,7 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
     if (until <= steps) {
       return;
     }
-    // What emitters and models say now holds for the steps of this frame.
+    // The present fields of emitters and physics models hold for all steps of this frame.
     Emission emission = creates ? Emitters.of(emitter, meshes).orElse(null) : null;
     Physics physics = new Physics(nodes("physics"), emitter, meshes);
     steps = Math.max(steps, until - MOST_STEPS);
@@ -152,7 +153,7 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
       from.emit(chance, position, velocity);
       velocity.mul(chance.around(emitter.number("speed"), emitter.number("variation")));
       double lives = chance.around(lifetime, number("lifetimeVariation"));
-      // Not all of a step at its end, so that a stream of particles has no gaps.
+      // Particles are spread over the step, so that a stream has no gaps.
       double age = explosion ? 0 : chance.part() * STEP;
       acting.move(position, velocity, age);
       if (lives > age && position.isFinite() && velocity.isFinite()) {
@@ -166,7 +167,7 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
     Vector3d up = new Vector3d(0, 1, 0);
     List<? extends Matrix4dc> places = frame.places(this);
     if (string("geometryType").equals("SPRITE") && !places.isEmpty()) {
-      // As upright as the viewer, about the direction to the viewer of the first place.
+      // Sprites share the viewer's up and face the viewer of the first instance.
       Matrix4d local = places.get(0).invert(new Matrix4d());
       local.transformDirection(frame.orientation().transform(right)).normalize();
       local.transformDirection(Rotations.up(frame.orientation(), up)).normalize();
@@ -188,7 +189,7 @@ public final class ParticleSystemNode extends Node implements FrameNode, Formed 
   protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
     super.receive(field, value, cascade);
     if (field.index() == maxParticles) {
-      begun = Double.NaN; // Begins anew, with room for as many.
+      begun = Double.NaN; // Restarts with the new number.
       particles.clear();
     }
   }

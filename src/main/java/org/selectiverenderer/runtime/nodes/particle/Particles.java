@@ -2,7 +2,7 @@ package org.selectiverenderer.runtime.nodes.particle;
 
 import org.joml.Vector3d;
 
-/** The particles that live: one array per property, the youngest last. */
+/** The living particles: one array per property, the youngest last. */
 final class Particles {
   final Vector3d[] positions;
   final Vector3d[] velocities;
@@ -36,7 +36,7 @@ final class Particles {
     count = 0;
   }
 
-  /** Makes all older and moves them; those whose time is over are gone. */
+  /** Ages and moves all particles and removes the expired ones. */
   void step(double seconds, Physics physics, Chance chance) {
     int kept = 0;
     for (int i = 0; i < count; i++) {

@@ -8,8 +8,8 @@ import org.selectiverenderer.geometry.tree.MeshTree;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * What acts on the particles of a system (X3D 4.0, 40.2.2): forces, wind, and surfaces that they
- * bounce off. Forces and wind move what has a mass; wind what has an area too.
+ * The physics models of a particle system (X3D 4.0, 40.2.2): forces, wind, and surfaces that
+ * particles bounce off. Forces need particles with a mass, wind also with a surface area.
  */
 final class Physics {
   private final List<Node> forces = new ArrayList<>();
@@ -31,7 +31,7 @@ final class Physics {
         case "WindPhysicsModel" -> winds.add(model);
         case "BoundedPhysicsModel" ->
             meshes.surface(model.node("geometry")).ifPresent(found -> bounds.add(found.tree()));
-        default -> {} // Of another edition: said once when the scene was loaded.
+        default -> {} // Unknown type, reported at loading.
       }
     }
     addForces();
@@ -45,7 +45,7 @@ final class Physics {
     }
   }
 
-  /** Changes a velocity by a step. */
+  /** Applies forces and wind to a velocity for one step. */
   void accelerate(Vector3d velocity, double seconds, Chance chance) {
     velocity.fma(seconds, acceleration);
     if (!(mass > 0) || !(area > 0)) {
@@ -63,7 +63,7 @@ final class Physics {
     }
   }
 
-  /** Moves a particle by a step, turning its way where it meets a surface. */
+  /** Moves a particle by one step and reflects its velocity where it hits a surface. */
   void move(Vector3d position, Vector3d velocity, double seconds) {
     for (MeshTree bound : bounds) {
       if (velocity.lengthSquared() == 0) {

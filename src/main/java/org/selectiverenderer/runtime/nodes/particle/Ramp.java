@@ -1,10 +1,10 @@
 package org.selectiverenderer.runtime.nodes.particle;
 
-/** Finds a particle's age among the keys of a ramp. */
+/** Searches the keys of a colour or texture coordinate ramp for a particle's age. */
 final class Ramp {
   private Ramp() {}
 
-  /** The last key that is not above the age, 0 below the first. */
+  /** Returns the index of the last key that is not above the age; 0 below the first key. */
   static int at(float[] key, int count, float life) {
     int low = 0;
     while (low + 1 < count && key[low + 1] <= life) {
@@ -13,7 +13,7 @@ final class Ramp {
     return low;
   }
 
-  /** How far the age is from that key to the next one, 0 to 1. */
+  /** Returns the position of the age between that key and the next, 0 to 1. */
   static float part(float[] key, int count, int low, float life) {
     if (low + 1 >= count || !(key[low + 1] > key[low])) {
       return 0;

@@ -6,7 +6,7 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.tree.MeshTree;
 
-/** Random points on a mesh, every part of its area being as likely, and inside of it. */
+/** Samples random points uniformly on the surface of a mesh, or inside it. */
 final class SurfacePoints {
   private static final int TRIES = 24;
   private static final int MAX_CROSSINGS = 64;
@@ -21,7 +21,7 @@ final class SurfacePoints {
     this.tree = new MeshTree(mesh);
   }
 
-  /** Nothing for a mesh without area. */
+  /** Makes a sampler; empty for a mesh without area. */
   static Optional<SurfacePoints> of(Mesh mesh) {
     if (mesh.primitive() != Mesh.Primitive.TRIANGLES || mesh.isEmpty()) {
       return Optional.empty();
@@ -46,14 +46,14 @@ final class SurfacePoints {
     return new Vector3d(p[at], p[at + 1], p[at + 2]);
   }
 
-  /** The first of ascending sums that is above a value. */
+  /** Returns the index of the first of ascending sums that is above a value. */
   static int find(double[] sums, double value) {
     int found = Arrays.binarySearch(sums, value);
     return Math.min(found >= 0 ? found : -found - 1, sums.length - 1);
   }
 
   /**
-   * A point on the surface.
+   * Samples a point on the surface.
    *
    * @param normal receives the normal of its triangle
    */
@@ -71,12 +71,12 @@ final class SurfacePoints {
     }
   }
 
-  /** The mesh, to search for what rays meet. */
+  /** Returns the BVH of the mesh, for ray casting. */
   MeshTree tree() {
     return tree;
   }
 
-  /** A point inside a closed surface; on it when the surface hardly encloses anything. */
+  /** Samples a point inside a closed surface; on it if the surface encloses hardly any volume. */
   void pickInside(Chance chance, Vector3d position) {
     float[] box = mesh.bounds();
     for (int i = 0; i < TRIES; i++) {
@@ -93,7 +93,7 @@ final class SurfacePoints {
 
   private boolean inside(Vector3d at) {
     Vector3d from = new Vector3d(at);
-    Vector3d way = new Vector3d(0.577, 0.579, 0.576); // Along no axis, to miss edges.
+    Vector3d way = new Vector3d(0.577, 0.579, 0.576); // Not along an axis, to miss edges.
     boolean inside = false;
     for (int crossings = 0; crossings < MAX_CROSSINGS; crossings++) {
       Optional<MeshTree.MeshHit> hit =

@@ -1,11 +1,10 @@
 /**
- * Particle systems (X3D 4.0, clause 40): emitters, physics, and the mesh that the particles are
- * drawn as.
+ * Particle systems (X3D 4.0, clause 40): emitters, physics models, and the mesh of the particles.
  *
  * <p>In: frames. Out: a new mesh for each frame in which particles live, in local coordinates; it
- * is drawn, culled and lit as any other. Time advances in equal steps and chance comes from a seed
- * of each node's own, so that the same times give the same particles, however many frames lie
- * between them. A system that is disabled, or has no particles, costs a glance per frame.
+ * is drawn, culled and lit as any other. The simulation advances in equal time steps with a random
+ * seed per node, so that the same times give the same particles, however many frames lie between
+ * them. A system that is disabled or has no particles costs next to nothing per frame.
  *
  * <p>Uses {@code runtime.nodes.sensor}, {@code runtime.scene}, {@code geometry.mesh}, {@code
  * geometry.tree}, {@code geometry.tessellate}, {@code x3d.catalogue} and {@code base.problem}.

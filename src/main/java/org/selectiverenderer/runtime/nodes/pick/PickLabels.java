@@ -5,22 +5,22 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Which of what stands in pickable groups a sensor is for (X3D 4.0, 38.3.1 and 38.3.2): their
- * {@code objectType}s are compared as the sensor's {@code matchCriterion} says.
+ * Decides which pickable groups a pick sensor addresses (X3D 4.0, 38.3.1 and 38.3.2): their {@code
+ * objectType}s are compared with those of the sensor by its {@code matchCriterion}.
  *
- * @param wanted the sensor's labels
+ * @param wanted the sensor's {@code objectType}s
  */
 public record PickLabels(List<String> wanted, Criterion criterion) {
   private static final String ALL = "ALL";
   private static final String NONE = "NONE";
 
-  /** How many labels have to be the same. */
+  /** The {@code matchCriterion}: how many labels have to match. */
   public enum Criterion {
     MATCH_ANY,
     MATCH_EVERY,
     MATCH_ONLY_ONE;
 
-    /** That of a name; the standard's default for any other. */
+    /** Returns the criterion of a name; the standard's default for an unknown name. */
     static Criterion of(String name) {
       for (Criterion criterion : values()) {
         if (criterion.name().equals(name)) {
@@ -35,12 +35,12 @@ public record PickLabels(List<String> wanted, Criterion criterion) {
     wanted = List.copyOf(wanted);
   }
 
-  /** Whether the sensor picks nothing whatever it meets. */
+  /** Returns whether the sensor picks nothing at all. */
   public boolean none() {
     return wanted.contains(NONE);
   }
 
-  /** Whether it picks what is labelled so. */
+  /** Returns whether the sensor picks a group with these labels. */
   public boolean fit(List<String> labels) {
     if (none() || labels.contains(NONE)) {
       return false;

@@ -17,9 +17,10 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A sensor that says which shapes its own geometry meets (X3D 4.0, X3DPickSensorNode, 38.3.2). Who
- * looks for them tells it; it sorts them and sends what is new: {@code isActive}, {@code
- * pickedGeometry}, then where they were met. One that is disabled while active ends that at once.
+ * A pick sensor: reports the shapes that its own geometry intersects (X3D 4.0, X3DPickSensorNode,
+ * 38.3.2). {@code runtime.pick} finds the intersections; the node sorts them and sends changes:
+ * {@code isActive}, {@code pickedGeometry}, then the intersection points. A sensor disabled while
+ * active becomes inactive at once.
  */
 public final class PickSensorNode extends Node {
   public static final Map<String, NodeMaker> MAKERS =
@@ -29,7 +30,7 @@ public final class PickSensorNode extends Node {
           "PrimitivePickSensor", PickSensorNode::new,
           "VolumePickSensor", PickSensorNode::new);
 
-  /** What a sensor meets shapes with. */
+  /** The kind of geometry with which a sensor picks. */
   public enum With {
     LINES,
     POINTS,
@@ -74,7 +75,7 @@ public final class PickSensorNode extends Node {
     return (Boolean) value(enabled);
   }
 
-  /** Whether a field says what it picks with, or what of all it picks. */
+  /** Returns whether a field determines the picking geometry or the pick targets. */
   public boolean asks(int field) {
     return field != isActive
         && field != pickedGeometry
@@ -83,28 +84,28 @@ public final class PickSensorNode extends Node {
         && field != pickedTextureCoordinate;
   }
 
-  /** The labels of what it picks. */
+  /** Returns the matcher for the {@code objectType}s of groups. */
   public PickLabels labels() {
     return new PickLabels(
         List.of(strings("objectType")), PickLabels.Criterion.of(string("matchCriterion")));
   }
 
-  /** Whether the boxes around shapes are met, and not the shapes themselves. */
+  /** Returns whether bounding boxes of shapes are tested instead of the shapes themselves. */
   public boolean bounds() {
     return !string("intersectionType").equals("GEOMETRY");
   }
 
-  /** The nodes that it may pick, with all below them. */
+  /** Returns the nodes that may be picked, with all nodes below them. */
   public List<Node> targets() {
     return nodes("pickTarget");
   }
 
-  /** What it meets them with, in its local coordinates. */
+  /** Returns the picking geometry, in the sensor's local coordinates. */
   public @Nullable Node geometry() {
     return node("pickingGeometry");
   }
 
-  /** Hears what is met in this frame, in no order. */
+  /** Takes the intersections of this frame, in any order, and sends events. */
   public void report(List<Picked> met, Cascade cascade) {
     List<Picked> picked = chosen(met);
     boolean active = !picked.isEmpty();
@@ -120,7 +121,9 @@ public final class PickSensorNode extends Node {
     sendPlaces(pickedPoint, picked, Picked.Place::point, cascade);
   }
 
-  /** Points have no order of their own: CLOSEST is ANY and ALL_SORTED is ALL (38.4.3). */
+  /**
+   * Selects and sorts the results. For points CLOSEST means ANY and ALL_SORTED means ALL (38.4.3).
+   */
   private List<Picked> chosen(List<Picked> met) {
     String order = string("sortOrder");
     boolean all = order.startsWith("ALL");

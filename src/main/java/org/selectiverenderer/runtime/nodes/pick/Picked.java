@@ -6,18 +6,19 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * A shape that a sensor has picked.
+ * A shape that a pick sensor has picked.
  *
- * @param node the Shape; of one in an Inline, the Inline
- * @param distance by which picked shapes are sorted
- * @param places where it was met, in the sensor's local coordinates; empty where that is not asked
+ * @param node the Shape; for a shape inside an Inline, the Inline
+ * @param distance the distance by which picked shapes are sorted
+ * @param places the intersection points, in the sensor's local coordinates; empty if they are not
+ *     needed
  */
 public record Picked(Node node, double distance, List<Place> places) {
   /**
-   * Where a shape was met.
+   * An intersection point with a shape.
    *
-   * @param normal of the surface, of unit length; null where no surface was met
-   * @param texCoord s, t, 0; null where the surface has none
+   * @param normal the unit surface normal; null if no surface was hit
+   * @param texCoord the texture coordinates s, t, 0; null if the surface has none
    */
   public record Place(Vector3dc point, @Nullable Vector3dc normal, @Nullable Vector3dc texCoord) {}
 }

@@ -4,12 +4,12 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
-/** Takes what a Script receives. */
+/** Receives the events that arrive at a Script. */
 @FunctionalInterface
 public interface ScriptCalls {
   /**
-   * An event has arrived at a field that the Script's author declared; one of an inputOutput field
-   * is kept and sent on already.
+   * Is called when an event arrives at a field that the Script's author declared; for an
+   * inputOutput field after the value was stored and forwarded.
    *
    * @param value as {@link org.selectiverenderer.x3d.field.FieldType} represents it
    */

@@ -12,8 +12,8 @@ import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.script.ScriptProgram;
 
 /**
- * A Script (X3D 4.0, 29.4.1). It holds its program's text and the fields that its author declared;
- * until somebody runs the program it keeps and passes on events as any node does.
+ * A Script (X3D 4.0, 29.4.1). It holds the program and the fields that its author declared; until a
+ * script engine runs the program, it stores and forwards events like any node.
  */
 public final class ScriptNode extends Node {
   private @Nullable ScriptProgram program;
@@ -28,24 +28,24 @@ public final class ScriptNode extends Node {
   /**
    * Gives the node its program, before it is part of a world.
    *
-   * @param scene of the file in which it stands
+   * @param scene the scene of the file that contains the node
    */
   public void load(ScriptProgram text, Scene scene) {
     program = text;
     context = scene;
   }
 
-  /** The text of its program; null when there is none that can be used. */
+  /** Returns the program; null if there is no usable one. */
   public @Nullable ScriptProgram program() {
     return program;
   }
 
-  /** The scene in which it stands: its execution context. Null without a program. */
+  /** Returns the scene that contains the node, its execution context; null without a program. */
   public @Nullable Scene context() {
     return context;
   }
 
-  /** The instance of a prototype in whose body it stands; null if it stands in none. */
+  /** Returns the prototype instance whose body contains the node; null if there is none. */
   public @Nullable InstanceFace within() {
     return within;
   }
@@ -54,7 +54,7 @@ public final class ScriptNode extends Node {
     within = instance;
   }
 
-  /** What it receives goes there from now on; to nobody with null. */
+  /** Sets the receiver of events; null for none. */
   public void calls(@Nullable ScriptCalls receiver) {
     calls = receiver;
   }

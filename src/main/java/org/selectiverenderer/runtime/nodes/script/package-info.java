@@ -1,6 +1,6 @@
 /**
- * Script nodes of a running scene: what they receive goes to the program that {@code
- * runtime.script} runs for them.
+ * Script nodes of a running scene: their input events go to the programs that {@code
+ * runtime.script} runs.
  *
  * <p>In: events. Out: calls of a program. Uses {@code runtime.scene} and {@code x3d}.
  */

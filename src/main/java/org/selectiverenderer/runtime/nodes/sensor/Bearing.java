@@ -6,12 +6,12 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Where the pointing device points: a ray in the world, and where the sensor stands that is told
- * (X3D 4.0, 20.2.1).
+ * The ray of the pointing device in the world, and the place of the sensor that receives it (X3D
+ * 4.0, 20.2.1).
  *
- * @param origin of the ray, in the world
- * @param direction of the ray, of any length but 0, in the world
- * @param place from the sensor's local coordinates to the world
+ * @param origin the origin of the ray, in world coordinates
+ * @param direction the direction of the ray, of any length but 0, in world coordinates
+ * @param place the matrix from the sensor's local coordinates to the world
  */
 public record Bearing(Vector3dc origin, Vector3dc direction, Matrix4dc place) {
   public Bearing {

@@ -8,35 +8,35 @@ import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 
-/** What nodes may know of a frame. World coordinates, the scene's unit of length. */
+/** The state of a frame that nodes may use. In world coordinates and the scene's unit of length. */
 public interface Frame {
-  /** The frame's time in seconds; the same as the cascade's. */
+  /** Returns the frame's time in seconds, which is the cascade's time stamp. */
   double time();
 
-  /** The viewer's eye. */
+  /** Returns the viewer's eye. */
   Vector3dc eye();
 
-  /** Takes the viewer's frame (looking along -Z) to the world's. */
+  /** Returns the rotation from the viewer's frame (looking along -Z) to the world. */
   Quaterniondc orientation();
 
-  /** What the viewer can see, in world coordinates. */
+  /** Returns the viewer's view frustum, in world coordinates. */
   FrustumIntersection frustum();
 
   /**
-   * What the viewer turns about, in world coordinates: the bound viewpoint's centerOfRotation. Null
-   * while the way of navigating has none (X3D 4.0, 22.4.1).
+   * Returns the bound viewpoint's centerOfRotation in world coordinates; null while the navigation
+   * type does not use one (X3D 4.0, 22.4.1).
    */
   default @Nullable Vector3dc centerOfRotation() {
     return null;
   }
 
   /**
-   * The places of a node: from its local coordinates to the world, one matrix per instance, in
-   * document order. Empty when it is in no part of the scene.
+   * Returns the matrices from a node's local coordinates to the world, one per instance, in
+   * document order. Empty if the node is in no part of the scene.
    */
   List<? extends Matrix4dc> places(Node node);
 
-  /** Those of its places where nothing above hides it. */
+  /** Returns the matrices of those instances of a node that no group above hides. */
   default List<? extends Matrix4dc> shownPlaces(Node node) {
     return places(node);
   }

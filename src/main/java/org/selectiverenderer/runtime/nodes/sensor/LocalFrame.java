@@ -6,17 +6,17 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Takes points and directions of the world into the local coordinates of one place of a node, under
- * any affine transformation. The inverse is made when the place is another one, not every frame.
+ * Transforms points and directions from the world to the local coordinates of one instance of a
+ * node, for any affine matrix. The inverse is computed only when the matrix has changed.
  */
 final class LocalFrame {
-  /** Volume of the unit-length axes below which they lie in a plane, but for rounding. */
+  /** Volume spanned by the normalised axes below which they lie in a plane, up to rounding. */
   private static final double FLAT = 1e-13;
 
-  /** The same volume below which rounding may take a point far away in local coordinates. */
+  /** The same volume below which rounding errors may displace a point far in local coordinates. */
   private static final double UNSURE = 1e-4;
 
-  /** Room for rounding, as a share of the coordinates. */
+  /** Margin for rounding, relative to the coordinates. */
   private static final double ROOM = 1e-9;
 
   private final Matrix4d place = new Matrix4d();
@@ -24,9 +24,9 @@ final class LocalFrame {
   private boolean invertible = true;
 
   /**
-   * Follows the place.
+   * Sets the matrix of the instance.
    *
-   * @return whether it has local coordinates: false where a transformation above flattens it
+   * @return whether the matrix is invertible: false if it scales an axis to 0
    */
   boolean follow(Matrix4dc now) {
     if (!place.equals(now)) {
@@ -40,7 +40,7 @@ final class LocalFrame {
     return !(volume(m) > FLAT);
   }
 
-  /** The volume that the axes would span if each had length 1; NaN where one has none. */
+  /** Returns the volume that the normalised axes span; NaN if an axis has no length. */
   private static double volume(Matrix4dc m) {
     double lengths =
         Vector3d.length(m.m00(), m.m01(), m.m02())
@@ -50,10 +50,10 @@ final class LocalFrame {
   }
 
   /**
-   * Lets a box of the world enclose a local box too, with so much room that {@link #point} takes no
-   * point outside to one inside.
+   * Extends a world-space bounding box by a local box, with a margin such that {@link #point} maps
+   * no point outside the former to one inside the latter.
    *
-   * @param box min x, y, z, max x, y, z; without bounds where rounding cannot be told
+   * @param box min x, y, z, max x, y, z; infinite if the rounding error is unknown
    */
   static void enclose(Matrix4dc place, float[] center, float[] size, double[] box) {
     double reach = 0;

@@ -9,9 +9,9 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A sensor of the pointing device over geometry of its group (X3D 4.0, X3DPointingDeviceSensorNode,
- * 20.3.2). Who dispatches the pointer tells it of every move, press and release that concern it.
- * While the button that went down over it is held it is active: it alone hears of the pointer,
+ * A pointing device sensor for the geometry of its group (X3D 4.0, X3DPointingDeviceSensorNode,
+ * 20.3.2). A dispatcher passes it every move, press and release that concerns it. If the button is
+ * pressed over its geometry, the sensor is active until the release: it alone receives the pointer,
  * wherever that goes.
  */
 public abstract class PointingSensorNode extends Node {
@@ -33,30 +33,36 @@ public abstract class PointingSensorNode extends Node {
     return (Boolean) value(enabled);
   }
 
-  /** Whether the button was pressed over it and is still down: it alone hears of the pointer. */
+  /**
+   * Returns whether the button was pressed over the sensor's geometry and is still down, so that
+   * this sensor alone receives the pointer.
+   */
   public final boolean active() {
     return (Boolean) value(isActive);
   }
 
-  /** Whether the pointer is over its geometry. */
+  /** Returns whether the pointer is over the sensor's geometry. */
   public final boolean over() {
     return (Boolean) value(isOver);
   }
 
-  /** What the author says that it is for; may be empty. */
+  /** Returns the author's description; may be empty. */
   public final String description() {
     return value(description) instanceof String text ? text : "";
   }
 
-  /** Whether moving the pointer while the button is held means something to it. */
+  /**
+   * Returns whether this is a drag sensor, which uses motion of the pointer while the button is
+   * held.
+   */
   public abstract boolean drags();
 
   /**
-   * The pointer moved, or its button went down or up.
+   * Evaluates a state of the pointer.
    *
-   * @param hit where it meets the sensor's geometry, in the sensor's local coordinates; empty when
-   *     it is elsewhere
-   * @param bearing where it points; empty when it points nowhere
+   * @param hit the point at which the pointer hits the sensor's geometry, in the sensor's local
+   *     coordinates; empty if it does not
+   * @param bearing the ray of the pointer; empty if it points at nothing
    * @param pressed whether the button is down now
    */
   public final void point(
@@ -64,7 +70,7 @@ public abstract class PointingSensorNode extends Node {
     boolean goesDown = pressed && !pressedBefore;
     pressedBefore = pressed;
     if (!enabled()) {
-      release(cascade); // Only if an answer to its own event disabled it.
+      release(cascade); // Only if a reaction to its event disabled it.
       return;
     }
     boolean entered = hit.isPresent() && !over();
@@ -83,26 +89,29 @@ public abstract class PointingSensorNode extends Node {
   }
 
   /**
-   * The pointer is over its geometry.
+   * Is called while the pointer is over the sensor's geometry.
    *
-   * @param entered whether it was elsewhere before
+   * @param entered whether the pointer was elsewhere before
    */
   protected void touched(PointerHit at, boolean entered, Cascade cascade) {
-    // Only some say where.
-  }
-
-  /** The button goes down over its geometry; {@code isActive} is sent afterwards. */
-  protected void grabbed(PointerHit at, Bearing bearing) {
-    // Only a drag begins somewhere.
-  }
-
-  /** While it is active: the pointer's bearing, changed or not. */
-  protected void dragged(Bearing bearing, Cascade cascade) {
-    // Only drag sensors do.
+    // Only some sensors report the point.
   }
 
   /**
-   * It is no longer active.
+   * Is called when the button goes down over the sensor's geometry, before {@code isActive} is
+   * sent.
+   */
+  protected void grabbed(PointerHit at, Bearing bearing) {
+    // Only drag sensors use the starting point.
+  }
+
+  /** Is called with the pointer's ray, changed or not, while the sensor is active. */
+  protected void dragged(Bearing bearing, Cascade cascade) {
+    // Only drag sensors use it.
+  }
+
+  /**
+   * Is called when the sensor becomes inactive.
    *
    * @param over whether the button was released over its geometry
    */
@@ -122,7 +131,7 @@ public abstract class PointingSensorNode extends Node {
     }
   }
 
-  /** A sensor that is disabled lets go of the pointer. */
+  /** Ends the activity of a sensor that is disabled. */
   private void release(Cascade cascade) {
     if (active()) {
       sendState(isActive, false, cascade);

@@ -10,10 +10,10 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Rotations;
 
 /**
- * Sends {@code position_changed} and {@code orientation_changed} of a sensor: a pose of the world
- * in the sensor's local coordinates, when it differs from what was last sent. Where the place is
- * scaled unevenly or sheared, no rotation does that exactly; the one that keeps the looking
- * direction, and up as near as that allows, is sent.
+ * Sends {@code position_changed} and {@code orientation_changed} of a sensor: a world pose in the
+ * sensor's local coordinates, if it differs from the last one sent. Under a non-uniform scale or a
+ * shear no rotation is exact; the rotation sent keeps the viewing direction exactly and the up
+ * direction as nearly as possible.
  */
 final class PoseReport {
   private final Node sensor;
@@ -32,10 +32,10 @@ final class PoseReport {
   }
 
   /**
-   * @param position in local coordinates
+   * @param position the position in local coordinates
    * @param worldForward the pose's -Z axis in the world
-   * @param worldUp its Y axis
-   * @param always sends even what did not change
+   * @param worldUp the pose's Y axis in the world
+   * @param always whether to send values that have not changed
    */
   void send(
       LocalFrame frame,
@@ -54,7 +54,7 @@ final class PoseReport {
     }
   }
 
-  /** Sends a point, when it differs from what the field last sent. */
+  /** Sends a point if it differs from the last one sent by the field. */
   void sendPoint(int field, Vector3dc point, boolean always, Cascade cascade) {
     float x = (float) point.x();
     float y = (float) point.y();

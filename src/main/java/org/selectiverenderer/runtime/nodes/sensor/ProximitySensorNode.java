@@ -13,12 +13,12 @@ import org.selectiverenderer.runtime.scene.Rotations;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Notices the viewer entering, moving in and leaving a box (X3D 4.0, 22.4.1; the areas of the
- * thesis). The eye is taken into the box's own coordinates, so that the answer is exact under any
- * transformation above it; the boundary belongs to the box. A sensor that is USEd senses the union
- * of its boxes. It does not matter whether a Switch shows the branch that it stands in.
+ * ProximitySensor: detects the viewer entering, moving in and leaving a box (X3D 4.0, 22.4.1; the
+ * areas of the thesis). The eye is transformed to the box's local coordinates, so that the result
+ * is exact under any transformation above the sensor; the boundary belongs to the box. A sensor
+ * that is USEd senses the union of its boxes. It also works in a branch that a Switch hides.
  *
- * <p>The pose sent is the one in the place entered; that stays until the viewer leaves its box.
+ * <p>The pose sent is relative to the instance that was entered, until the viewer leaves its box.
  * Events carry the frame's time: crossings between two frames are not interpolated.
  */
 public class ProximitySensorNode extends RegionSensorNode {
@@ -43,13 +43,16 @@ public class ProximitySensorNode extends RegionSensorNode {
     int at = enabled() && hasVolume() ? find(frame) : -1;
     boolean before = active();
     sense(at >= 0, cascade);
-    if (at >= 0 && enabled()) { // An answer to isActive may have disabled it.
+    if (at >= 0 && enabled()) { // A reaction to isActive may have disabled it.
       last = at;
       report(frame, locals.get(at), !before, cascade);
     }
   }
 
-  /** The index of the place whose box holds the eye, the last one first; -1 for none. */
+  /**
+   * Returns the index of the instance whose box contains the eye, trying the last one first; -1 for
+   * none.
+   */
   private int find(Frame frame) {
     List<? extends Matrix4dc> places = frame.places(this);
     int count = places.size();
@@ -73,11 +76,11 @@ public class ProximitySensorNode extends RegionSensorNode {
   }
 
   /**
-   * A box in the world that encloses all of the sensor's boxes, with room for rounding: a viewer
-   * outside is in none of them.
+   * Computes a world-space box that encloses all of the sensor's boxes with a margin for rounding:
+   * a viewer outside it is in none of them.
    *
-   * @param out min x, y, z, max x, y, z; without bounds where a transformation above all but
-   *     flattens a box, and min above max when there is none that could hold anything
+   * @param out min x, y, z, max x, y, z; infinite if a nearly singular transformation makes the
+   *     rounding error unknown, and min above max if no box has a volume
    */
   public void reach(Frame frame, double[] out) {
     Arrays.fill(out, 0, 3, Double.POSITIVE_INFINITY);
@@ -92,7 +95,8 @@ public class ProximitySensorNode extends RegionSensorNode {
   }
 
   /**
-   * For sensors that tell more of where the viewer is; called in each frame in which it is inside.
+   * Hook for subclasses that send more about the viewer's position; called in each frame in which
+   * the viewer is inside.
    *
    * @param moved whether {@code position_changed} has been sent
    */

@@ -9,10 +9,10 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A sensor of a box (X3D 4.0, X3DEnvironmentalSensorNode, 22.3.1). Entering sends {@code isActive
- * TRUE}, then {@code enterTime}; leaving sends {@code isActive FALSE}, then {@code exitTime}; both
- * with the time stamp of the frame. An active sensor that is disabled leaves at once, with the time
- * stamp of the event that disabled it.
+ * An environmental sensor, which senses events in a box (X3D 4.0, X3DEnvironmentalSensorNode,
+ * 22.3.1). Entering sends {@code isActive TRUE}, then {@code enterTime}; leaving sends {@code
+ * isActive FALSE}, then {@code exitTime}; both with the time stamp of the frame. An active sensor
+ * that is disabled leaves at once, with the time stamp of the event that disabled it.
  */
 abstract class RegionSensorNode extends Node implements FrameNode {
   private final int enabled;
@@ -36,17 +36,17 @@ abstract class RegionSensorNode extends Node implements FrameNode {
     return (Boolean) value(enabled);
   }
 
-  /** Whether it senses what it looks for. */
+  /** Returns whether the sensor is active. */
   public final boolean active() {
     return (Boolean) value(isActive);
   }
 
-  /** Whether a field says where the box is or how large. */
+  /** Returns whether a field determines the position or size of the box. */
   public boolean hasBoxOf(int field) {
     return field == center || field == size;
   }
 
-  /** The middle of the box in local coordinates. */
+  /** Returns the centre of the box in local coordinates. */
   protected float[] center() {
     return (float[]) value(center);
   }
@@ -55,13 +55,15 @@ abstract class RegionSensorNode extends Node implements FrameNode {
     return (float[]) value(size);
   }
 
-  /** Whether the box has an inside: all of its sizes are positive. */
+  /** Returns whether the box has a volume: all of its sizes are positive. */
   final boolean hasVolume() {
     float[] s = size();
     return s[0] > 0 && s[1] > 0 && s[2] > 0;
   }
 
-  /** Whether a point in local coordinates is in the box or on its boundary; never for NaN. */
+  /**
+   * Returns whether a point in local coordinates is in the box or on its boundary; false for NaN.
+   */
   final boolean contains(Vector3dc local) {
     float[] c = center();
     float[] s = size();
@@ -71,8 +73,8 @@ abstract class RegionSensorNode extends Node implements FrameNode {
   }
 
   /**
-   * Sends what a change of state calls for. An answer to its own isActive that disables it is heard
-   * at the next frame: isActive sends one event in a cascade.
+   * Sends the events of a change of state. If a reaction to isActive disables the sensor, that
+   * takes effect in the next frame, since a field sends one event per cascade.
    */
   final void sense(boolean inside, Cascade cascade) {
     if (inside == active()) {

@@ -2,22 +2,22 @@ package org.selectiverenderer.runtime.nodes.sensor;
 
 import org.jspecify.annotations.Nullable;
 
-/** Whether a {@link Sleeper} is awake, and who is to be told when something rouses it. */
+/** The wake state of a {@link Sleeper}, and the callback for when it wakes up. */
 public final class Rest {
   private boolean awake = true;
   private @Nullable Runnable call;
 
-  /** {@link Sleeper#awake}. */
+  /** Implements {@link Sleeper#awake}. */
   public boolean awake() {
     return awake;
   }
 
-  /** {@link Sleeper#wakeBy}. */
+  /** Implements {@link Sleeper#wakeBy}. */
   public void wakeBy(@Nullable Runnable caller) {
     call = caller;
   }
 
-  /** Something begins. */
+  /** Wakes the node up. */
   public void rouse() {
     if (!awake) {
       awake = true;
@@ -27,7 +27,7 @@ public final class Rest {
     }
   }
 
-  /** A frame has been looked at: it rests from now on unless more goes on. */
+  /** Ends an update: the node sleeps from now on unless it has more to do. */
   public void unless(boolean more) {
     awake = more;
   }

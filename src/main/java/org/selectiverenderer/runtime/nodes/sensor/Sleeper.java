@@ -3,17 +3,17 @@ package org.selectiverenderer.runtime.nodes.sensor;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A {@link FrameNode} that looks at frames only while something goes on in it. At rest it costs
- * nothing per frame.
+ * A {@link FrameNode} that is updated only while it has something to do. Asleep it costs nothing
+ * per frame.
  */
 public interface Sleeper extends FrameNode {
-  /** Whether it is to look at the coming frame. */
+  /** Returns whether the node is to be updated in the coming frame. */
   boolean awake();
 
   /**
-   * Says who is to be told when something begins in it.
+   * Sets the callback for when the node wakes up.
    *
-   * @param call called as soon as it is {@link #awake}; null for nobody
+   * @param call called as soon as the node is {@link #awake}; null for none
    */
   void wakeBy(@Nullable Runnable call);
 }

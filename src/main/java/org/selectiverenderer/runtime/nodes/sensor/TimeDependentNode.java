@@ -8,13 +8,13 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A node that runs in time (X3D 4.0, 8.2.4): from startTime to the end of a cycle, to stopTime, or
- * for ever. Per frame it sends, in this order: isActive TRUE when it starts, isPaused, what a node
- * type sends at the beginning of a cycle, elapsedTime, what a node type sends of where it stands,
- * and isActive FALSE when it ends.
+ * A time-dependent node (X3D 4.0, 8.2.4): it runs from startTime to the end of a cycle, to
+ * stopTime, or for ever. Per frame it sends, in this order: isActive TRUE when it starts, isPaused,
+ * the node type's events at the beginning of a cycle, elapsedTime, the node type's events for the
+ * present time, and isActive FALSE when it ends.
  *
- * <p>A run that ends between two frames still ends where its cycle does, and one that lies between
- * two frames altogether is run in the later one. Seconds that it is paused count neither as elapsed
+ * <p>A run that ends between two frames still ends exactly at the end of its cycle, and one that
+ * lies entirely between two frames is run in the later one. Paused time counts neither as elapsed
  * nor towards the cycle.
  */
 public abstract class TimeDependentNode extends Node implements FrameNode {
@@ -26,7 +26,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
   private double cycle;
   private boolean newCycle;
 
-  /** The indexes of its fields. */
+  /** The indices of the node's fields. */
   private record Fields(
       int enabled,
       int loop,
@@ -56,44 +56,44 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
     fields = Fields.of(type);
   }
 
-  /** Seconds that a cycle takes; it does not start unless that is above 0. */
+  /** Returns the duration of a cycle in seconds; the node does not start unless it is above 0. */
   protected abstract double interval();
 
-  /** Whether a field keeps its value while the node runs, whatever events arrive at it. */
+  /** Returns whether a field ignores events while the node runs. */
   protected abstract boolean fixedWhileActive(int field);
 
   /**
-   * A cycle begins.
+   * Is called at the beginning of a cycle.
    *
-   * @param at its true beginning, not the frame's time
+   * @param at the exact beginning of the cycle, not the frame's time
    */
   protected void begins(double at, Cascade cascade) {}
 
   /**
-   * Where it stands in this frame.
+   * Is called in each frame with the present time.
    *
-   * @param elapsed seconds since it began, without pauses
-   * @param fraction of the present cycle, 0 to 1; 1 only at the end of the last
+   * @param elapsed the seconds since the start, without pauses
+   * @param fraction the fraction of the present cycle, 0 to 1; 1 only at the end of the last cycle
    */
   protected abstract void stands(double elapsed, double fraction, Cascade cascade);
 
-  /** Whether it runs; one that is paused does. */
+  /** Returns whether the node runs; a paused node does. */
   public final boolean active() {
     return is(fields.isActive);
   }
 
-  /** Whether it is paused. */
+  /** Returns whether the node is paused. */
   public final boolean paused() {
     return is(fields.isPaused);
   }
 
-  /** Whether it runs, or will by the fields that it has now. */
+  /** Returns whether the node runs, or will run by its present fields. */
   protected final boolean expectant() {
     return active()
         || is(fields.enabled) && (Double.isNaN(lastFrame) || seconds(fields.startTime) > lastFrame);
   }
 
-  /** What a node that did not look at frames has missed until a time is no longer run. */
+  /** Skips the time before a given time, in which the node was asleep. */
   protected final void restedUntil(double time) {
     lastFrame = Math.max(lastFrame, time);
   }
@@ -119,7 +119,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
     if (active() && is(fields.enabled)) {
       tick(now, cascade);
     } else {
-      end(cascade); // An answer to its own isActive disabled it.
+      end(cascade); // A reaction to isActive disabled it.
     }
     lastFrame = now;
   }
@@ -167,7 +167,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
     return false;
   }
 
-  /** Whether it pauses; not earlier than what it already sent. */
+  /** Returns whether the node pauses; not before the time already sent. */
   private boolean pauses(double until) {
     double pause = seconds(fields.pauseTime);
     if (pause > seconds(fields.resumeTime) && pause >= started && pause <= until) {
@@ -177,7 +177,7 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
     return false;
   }
 
-  /** Sends where the clock stands at a time, and ends it when its last cycle is over by then. */
+  /** Sends the events for a time, and ends the run if its last cycle is over by then. */
   private void advance(double until, Cascade cascade) {
     double interval = interval();
     double elapsed = until - started - pausedFor;
@@ -210,8 +210,8 @@ public abstract class TimeDependentNode extends Node implements FrameNode {
   }
 
   /**
-   * One that runs ignores startTime, what is {@link #fixedWhileActive}, and a stopTime that is not
-   * after its start; one that is disabled sends where it stands and ends.
+   * A running node ignores startTime, fields that are {@link #fixedWhileActive}, and a stopTime
+   * that is not after its start. A node that is disabled sends its last events and ends.
    */
   @Override
   protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {

@@ -6,9 +6,9 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A clock (X3D 4.0, 8.4.1). Besides what every {@link TimeDependentNode} sends it sends cycleTime
- * at the beginning of a cycle, the cycle's true beginning, then fraction_changed, and time, the
- * frame's time.
+ * TimeSensor: a clock (X3D 4.0, 8.4.1). Besides the events of every {@link TimeDependentNode} it
+ * sends cycleTime at the beginning of a cycle, with the exact beginning as value, then
+ * fraction_changed, and time, the frame's time.
  */
 public final class TimeSensorNode extends TimeDependentNode {
   private final int cycleInterval;
@@ -39,7 +39,10 @@ public final class TimeSensorNode extends TimeDependentNode {
     emit(cycleTime, at, cascade);
   }
 
-  /** A cycle that ends with another one after it has the fraction 1, not 0. */
+  /**
+   * A frame exactly at the end of a cycle has the fraction 1 of that cycle, not 0 of the next (X3D
+   * 4.0, 8.4.1).
+   */
   @Override
   protected void stands(double elapsed, double part, Cascade cascade) {
     emit(fraction, part == 0 && elapsed > 0 ? 1f : (float) part, cascade);

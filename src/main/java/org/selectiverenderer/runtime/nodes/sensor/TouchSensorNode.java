@@ -8,9 +8,9 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Notices the pointing device over geometry of its group, and clicks on it (X3D 4.0, 20.4.4).
- * Events of one call come in the order: isOver, hitPoint, hitNormal and hitTexCoord as far as they
- * changed, isActive, touchTime.
+ * TouchSensor: detects the pointing device over geometry of its group, and clicks on it (X3D 4.0,
+ * 20.4.4). Events of one call are sent in the order isOver, hitPoint, hitNormal and hitTexCoord as
+ * far as they changed, isActive, touchTime.
  */
 public class TouchSensorNode extends PointingSensorNode {
   private final int touchTime;
@@ -51,7 +51,7 @@ public class TouchSensorNode extends PointingSensorNode {
     }
   }
 
-  /** Sends a field of doubles, when it differs from what was last sent. */
+  /** Sends a field of doubles if it differs from the last value sent. */
   protected final void send(int field, double[] now, boolean always, Cascade cascade) {
     if (always || !Arrays.equals((double[]) value(field), now)) {
       emit(field, now, cascade);

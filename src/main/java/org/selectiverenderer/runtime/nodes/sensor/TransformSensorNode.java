@@ -13,8 +13,9 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Notices an object entering, moving in and leaving a box (X3D 4.0, 22.4.2). The object counts as
- * being where the origin of its local coordinates is, its own transformation included.
+ * TransformSensor: detects an object entering, moving in and leaving a box (X3D 4.0, 22.4.2). The
+ * position of the object is the origin of its local coordinates, with its own transformation
+ * applied.
  */
 public final class TransformSensorNode extends RegionSensorNode {
   private final int targetObject;
@@ -45,7 +46,10 @@ public final class TransformSensorNode extends RegionSensorNode {
     }
   }
 
-  /** The first place of the box that holds the first place of the object that is in one. */
+  /**
+   * Returns the first instance of the box that contains an instance of the object, for the first
+   * such instance of the object.
+   */
   private @Nullable LocalFrame find(Node object, Frame frame) {
     List<? extends Matrix4dc> boxes = frame.places(this);
     List<? extends Matrix4dc> objects = frame.places(object);

@@ -10,10 +10,9 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Notices a box coming into and going out of what the viewer can see (X3D 4.0, 22.4.3). The box is
- * tested as it stands in the world, corner by corner against the planes of the view; one that
- * crosses no plane alone but passes a corner of the view may count as visible, as the standard
- * allows. What hides it from view is not considered.
+ * VisibilitySensor: detects a box entering and leaving the view frustum (X3D 4.0, 22.4.3). The
+ * corners of the transformed box are tested against each frustum plane; a box beside an edge of the
+ * frustum may wrongly count as visible, as the standard allows. Occlusion is not considered.
  */
 public final class VisibilitySensorNode extends RegionSensorNode {
   private static final int PLANES = 6;
@@ -39,7 +38,10 @@ public final class VisibilitySensorNode extends RegionSensorNode {
     sense(visible, cascade);
   }
 
-  /** A box may be flat, but not a point, and no size is negative. */
+  /**
+   * Returns whether the box has an extent: it may be flat, but not a point, and no size may be
+   * negative.
+   */
   private boolean hasExtent() {
     float[] s = size();
     return s[0] >= 0 && s[1] >= 0 && s[2] >= 0 && s[0] + s[1] + s[2] > 0;

@@ -9,9 +9,9 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A ComposedShader, ProgramShader or PackagedShader, or a ShaderProgram (X3D 4.0, 31.4). What its
- * author's fields receive is kept, those that only receive included: their last value is the
- * program's.
+ * A ComposedShader, ProgramShader, PackagedShader or ShaderProgram (X3D 4.0, 31.4). The values that
+ * the author's fields receive are stored, also those of inputOnly fields: the last value is that of
+ * the uniform.
  */
 public final class ShaderNode extends Node {
   private final int activate;
@@ -34,8 +34,8 @@ public final class ShaderNode extends Node {
   }
 
   /**
-   * Whether what is drawn need not be made anew when a field changes: its numbers are asked for
-   * whenever it is drawn, and isValid and isSelected only tell.
+   * Returns whether a change of a field requires no rebuild: values of uniforms are read whenever
+   * the shape is drawn, and isValid and isSelected are only outputs.
    */
   public boolean onlyNumbers(int field) {
     return field == isValid
@@ -43,23 +43,23 @@ public final class ShaderNode extends Node {
         || (own(field) && !type().fields().get(field).type().isNode());
   }
 
-  /** Whether the field is one that the author declared. */
+  /** Returns whether the field is one that the author declared. */
   private boolean own(int field) {
     return field >= type().ownFrom();
   }
 
   /**
-   * What has come of its program, for {@link #tell} to send.
+   * Stores the result of compiling the program, which {@link #tell} sends.
    *
-   * @param compiled whether the graphics card takes it
-   * @param chosen whether shapes are drawn with it
+   * @param compiled whether the program compiled and linked
+   * @param chosen whether shapes are drawn with the program
    */
   public void judged(boolean compiled, boolean chosen) {
     valid = compiled;
     selected = chosen;
   }
 
-  /** Sends isSelected and isValid where they have changed. */
+  /** Sends isSelected and isValid if they have changed. */
   public void tell(Cascade cascade) {
     if (selected != null && !selected.equals(toldSelected) && isSelected >= 0) {
       toldSelected = selected;
@@ -74,7 +74,7 @@ public final class ShaderNode extends Node {
   @Override
   protected void receive(FieldDefinition field, @Nullable Object value, Cascade cascade) {
     if (field.index() == activate) {
-      // Changes count at once, so that there is nothing to do but to say again what is so.
+      // Changes take effect at once, so that activate only sends the state again.
       if (Boolean.TRUE.equals(value)) {
         toldValid = null;
         toldSelected = null;

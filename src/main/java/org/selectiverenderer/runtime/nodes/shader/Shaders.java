@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.nodes.shader;
 import java.util.Map;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 
-/** The nodes of the Shaders component that receive events. */
+/** The constructors of the shader nodes that receive events, by node type name. */
 public final class Shaders {
   private Shaders() {}
 

@@ -1,9 +1,9 @@
 /**
  * Shader nodes of a running scene (X3D 4.0, clause 31). The fields that their authors declare are
- * numbers for a program, which whoever draws compiles; it tells the node what came of it, and the
+ * uniforms of a program. The renderer compiles the program and tells the node the result, and the
  * node sends its events.
  *
- * <p>In: events, and whether the program is one. Out: events. Uses {@code runtime.scene} and {@code
+ * <p>In: events, and the results of compiling. Out: events. Uses {@code runtime.scene} and {@code
  * x3d.catalogue}.
  */
 @NullMarked

@@ -10,9 +10,9 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * GeneratedCubeMapTexture (X3D 4.0, 34.4.2): says when its pictures are to be drawn; who draws them
- * remembers which it has drawn. After {@code NEXT_FRAME_ONLY} it sends {@code update} NONE in the
- * frame that follows, whether or not anybody draws.
+ * GeneratedCubeMapTexture (X3D 4.0, 34.4.2): tells when its cube map is to be drawn; the renderer
+ * remembers which requests it has served. After {@code NEXT_FRAME_ONLY} the node sends {@code
+ * update} NONE in the following frame, whether or not anything was drawn.
  */
 public final class GeneratedCubeNode extends Node implements FrameNode {
   private final int update;
@@ -24,17 +24,19 @@ public final class GeneratedCubeNode extends Node implements FrameNode {
     update = type.indexOf("update");
   }
 
-  /** The field that says when; it changes how nothing looks but its pictures. */
+  /**
+   * Returns the index of the field {@code update}, whose changes affect nothing but the cube map.
+   */
   public int updateField() {
     return update;
   }
 
-  /** Whether pictures are drawn anew in every frame. */
+  /** Returns whether the cube map is drawn in every frame. */
   public boolean always() {
     return "ALWAYS".equals(value(update));
   }
 
-  /** How many times pictures have been asked for with {@code NEXT_FRAME_ONLY}. */
+  /** Returns how often the cube map has been requested with {@code NEXT_FRAME_ONLY}. */
   public long request() {
     return request;
   }

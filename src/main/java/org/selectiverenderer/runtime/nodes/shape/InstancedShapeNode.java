@@ -13,8 +13,8 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * InstancedShape of X_ITE: one geometry in many places, drawn as one mesh of all copies. Copies
- * beyond {@link MeshCopies#most} are left out.
+ * InstancedShape, an extension of X_ITE: one geometry in many places, drawn as one mesh of all
+ * copies. Copies beyond {@link MeshCopies#most} are left out.
  */
 public final class InstancedShapeNode extends Node implements Formed {
   private Function<Node, Optional<Mesh>> meshes = node -> Optional.empty();
@@ -48,7 +48,10 @@ public final class InstancedShapeNode extends Node implements Formed {
     return Optional.ofNullable(all);
   }
 
-  /** Whether a list of places is another object than it was; remembers them. */
+  /**
+   * Returns whether a list of transformations is another object than before, and remembers the
+   * lists.
+   */
   private boolean listsChanged() {
     boolean changed = known.length == 0;
     Object[] now = new Object[lists.length];

@@ -1,10 +1,10 @@
 /**
- * Shapes that make their own mesh of a geometry: InstancedShape; and GeneratedCubeMapTexture, which
- * says when its pictures are drawn.
+ * InstancedShape, which makes its own mesh of a geometry, and GeneratedCubeMapTexture, which tells
+ * when its cube map is drawn.
  *
- * <p>In: fields, and the meshes of geometry nodes. Out: one mesh, which is drawn, pointed at,
- * bumped into and counted like that of a Shape. Uses {@code runtime.scene}, {@code nodes.sensor},
- * {@code geometry.mesh} and {@code geometry.tessellate}.
+ * <p>In: fields, and the meshes of geometry nodes. Out: one mesh, which is used in drawing,
+ * picking, collisions and polygon counts like that of a Shape. Uses {@code runtime.scene}, {@code
+ * nodes.sensor}, {@code geometry.mesh} and {@code geometry.tessellate}.
  */
 @NullMarked
 package org.selectiverenderer.runtime.nodes.shape;

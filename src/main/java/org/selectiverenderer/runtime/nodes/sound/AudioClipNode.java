@@ -7,9 +7,9 @@ import org.selectiverenderer.runtime.sound.Recording;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A recording that runs in time (X3D 4.0, 16.4.2). A cycle takes as long as the recording does at
- * the clip's pitch. It is led by the Sound that it is the source of, or by the scene where it
- * stands in a group itself.
+ * AudioClip: plays a recording (X3D 4.0, 16.4.2). A cycle takes as long as the recording at the
+ * clip's pitch. It is updated by the Sound whose source it is, or by the scene if it is the child
+ * of a group.
  */
 public final class AudioClipNode extends PlayedNode {
   private final int pitch;
@@ -23,7 +23,7 @@ public final class AudioClipNode extends PlayedNode {
     gain = type.indexOf("gain");
   }
 
-  /** Gives it a recording, or takes it away; duration_changed is sent in the next frame. */
+  /** Sets or removes the recording; duration_changed is sent in the next frame. */
   public void recording(@Nullable Recording found) {
     if (found != recording) {
       recording = found;
@@ -31,17 +31,19 @@ public final class AudioClipNode extends PlayedNode {
     }
   }
 
-  /** What is heard of it in this frame; empty while it does not run. */
+  /** Returns the recording that is audible in this frame; empty while the clip does not run. */
   Optional<Recording> sounding() {
     return active() && !paused() ? Optional.ofNullable(recording) : Optional.empty();
   }
 
-  /** Seconds from the beginning of the recording, at the recording's own rate. */
+  /**
+   * Returns the playback position in seconds from the beginning of the recording, at normal rate.
+   */
   double position() {
     return position;
   }
 
-  /** The pitch, which makes it run faster too. */
+  /** Returns the pitch, which is also the factor of the playback rate. */
   @Override
   double rate() {
     return (Float) value(pitch);

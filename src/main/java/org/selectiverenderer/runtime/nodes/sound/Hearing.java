@@ -8,13 +8,13 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * How loud a sound is for each ear (X3D 4.0, 16.2.3 and 16.4.18): at its full intensity within the
- * inner of two ellipsoids, not heard outside the outer one, and between them from 0 dB to -20 dB,
- * even along the ray from the sound to the viewer. The sound is a focus of both.
+ * The gain of a Sound for each ear (X3D 4.0, 16.2.3 and 16.4.18): full intensity within the inner
+ * of two ellipsoids, silence outside the outer one, and between them a fall from 0 dB to -20 dB,
+ * linear along the ray from the sound to the viewer. The sound is at a focus of both ellipsoids.
  *
- * @param gain without direction
- * @param left share of the left ear
- * @param right share of the right ear
+ * @param gain the gain without panning
+ * @param left the share of the left ear
+ * @param right the share of the right ear
  */
 record Hearing(double gain, double left, double right) {
   static final Hearing NOTHING = new Hearing(0, 1, 1);
@@ -22,9 +22,9 @@ record Hearing(double gain, double left, double right) {
   private static final double DECIBELS = -20;
 
   /**
-   * A Sound in its own coordinates.
+   * The ellipsoids of a Sound in its local coordinates.
    *
-   * @param direction of the front; of no length, it is that of the default, Z
+   * @param direction the direction of the front; if it has no length, the default, Z
    */
   record Ellipsoids(
       Vector3dc location,
@@ -35,12 +35,12 @@ record Hearing(double gain, double left, double right) {
       double maxBack) {}
 
   /**
-   * What is heard of a sound.
+   * Computes the gain of a sound.
    *
-   * @param place takes its coordinates to the world
-   * @param eye of the viewer, in the world
-   * @param orientation takes the viewer's frame, looking along -Z, to the world
-   * @param spatialize whether it is heard from where it is, between the ellipsoids
+   * @param place the matrix from the sound's local coordinates to the world
+   * @param eye the viewer's eye, in world coordinates
+   * @param orientation the rotation from the viewer's frame, looking along -Z, to the world
+   * @param spatialize whether the sound is panned by its direction, between the ellipsoids
    */
   static Hearing of(
       Ellipsoids sound,
@@ -50,7 +50,7 @@ record Hearing(double gain, double left, double right) {
       boolean spatialize) {
     Matrix4d inverse = place.invert(new Matrix4d());
     if (!inverse.isFinite()) {
-      return NOTHING; // A transformation above flattens it.
+      return NOTHING; // A scale of 0 above silences it.
     }
     Vector3d away = inverse.transformPosition(eye, new Vector3d()).sub(sound.location);
     double distance = away.length();
@@ -71,7 +71,7 @@ record Hearing(double gain, double left, double right) {
     return direction.length() == 0 ? new Vector3d(0, 0, 1) : direction.normalize(new Vector3d());
   }
 
-  /** How far an ellipsoid reaches from its focus, at an angle to its front. */
+  /** Returns the distance from the focus to the ellipsoid at an angle to the front. */
   private static double reach(double front, double back, double cos) {
     double sum = front + back;
     return sum == 0 ? 0 : 2 * front * back / (sum - (front - back) * cos);
@@ -81,12 +81,15 @@ record Hearing(double gain, double left, double right) {
     return new Hearing(gain, 1 - pan * pan, 1 - (1 - pan) * (1 - pan));
   }
 
-  /** 0 at the left, 0.5 in front and behind, 1 at the right, even by the angle about the viewer. */
+  /**
+   * Returns the pan: 0 at the left, 0.5 in front and behind, 1 at the right, linear in the angle
+   * about the viewer.
+   */
   private static double pan(
       Ellipsoids sound, Matrix4dc place, Vector3dc eye, Quaterniondc orientation) {
     Vector3d to = place.transformPosition(sound.location, new Vector3d()).sub(eye);
     orientation.conjugate(new Quaterniond()).transform(to);
-    // The angle to the plane that parts left from right, seen from above.
+    // The angle to the median plane, seen from above.
     return 0.5 + Math.atan2(to.x, Math.abs(to.z)) / Math.PI;
   }
 }

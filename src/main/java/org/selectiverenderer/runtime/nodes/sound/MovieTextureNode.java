@@ -9,10 +9,10 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * A film on surfaces (X3D 4.0, 18.4.2). Before it first runs it shows its first picture, or with a
- * speed below 0 its last; afterwards the one with which it ended. With a speed of 0 it runs for
- * ever and shows the first. It is led by the shapes and backgrounds that show it, shown or not. It
- * is not heard.
+ * MovieTexture: a movie on surfaces (X3D 4.0, 18.4.2). Before it first runs it shows its first
+ * frame, or its last with a negative speed; afterwards the frame with which it ended. With a speed
+ * of 0 it runs for ever and shows the first frame. It is updated by the shapes and backgrounds that
+ * use it, visible or not. Its soundtrack is not played.
  */
 public final class MovieTextureNode extends PlayedNode {
   private final int speed;
@@ -24,7 +24,7 @@ public final class MovieTextureNode extends PlayedNode {
     speed = type.indexOf("speed");
   }
 
-  /** Gives it a film, or takes it away; duration_changed is sent in the next frame. */
+  /** Sets or removes the movie; duration_changed is sent in the next frame. */
   public void film(@Nullable Film shown) {
     if (shown != film) {
       film = shown;
@@ -34,7 +34,7 @@ public final class MovieTextureNode extends PlayedNode {
     }
   }
 
-  /** The film that it shows. */
+  /** Returns the movie playback. */
   public Optional<Film> film() {
     return Optional.ofNullable(film);
   }
@@ -61,7 +61,7 @@ public final class MovieTextureNode extends PlayedNode {
     }
   }
 
-  /** Where it stands before it runs. */
+  /** Sets the frame shown before the movie runs. */
   private void stand() {
     if (film != null) {
       film.stand(speed() < 0 ? seconds() : 0, speed() < 0);

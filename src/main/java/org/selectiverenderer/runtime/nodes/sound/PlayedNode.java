@@ -11,8 +11,8 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * What plays a file (X3D 4.0, 16.3.5): without one it does not run. It is led by the frames of all
- * that it stands in; of several in one frame the first counts.
+ * A node that plays a media file (X3D 4.0, X3DSoundSourceNode, 16.3.5): AudioClip and MovieTexture.
+ * Without a file it does not run. If several parents update it in one frame, the first counts.
  */
 public abstract class PlayedNode extends TimeDependentNode implements Sleeper {
   private final int url;
@@ -31,20 +31,20 @@ public abstract class PlayedNode extends TimeDependentNode implements Sleeper {
     duration = type.indexOf("duration_changed");
   }
 
-  /** The field that names its file. */
+  /** Returns the index of the field {@code url}. */
   public final int urlField() {
     return url;
   }
 
-  /** The field that says whether the file is wanted. */
+  /** Returns the index of the field {@code load}. */
   public final int loadField() {
     return load;
   }
 
   /**
-   * It has got another file; duration_changed is sent in the next frame.
+   * Notes that the file was replaced; duration_changed is sent in the next frame.
    *
-   * @param time that the file takes at its own rate; NaN without a file
+   * @param time the duration of the file at normal rate, in seconds; NaN without a file
    */
   final void takes(double time) {
     seconds = time;
@@ -53,22 +53,22 @@ public abstract class PlayedNode extends TimeDependentNode implements Sleeper {
     tellObservers(duration);
   }
 
-  /** Whether it has a file that it can play. */
+  /** Returns whether the node has a file that can be played. */
   public final boolean loaded() {
     return !Double.isNaN(seconds);
   }
 
-  /** What its file takes at its own rate, in seconds; NaN without a file. */
+  /** Returns the duration of the file at normal rate, in seconds; NaN without a file. */
   final double seconds() {
     return seconds;
   }
 
-  /** Seconds since it began, without pauses. */
+  /** Returns the seconds since the start, without pauses. */
   final double elapsed() {
     return elapsed;
   }
 
-  /** How much faster than at its own rate it runs, either way. */
+  /** Returns the factor of the playback rate; negative for backwards. */
   abstract double rate();
 
   @Override
@@ -83,9 +83,9 @@ public abstract class PlayedNode extends TimeDependentNode implements Sleeper {
   }
 
   /**
-   * Where it stands in this frame.
+   * Is called in each frame with the present position.
    *
-   * @param fraction of the present cycle, 0 to 1
+   * @param fraction the fraction of the present cycle, 0 to 1
    */
   abstract void stands(double fraction);
 

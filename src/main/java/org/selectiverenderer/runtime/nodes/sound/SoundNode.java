@@ -17,9 +17,9 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
 /**
- * Where a clip is heard (X3D 4.0, 16.4.18). It leads its source through the frames, shown or not;
- * it is heard only where it is shown, and of several places at the one where it is loudest. A
- * MovieTexture as its source runs and is silent.
+ * Sound: the position and range of an audible source (X3D 4.0, 16.4.18). It updates its source in
+ * every frame, visible or not, but is audible only in visible instances, of several at the one
+ * where it is loudest. A MovieTexture as its source runs silently.
  */
 public final class SoundNode extends Node implements Sleeper {
   private final Rest rest = new Rest();
@@ -31,12 +31,12 @@ public final class SoundNode extends Node implements Sleeper {
     super(type, name, location);
   }
 
-  /** The clip that it plays; empty for none. */
+  /** Returns the clip that is the source; empty for none. */
   public Optional<AudioClipNode> clip() {
     return node("source") instanceof AudioClipNode source ? Optional.of(source) : Optional.empty();
   }
 
-  /** What is heard of it as of the last frame. */
+  /** Returns the voice that is audible as of the last frame. */
   public Optional<Voice> voice() {
     return Optional.ofNullable(voice);
   }

@@ -3,7 +3,10 @@ package org.selectiverenderer.runtime.nodes.sound;
 import java.util.Map;
 import org.selectiverenderer.runtime.scene.NodeMaker;
 
-/** The nodes of the Sound component that this program acts on, and what may be heard besides. */
+/**
+ * The constructors of the nodes of the Sound component that this program supports, and of
+ * MovieTexture, by node type name.
+ */
 public final class Sounds {
   private Sounds() {}
 

@@ -7,9 +7,9 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 
-/** Answers each {@code set_fraction} by a value that it calculates. */
+/** A node that answers each {@code set_fraction} with a computed value. */
 final class FractionNode extends Node {
-  /** Calculates and sends what a fraction stands for. */
+  /** Computes and sends the value for a fraction. */
   @FunctionalInterface
   interface Answer {
     /**

@@ -3,9 +3,9 @@ package org.selectiverenderer.runtime.nodes.spline;
 import java.util.Arrays;
 
 /**
- * A cubic Hermite spline through key values (X3D 4.0, 19.2.3). Velocities that are not given are
- * those of a Catmull-Rom spline, 0 at open ends; keys at uneven distances change neither path nor
- * smoothness of the speed.
+ * A cubic Hermite spline through key values (X3D 4.0, 19.2.3). Missing velocities are those of a
+ * Catmull-Rom spline, 0 at open ends. Velocities are adjusted for unequal key distances, so that
+ * these change neither the path nor the continuity of the speed.
  */
 final class Hermite {
   private final float[] keys;
@@ -15,8 +15,8 @@ final class Hermite {
   private final boolean closed;
 
   /**
-   * @param count keys with a whole value, at least 1
-   * @param closed whether the last value is taken as the first; only where they are the same
+   * @param count the number of keys with a complete value, at least 1
+   * @param closed whether the spline is closed; only possible if the first and last value are equal
    */
   Hermite(float[] keys, float[] values, int components, int count, boolean closed) {
     this.keys = keys;
@@ -31,12 +31,12 @@ final class Hermite {
   }
 
   /**
-   * The value between two keys.
+   * Returns the value between two keys.
    *
-   * @param low the key before
-   * @param part how far to the next, 0 to 1
-   * @param given a velocity for each key, for the first and the last only, or none
-   * @param normalize whether given velocities all have the length of the whole path
+   * @param low the index of the key before
+   * @param part the position between that key and the next, 0 to 1
+   * @param given the velocities, for each key, for the first and last only, or none
+   * @param normalize whether given velocities are scaled to the length of the whole path
    */
   float[] between(int low, double part, float[] given, boolean normalize) {
     double s = part;
@@ -66,7 +66,7 @@ final class Hermite {
     return out;
   }
 
-  /** From a key to the next, around the ends of a closed spline. */
+  /** Returns the distance from a key to the next, wrapping around in a closed spline. */
   private double gap(int key) {
     int at = Math.floorMod(key, count - 1);
     return (double) keys[at + 1] - keys[at];

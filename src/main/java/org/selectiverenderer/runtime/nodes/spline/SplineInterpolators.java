@@ -14,8 +14,8 @@ import org.selectiverenderer.runtime.scene.NodeMaker;
 import org.selectiverenderer.runtime.scene.Rotations;
 
 /**
- * The interpolators along splines. A node whose keys or control points give no curve sends nothing;
- * outside the keys the first or last value is sent.
+ * The constructors of the interpolators along splines, by node type name. A node whose keys or
+ * control points define no curve sends nothing; outside the keys the first or last value is sent.
  */
 public final class SplineInterpolators {
   public static final Map<String, NodeMaker> MAKERS = makers();
@@ -92,7 +92,7 @@ public final class SplineInterpolators {
         .ifPresent(at -> send(node, "value_changed", floats(at, 0), cascade));
   }
 
-  /** 27.4.6: +Z along the curve. */
+  /** Sends the orientation with +Z along the curve (27.4.6). */
   private static void orientation(Object fraction, Node node, Cascade cascade) {
     NurbsFields.curve(node, problem -> {})
         .map(curve -> curve.at(curve.basis().at((Float) fraction)))

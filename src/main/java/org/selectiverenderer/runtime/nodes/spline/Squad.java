@@ -11,9 +11,9 @@ final class Squad {
   private Squad() {}
 
   /**
-   * @param all unit quaternions, at least 2
-   * @param low the one before
-   * @param part how far to the next, 0 to 1
+   * @param all the unit quaternions, at least 2
+   * @param low the index of the quaternion before
+   * @param part the position between that quaternion and the next, 0 to 1
    */
   static Quaterniond between(Quaterniond[] all, int low, double part) {
     Quaterniond from = all[low];
@@ -27,7 +27,7 @@ final class Squad {
     return outer.slerp(inner, 2 * part * (1 - part));
   }
 
-  /** The same orientation on the side of another quaternion. */
+  /** Returns the same orientation in the hemisphere of another quaternion. */
   private static Quaterniond near(Quaterniond of, Quaterniond q) {
     return of.dot(q) < 0 ? new Quaterniond(-q.x, -q.y, -q.z, -q.w) : q;
   }

@@ -1,6 +1,6 @@
 /**
- * Interpolators along smooth curves: the splines of X3D 4.0, 19.4.9 to 19.4.12, and those of the
- * NURBS component (27.4).
+ * Interpolators along splines: those of X3D 4.0, 19.4.9 to 19.4.12, and of the NURBS component
+ * (27.4).
  *
  * <p>In: fractions. Out: values. Uses {@code runtime.nodes.event}, {@code runtime.scene}, {@code
  * geometry.nurbs}, {@code geometry.tessellate}, {@code x3d.catalogue} and {@code base.problem}.

@@ -10,8 +10,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Decides whether GL can be tried at all, without touching JOGL: where there is no X display its
- * classes fail to initialise, once and for all.
+ * Tests whether OpenGL can be used at all, without loading JOGL: without an X display JOGL's
+ * classes fail to initialise, and cannot be initialised again.
  */
 public final class GlAvailability {
   private static final Pattern LOCAL_DISPLAY = Pattern.compile("(?:unix)?:(\\d+)(?:\\.\\d+)?");
@@ -21,14 +21,14 @@ public final class GlAvailability {
   private GlAvailability() {}
 
   /**
-   * Why nothing can be drawn on this machine, as one sentence; empty if it can be tried. An X
-   * server that does not answer yet is given some seconds.
+   * Returns one sentence why nothing can be drawn on this machine; empty if OpenGL can be tried. An
+   * X server that does not answer yet is given some seconds.
    */
   public static Optional<String> check() {
     return check(PATIENCE);
   }
 
-  /** The same without waiting. */
+  /** Checks the same without waiting. */
   static Optional<String> checkNow() {
     return check(Duration.ZERO);
   }
@@ -46,8 +46,8 @@ public final class GlAvailability {
     String display = environment.getOrDefault("DISPLAY", "");
     if (display.isBlank() && !environment.getOrDefault("WAYLAND_DISPLAY", "").isBlank()) {
       return Optional.of(
-          "this Wayland desktop has no X display to draw on: install XWayland (package xwayland) and "
-              + "log in again");
+          "this Wayland desktop has no X display to draw on: install XWayland (package xwayland) "
+              + "and log in again");
     }
     if (display.isBlank()) {
       return Optional.of(
@@ -58,8 +58,7 @@ public final class GlAvailability {
         && Files.isDirectory(sockets)
         && !there(sockets.resolve("X" + local.group(1)), patience)) {
       return Optional.of(
-          ("no X server answers at the display %s, which DISPLAY names: it is not there, has not begun "
-                  + "or has gone; start one, or set DISPLAY to one that runs")
+          "no X server answers at DISPLAY=%s; start one, or set DISPLAY to one that runs"
               .formatted(display));
     }
     return Optional.empty();

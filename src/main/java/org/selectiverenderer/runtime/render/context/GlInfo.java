@@ -8,9 +8,9 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Objects;
 
-/** What draws: the strings of the current context. */
+/** The OpenGL driver: vendor, renderer and version strings of a context. */
 public record GlInfo(String vendor, String renderer, String version) {
-  /** The list of libraries inside the program; {@code ThirdPartyTest} holds its versions. */
+  /** The list of bundled libraries, whose versions {@code ThirdPartyTest} checks. */
   private static final String LIBRARIES = "/META-INF/THIRD-PARTY.txt";
 
   public static GlInfo of(GL gl) {
@@ -18,14 +18,17 @@ public record GlInfo(String vendor, String renderer, String version) {
         string(gl, GL.GL_VENDOR), string(gl, GL.GL_RENDERER), string(gl, GL.GL_VERSION));
   }
 
-  /** The version of JOGL, by which the program calls OpenGL; loads its native parts. */
+  /** Returns the version of JOGL; loads its native libraries. */
   public static String binding() {
     JoglLibraries.use();
     GLProfile.initSingleton();
     return libraryVersion();
   }
 
-  /** As the list has it: the manifest in which JOGL looks for its version is not in our jar. */
+  /**
+   * Reads JOGL's version from that list, because our jar lacks the manifest in which JOGL looks for
+   * it.
+   */
   static String libraryVersion() {
     try (InputStream in =
         Objects.requireNonNull(GlInfo.class.getResourceAsStream(LIBRARIES), LIBRARIES)) {
@@ -40,7 +43,7 @@ public record GlInfo(String vendor, String renderer, String version) {
     }
   }
 
-  /** Whether a processor draws, without a graphics card. */
+  /** Returns whether it is a software renderer, which draws without a graphics card. */
   public boolean software() {
     return SoftwareRasterizers.named(renderer);
   }

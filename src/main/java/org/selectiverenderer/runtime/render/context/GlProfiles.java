@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/** Finds out whether the driver has the OpenGL that is needed. */
+/** Finds the OpenGL profile that the renderer needs. */
 public final class GlProfiles {
   private static final int TRIES = 6;
   private static final long PAUSE_MS = 500;
@@ -14,10 +14,12 @@ public final class GlProfiles {
   private GlProfiles() {}
 
   /**
-   * OpenGL 3.3 or newer, core profile. JOGL asks the display once; on a busy machine it may find
-   * that no device can be opened. Then it is made to ask again, for some seconds.
+   * Returns the core profile of OpenGL 3.3 or newer. JOGL asks the display only once, and on a busy
+   * machine it may find that no device can be opened. Then it is restarted and asked again, for
+   * some seconds.
    *
-   * @throws GlUnavailableException which says whether it is the display or its driver
+   * @throws GlUnavailableException if there is no such profile; the message tells whether the
+   *     display or its driver is the reason
    */
   public static GLProfile core() {
     JoglLibraries.use();
@@ -28,15 +30,15 @@ public final class GlProfiles {
         Optional<String> best = best();
         if (best.isPresent()) {
           throw new GlUnavailableException(
-              ("the display's driver has no OpenGL 3.3, but %s: install a newer driver, or let Mesa "
-                      + "draw by the processor with LIBGL_ALWAYS_SOFTWARE=1")
+              ("the display's driver has no OpenGL 3.3, only %s: install a newer driver, or draw "
+                      + "in software with LIBGL_ALWAYS_SOFTWARE=1")
                   .formatted(best.get()),
               e);
         }
         if (tries == TRIES) {
           throw new GlUnavailableException(
-              "the display gives no OpenGL at all: its X server has gone, takes no more connections, or "
-                  + "lacks the extension GLX; start another one, or try again",
+              "the display offers no OpenGL: its X server has ended, accepts no more connections, "
+                  + "or lacks the GLX extension; start an X server with GLX, or try again",
               e);
         }
       }
@@ -45,10 +47,10 @@ public final class GlProfiles {
   }
 
   /**
-   * What JOGL answers. Its first answer takes as long as the driver takes to begin, perhaps on
-   * another thread; JOGL's own limit to that is a system property.
+   * Returns JOGL's answer. The first one takes as long as the driver's start, perhaps on another
+   * thread; JOGL limits that time by a system property.
    *
-   * @throws GlUnavailableException when JOGL has waited as long as it may
+   * @throws GlUnavailableException if JOGL's time limit is exceeded
    */
   static GLProfile begun(Supplier<GLProfile> answer) {
     try {
@@ -57,8 +59,8 @@ public final class GlProfiles {
       String message = String.valueOf(e.getMessage());
       if (e.getClass() == RuntimeException.class && message.startsWith("Waited ")) {
         throw new GlUnavailableException(
-            "OpenGL has not begun in time, as the machine is very busy or its driver hangs: try again "
-                + "when less runs, or with LIBGL_ALWAYS_SOFTWARE=1",
+            "OpenGL did not start in time: the machine is very busy or its driver hangs; try again "
+                + "when fewer programs run, or with LIBGL_ALWAYS_SOFTWARE=1",
             e);
       }
       throw e;
@@ -75,7 +77,7 @@ public final class GlProfiles {
     GLProfile.initSingleton();
   }
 
-  /** The first of the profiles, best first, that there is. */
+  /** Returns the best profile that is available. */
   private static Optional<String> best() {
     return Arrays.stream(GLProfile.GL_PROFILE_LIST_ALL).filter(GLProfile::isAvailable).findFirst();
   }

@@ -3,18 +3,18 @@ package org.selectiverenderer.runtime.render.context;
 import com.jogamp.nativewindow.NativeWindowFactory;
 
 /**
- * When the process is ended from outside, JOGL lets go of all windows and contexts in a hook of its
- * own, under whoever still draws. Here one can be heard before.
+ * Registers actions that run before JOGL's shutdown hook. When the process is terminated from
+ * outside, that hook destroys all windows and contexts even while a thread still draws.
  */
 public final class GlShutdown {
   private GlShutdown() {}
 
   /**
-   * Has something done before JOGL lets go.
+   * Runs an action before JOGL destroys its windows and contexts.
    *
-   * @param ending waits until nobody draws; called once, on another thread. Given when the window
-   *     or the context is open: JOGL's parts add themselves as they are first used, and the last
-   *     one is heard first
+   * @param ending waits until no thread draws; called once, on another thread. To be registered
+   *     when the window or the context is open: JOGL's parts register their own actions when they
+   *     are first used, and the last one registered runs first
    */
   public static void before(Runnable ending) {
     NativeWindowFactory.addCustomShutdownHook(true, ending);

@@ -8,8 +8,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * Begins OpenGL on a thread of its own, {@code gl-start}, while the program finds out what it is to
- * draw: to load the driver and to ask it what it can takes longer than to read a small scene.
+ * Initialises OpenGL on a thread of its own, {@code gl-start}, in parallel to the loading of the
+ * scene: loading and querying the driver takes longer than reading a small scene.
  */
 public final class GlStart {
   private static final long LONGEST_S = 3;
@@ -21,9 +21,9 @@ public final class GlStart {
   }
 
   /**
-   * Begins it; where there is no display nothing comes of it.
+   * Starts the initialisation; without a display it does nothing.
    *
-   * @param wanted whether anything will be drawn
+   * @param wanted whether the program will draw anything
    */
   public static GlStart begin(boolean wanted) {
     if (!wanted) {
@@ -38,15 +38,16 @@ public final class GlStart {
 
   private static boolean start() {
     if (GlAvailability.checkNow().isPresent()) {
-      return false; // Without a server that answers JOGL would find none, once and for all.
+      return false; // JOGL would not look for a display again.
     }
     JoglLibraries.use();
     return GLProfile.isAvailable(GLProfile.GL3);
   }
 
   /**
-   * Waits until it has begun: a process that ends before would pull the driver from under it. Not
-   * for long, as an X server may take a connection and never answer.
+   * Waits until the initialisation has ended, because a process that exits earlier would unload the
+   * driver during it. Waits for some seconds only, because an X server may accept a connection and
+   * never answer.
    */
   public void await() {
     try {
@@ -54,9 +55,9 @@ public final class GlStart {
         task.get().get(LONGEST_S, TimeUnit.SECONDS);
       }
     } catch (TimeoutException e) {
-      // Whoever wanted to draw has heard that nobody answers.
+      // The code that wanted to draw has reported that no X server answers.
     } catch (ExecutionException e) {
-      // Whoever opened a context met the same failure and has told it.
+      // The code that opened a context met the same failure and has reported it.
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -14,29 +14,29 @@ import org.selectiverenderer.base.files.ProgramPlace;
 import org.selectiverenderer.base.files.WholeFile;
 
 /**
- * JOGL's native parts in a folder beside the jar that brings them. JOGL itself unpacks them at
- * every start, and runs a script to find out where it may; that takes a fifth of a second of
- * processor time. They are unpacked here when the jar is new, and loaded from the folder from then
- * on.
+ * Unpacks JOGL's native libraries once into a folder beside the jar that contains them. JOGL itself
+ * unpacks them at every start, and runs a script to find an executable folder; that takes a fifth
+ * of a second of processor time. Here they are unpacked when the jar is new, and loaded from the
+ * folder from then on.
  */
 public final class JoglLibraries {
   private static final String FOLDER = "natives";
 
-  /** Written last; holds which jar the folder was made of. */
+  /** The file that is written last; it identifies the jar that the folder was made from. */
   private static final String COMPLETE = "complete";
 
   /**
-   * In the place of the jar's time, where a package brings both: installers and archives give files
-   * times of their own.
+   * Stands in place of the jar's modification time where a package contains both jar and folder,
+   * because installers and archives change the times of files.
    */
   private static final String PACKAGED = "packaged";
 
   private JoglLibraries() {}
 
   /**
-   * Has JOGL load from the folder. To be called by whoever may be the first to touch JOGL: what it
-   * has begun with stays, and a second call does nothing. Where there is no folder and none can be
-   * written, or the program does not run from a jar, JOGL unpacks them as ever.
+   * Makes JOGL load its libraries from the folder. To be called before the first use of JOGL, whose
+   * initial settings stay; a second call does nothing. Where there is no folder and none can be
+   * written, or the program does not run from a jar, JOGL unpacks them as usual.
    */
   public static synchronized void use() {
     ProgramPlace.of(JoglLibraries.class).filter(Files::isRegularFile).ifPresent(JoglLibraries::use);
@@ -57,7 +57,7 @@ public final class JoglLibraries {
             });
   }
 
-  /** JOGL's name of the machine, as far as its folder in the jar is certain. */
+  /** Returns JOGL's name of the platform, where its folder in the jar is known. */
   static Optional<String> platform(String system, String processor) {
     String name = system.toLowerCase(Locale.ROOT);
     String kind = processor.replace("x86_64", "amd64").replace("arm64", "aarch64");
@@ -73,7 +73,8 @@ public final class JoglLibraries {
   }
 
   /**
-   * The folder with all native parts for a platform, made when it is missing or of another jar.
+   * Returns the folder with all native libraries for a platform, made anew when it is missing or
+   * from another jar.
    *
    * @return empty when it cannot be made, or the jar has none for the platform
    */
@@ -92,7 +93,7 @@ public final class JoglLibraries {
       }
       return Optional.of(folder);
     } catch (IOException e) {
-      return Optional.empty(); // JOGL finds another place, or says why it cannot.
+      return Optional.empty(); // JOGL unpacks itself, or reports why not.
     }
   }
 
@@ -110,7 +111,7 @@ public final class JoglLibraries {
       for (JarEntry library : libraries) {
         String name = library.getName().substring(inside.length());
         if (name.contains("/") || name.contains("\\")) {
-          continue; // None of ours.
+          continue; // Not a library.
         }
         try (InputStream in = file.getInputStream(library)) {
           WholeFile.replace(folder.resolve(name), in.readAllBytes());

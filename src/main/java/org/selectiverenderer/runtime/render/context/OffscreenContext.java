@@ -44,7 +44,7 @@ public final class OffscreenContext implements AutoCloseable {
         drawable.destroy();
         throw new GlUnavailableException("the display gives no OpenGL 3.3 context");
       }
-      // Opening it cleared a frame buffer that a context without a surface does not have.
+      // JOGL has cleared a default framebuffer, which a context without a surface does not have.
       context.getGL().glGetError();
       return new OffscreenContext(drawable, context);
     } catch (GLException | NativeWindowException | LinkageError | AWTError e) {

@@ -6,8 +6,8 @@ import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLException;
 
 /**
- * A frame buffer of its own: eight bits per colour, 24 of depth, optionally several samples per
- * pixel.
+ * An offscreen framebuffer with eight bits per colour channel, 24 bits of depth, and optionally
+ * several samples per pixel.
  */
 public final class OffscreenTarget {
   private final int width;
@@ -19,8 +19,9 @@ public final class OffscreenTarget {
   private record Buffer(int frame, int color, int depth) {}
 
   /**
-   * @param samples per pixel; 0 or 1 for no anti-aliasing, at most what the driver allows is used
-   * @throws GLException if the driver cannot make such a frame buffer
+   * @param samples samples per pixel; 0 or 1 for no anti-aliasing; at most what the driver allows
+   *     is used
+   * @throws GLException if the driver cannot make such a framebuffer
    */
   public OffscreenTarget(GL3 gl, int width, int height, int samples) {
     this.width = width;
@@ -63,22 +64,22 @@ public final class OffscreenTarget {
     return height;
   }
 
-  /** Samples per pixel in use; 0 for none. */
+  /** Returns the samples per pixel in use; 0 without anti-aliasing. */
   public int samples() {
     return samples;
   }
 
-  /** Makes it the frame buffer that is drawn to. */
+  /** Binds the framebuffer for drawing and reading. */
   public void bind(GL3 gl) {
     gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, drawn.frame);
   }
 
-  /** Makes it the frame buffer that is drawn to, and leaves what is read from. */
+  /** Binds the framebuffer for drawing only. */
   public void bindToDraw(GL3 gl) {
     gl.glBindFramebuffer(GL2ES3.GL_DRAW_FRAMEBUFFER, drawn.frame);
   }
 
-  /** Makes what was drawn, one sample per pixel, the frame buffer that is read from. */
+  /** Resolves the samples of what was drawn, and binds the result for reading. */
   public void resolve(GL3 gl) {
     gl.glBindFramebuffer(GL.GL_READ_FRAMEBUFFER, drawn.frame);
     if (resolved != drawn) {
@@ -89,7 +90,7 @@ public final class OffscreenTarget {
     }
   }
 
-  /** What was drawn. It stays the frame buffer that is drawn to. */
+  /** Reads what was drawn. The framebuffer stays bound for drawing. */
   public Screenshot read(GL3 gl) {
     resolve(gl);
     Screenshot shot = Screenshot.read(gl, width, height);
@@ -97,7 +98,7 @@ public final class OffscreenTarget {
     return shot;
   }
 
-  /** Waits until everything is drawn; ends a frame where there is nothing to swap. */
+  /** Waits until everything is drawn (glFinish), where there is no buffer swap. */
   public void finish(GL3 gl) {
     gl.glFinish();
   }

@@ -6,9 +6,9 @@ import com.jogamp.opengl.GL3;
 import java.nio.ByteBuffer;
 
 /**
- * A picture that is carried from one context to another through memory: the screens of an X server
- * and graphics cards of different makers share nothing else. Its memory is used again for each
- * picture. Belongs to the thread that owns both contexts.
+ * A picture that is copied from one GL context to another through main memory, because the screens
+ * of an X server and graphics cards of different vendors cannot share textures. The memory is
+ * reused for each picture. Belongs to the thread that owns both contexts.
  */
 public final class PictureCopy {
   private static final int BYTES = 4;
@@ -19,7 +19,7 @@ public final class PictureCopy {
   private int texture;
   private int frame;
 
-  /** Whether there is nothing to show yet. */
+  /** Returns whether no picture was taken yet. */
   public boolean isEmpty() {
     return width == 0;
   }
@@ -32,7 +32,7 @@ public final class PictureCopy {
     return height;
   }
 
-  /** Takes a part of the frame buffer that is bound for reading, in the first context. */
+  /** Reads a part of the framebuffer that is bound for reading, in the first context. */
   public void take(GL3 gl, int x, int y, int partWidth, int partHeight) {
     int bytes = BYTES * partWidth * partHeight;
     if (pixels.capacity() < bytes) {
@@ -46,10 +46,10 @@ public final class PictureCopy {
   }
 
   /**
-   * Takes a picture that is in memory already.
+   * Takes a picture that is already in memory.
    *
-   * @param of four bytes for each pixel, from the lowest row up; direct, and not written to before
-   *     the next one is taken
+   * @param of the pixels, four bytes each, lowest row first; direct, and not written to before the
+   *     next picture is taken
    */
   public void hold(ByteBuffer of, int ofWidth, int ofHeight) {
     pixels = of;
@@ -58,8 +58,8 @@ public final class PictureCopy {
   }
 
   /**
-   * Draws it into a part of the frame buffer that is bound for drawing, in the second context,
-   * stretched to fill it.
+   * Draws the picture into a part of the framebuffer that is bound for drawing, in the second
+   * context, stretched to fill it.
    */
   public void show(GL3 gl, int x, int y, int partWidth, int partHeight) {
     int[] bound = new int[1];
@@ -104,7 +104,7 @@ public final class PictureCopy {
     gl.glBindTexture(GL.GL_TEXTURE_2D, 0);
   }
 
-  /** Frees what it has in the second context. */
+  /** Frees its resources in the second context. */
   public void dispose(GL3 gl) {
     if (texture != 0) {
       gl.glDeleteTextures(1, new int[] {texture}, 0);

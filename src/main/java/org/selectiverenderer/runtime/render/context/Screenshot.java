@@ -10,13 +10,13 @@ import org.selectiverenderer.base.files.WholeFile;
 import org.selectiverenderer.base.picture.PngFile;
 
 /**
- * A picture that was drawn.
+ * The pixels of a framebuffer.
  *
  * @param rgba width * height pixels of four bytes r, g, b, a; the first row is the lowest
  */
 public record Screenshot(int width, int height, byte[] rgba) {
 
-  /** Reads the lower left part of the frame buffer that is bound for reading. */
+  /** Reads the lower left part of the framebuffer that is bound for reading. */
   public static Screenshot read(GL3 gl, int width, int height) {
     ByteBuffer pixels = Buffers.newDirectByteBuffer(width * height * 4);
     gl.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1);
@@ -27,7 +27,7 @@ public record Screenshot(int width, int height, byte[] rgba) {
   }
 
   /**
-   * A pixel's colour as 0xRRGGBB.
+   * Returns a pixel's colour as 0xRRGGBB.
    *
    * @param x from the left
    * @param y from the bottom

@@ -3,9 +3,9 @@ package org.selectiverenderer.runtime.render.context;
 import java.util.List;
 import java.util.Locale;
 
-/** The names by which drivers that draw on the processor say so. */
+/** The names of software renderers: drivers that draw on the processor. */
 final class SoftwareRasterizers {
-  /** Parts of GL_RENDERER in small letters. */
+  /** Substrings of GL_RENDERER in lower case. */
   private static final List<String> NAMES =
       List.of(
           "llvmpipe", // Mesa

@@ -12,9 +12,9 @@ import java.time.Duration;
 import java.util.List;
 
 /**
- * Whether an X server of this machine answers. One that is being started has its socket before it
- * answers, and one that has been killed may leave it behind. JOGL looks for displays once and for
- * all, so this has to be known before it begins.
+ * Tests whether a local X server answers. A server that is being started has its socket before it
+ * answers, and one that was killed may leave its socket behind. JOGL looks for displays only once,
+ * so this must be known before JOGL is loaded.
  */
 final class XServer {
   private static final long PAUSE_MS = 50;
@@ -25,18 +25,21 @@ final class XServer {
   private static final int FLAGS = 3;
   private static final int PATH = 7;
 
-  /** The flag of sockets at which somebody listens. */
+  /** The flag of sockets that accept connections. */
   private static final String ACCEPTS = "00010000";
 
-  /** How a connection begins: little end first, version 11.0, no authorization (X protocol, 8). */
+  /**
+   * The first message of a connection: little-endian, version 11.0, no authorization (X protocol,
+   * 8).
+   */
   private static final byte[] GREETING = {'l', 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 
   private XServer() {}
 
   /**
-   * Waits until the server answers: whatever it says, it is there.
+   * Waits until the server answers; any answer counts.
    *
-   * @param patience after which it is given up; zero for one try
+   * @param patience the time after which to give up; zero for one attempt
    */
   static boolean answers(Path socket, Duration patience) {
     long end = System.nanoTime() + patience.toNanos();
@@ -55,17 +58,17 @@ final class XServer {
   }
 
   /**
-   * Whether somebody takes connections at the socket, as Linux lists it (proc(5), {@code
-   * /proc/net/unix}): quicker than to greet, for which Java needs some 40 ms at its first time. Who
-   * connects then waits for the answer of a server that is being started.
+   * Returns whether a process listens at the socket, from the list of Linux (proc(5), {@code
+   * /proc/net/unix}). This is quicker than to connect, for which Java needs some 40 ms the first
+   * time. A later connection then waits for the answer of a server that is being started.
    *
-   * @return also false where there is no such list
+   * @return whether a process listens; false where there is no such list
    */
   static boolean listens(Path socket) {
     try {
       return listens(Files.readAllLines(SOCKETS), socket.toString());
     } catch (IOException e) {
-      return false; // Another system, or a list that may not be read: the greeting tells.
+      return false; // Not Linux, or not readable: connecting decides.
     }
   }
 
@@ -89,7 +92,7 @@ final class XServer {
       channel.register(selector, SelectionKey.OP_READ);
       return selector.select(ANSWER_MS) > 0 && channel.read(ByteBuffer.allocate(1)) == 1;
     } catch (IOException e) {
-      return false; // There is no socket, or nobody listens at it, or no longer.
+      return false; // No socket, or no process listens at it.
     }
   }
 }

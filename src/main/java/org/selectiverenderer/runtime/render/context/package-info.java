@@ -1,10 +1,10 @@
 /**
- * Whether there is GL, what it is, and drawing without a window.
+ * Tests whether OpenGL is available and which driver it is, and draws without a window.
  *
- * <p>In: the environment. Out: a current context, a frame buffer of any size, pictures. {@link
+ * <p>In: the environment. Out: a current context, a framebuffer of any size, pictures. {@link
  * org.selectiverenderer.runtime.render.context.GlAvailability} alone may be used before it is known
- * that there is a display. JOGL's native parts are unpacked once, beside the program's jar. Uses
- * {@code base.picture}, {@code base.files} and JOGL.
+ * that there is a display. JOGL's native libraries are unpacked once, beside the program's jar.
+ * Uses {@code base.picture}, {@code base.files} and JOGL.
  */
 @NullMarked
 package org.selectiverenderer.runtime.render.context;

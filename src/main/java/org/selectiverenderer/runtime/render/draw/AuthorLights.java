@@ -3,21 +3,26 @@ package org.selectiverenderer.runtime.render.draw;
 import java.util.Optional;
 import org.selectiverenderer.runtime.instance.Light;
 
-/** What programs of authors ask of a light: members of GLSL's own structure and of X_ITE's. */
+/**
+ * The light uniforms that custom shaders read: the members of GLSL 1.20's {@code gl_LightSource}
+ * structure and of X_ITE's.
+ */
 final class AuthorLights {
   private static final float[] NONE = new float[EyeLights.PER_LIGHT];
 
   private AuthorLights() {}
 
-  /** One member of a light's structure. */
+  /** Reads one member of a light's structure. */
   interface Member {
     /**
-     * @param all twenty numbers per light, as {@code light.glsl} has them
-     * @param at where the light's begin
+     * @param all the packed lights, twenty numbers each, in the order of {@code light.glsl}
+     * @param at the index of the light's first number
      */
     float[] of(float[] all, int at, Light.Kind kind);
 
-    /** Of the light of that number; what is dark when there are not so many. */
+    /**
+     * Returns the member of the light of that index; of a dark light where there are fewer lights.
+     */
     default float[] of(EyeLights.Packed lights, int index, int count) {
       if (index >= count) {
         return of(NONE, 0, Light.Kind.DIRECTIONAL);
@@ -78,7 +83,10 @@ final class AuthorLights {
     return new float[] {n[at], n[at + 1], n[at + 2]};
   }
 
-  /** Between the light and the eye, which OpenGL has far away on its axis (GLSL 1.20, 7.5). */
+  /**
+   * Returns the half vector between the light and the eye, which OpenGL takes as infinitely far
+   * along the Z axis (GLSL 1.20, 7.5).
+   */
   private static float[] half(float[] n, int at) {
     double length = Math.sqrt(n[at] * n[at] + n[at + 1] * n[at + 1] + n[at + 2] * n[at + 2]);
     double scale = length == 0 ? 0 : 1 / length;

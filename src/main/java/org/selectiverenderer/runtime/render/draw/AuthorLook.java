@@ -10,12 +10,12 @@ import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * A shape's look where the program of an author makes it.
+ * The custom shader that draws a shape, with the sources of its uniforms and its textures.
  *
- * @param source what the author wrote
- * @param numbers where the program's numbers come from
- * @param textures of the program's samplers, one for each element of an array; null for a kind of
- *     sampler that has none
+ * @param source the shader node's program as the author wrote it
+ * @param numbers the program's uniforms, each with the source of its value
+ * @param textures the textures of the program's samplers, one for each element of a sampler array;
+ *     empty for a sampler type that is not supported
  */
 record AuthorLook(
     AuthorProgram program,
@@ -24,23 +24,23 @@ record AuthorLook(
     List<Optional<GpuTexture>> textures) {
 
   /**
-   * A number of the program.
+   * A uniform of the program and the source of its value.
    *
-   * @param field of the shader with its name, else null
-   * @param value what browsers give by that name, else null; where both are null it is the
-   *     program's own, which a shader beside this one may have set
+   * @param field the shader node's field of that name, else null
+   * @param value the built-in value of that name, else null; where both are null the uniform keeps
+   *     the value that the program's text gives it, and is reset if another shape has set it
    */
   record Number(
       AuthorProgram.Uniform uniform,
       SurfaceProgram.@Nullable ProgramField field,
       AuthorValues.@Nullable Value value) {}
 
-  /** Whether the shape may be drawn elsewhere than where its mesh is. */
+  /** Returns whether vertex or geometry stages may move the shape away from its mesh's bounds. */
   boolean moves() {
     return source.parts().stream().anyMatch(part -> part.stage() != SurfaceProgram.Stage.FRAGMENT);
   }
 
-  /** Whether it says how large points are. */
+  /** Returns whether the program writes {@code gl_PointSize}. */
   boolean sizesPoints() {
     return source.parts().stream()
         .anyMatch(
@@ -49,7 +49,7 @@ record AuthorLook(
                     && part.text().text().contains("gl_PointSize"));
   }
 
-  /** Makes program and textures current, and sends the numbers that have changed. */
+  /** Makes program and textures current, and sends the uniforms that have changed. */
   void send(GL3 gl, AuthorState state) {
     program.use(gl);
     for (int unit = 0; unit < textures.size(); unit++) {
@@ -68,7 +68,7 @@ record AuthorLook(
     }
   }
 
-  /** A field's value as numbers: 1 for TRUE, numbers of double precision as floats. */
+  /** Converts a field's value to floats: 1 for TRUE, doubles rounded to single precision. */
   static float[] floats(FieldType type, Object value) {
     if (value instanceof float[] floats) {
       return floats;

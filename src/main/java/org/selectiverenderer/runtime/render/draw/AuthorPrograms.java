@@ -28,11 +28,11 @@ import org.selectiverenderer.runtime.render.gpu.AuthorProgram;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 
 /**
- * The programs of authors on the graphics card, each once however many shapes and nodes have its
- * text. Chooses for a shape the first that compiles, and tells the shaders and the author.
+ * The compiled custom shaders, each once however many shapes and nodes share its text. Chooses for
+ * a shape the first of its shaders that compiles, and reports to the shader nodes and the author.
  */
 final class AuthorPrograms {
-  /** Shown where a program wants a texture and there is none. */
+  /** The image that a sampler shows where the scene has no texture for it. */
   private static final Texture.Image BLACK =
       new Texture.Image(1, 1, 4, new byte[] {0, 0, 0, (byte) 255});
 
@@ -46,9 +46,9 @@ final class AuthorPrograms {
   private @Nullable GlslTranslator translator;
 
   /**
-   * What a program is made of.
+   * The source texts and attribute locations that a program is compiled from.
    *
-   * @param attributes where its meshes have what is beside position, normal and colour
+   * @param attributes the locations of vertex attributes beyond position, normal and colour
    */
   private record Key(List<SurfaceProgram.Part> parts, Map<String, Integer> attributes) {}
 
@@ -57,10 +57,10 @@ final class AuthorPrograms {
   }
 
   /**
-   * The look of a shape by one of its shaders; null when none of them can be used.
+   * Returns the first of a shape's shaders that compiles; null when none does.
    *
-   * @param drawn its mesh
-   * @param textures puts a texture on the card
+   * @param drawn the mesh that is drawn
+   * @param textures uploads a texture
    */
   @Nullable AuthorLook choose(
       GL3 gl, ShapeInstance shape, Mesh drawn, Function<TextureSource, GpuTexture> textures) {
@@ -168,13 +168,15 @@ final class AuthorPrograms {
         "%s: %s; %s"
             .formatted(
                 unit == null
-                    ? "the parts of " + program.node() + " do not fit together"
-                    : "the part " + unit.stage() + " of " + program.node() + " does not compile",
+                    ? "the shader stages of " + program.node() + " do not link"
+                    : "the " + unit.stage() + " shader of " + program.node() + " does not compile",
                 failure.log().message(),
-                another ? "another shader is used" : "the shape is drawn by its material"));
+                another
+                    ? "the next shader of the Appearance is used"
+                    : "the shape is drawn by its material"));
   }
 
-  /** Fields that are of another kind than the program's number of that name. */
+  /** Returns a warning for each field whose type differs from that of the uniform of its name. */
   private static List<Problem> misfits(AuthorLook look) {
     List<Problem> problems = new ArrayList<>();
     Map<String, ProgramField> fields = fields(look.source());
@@ -185,7 +187,7 @@ final class AuthorPrograms {
             new Problem(
                 Problem.Severity.WARNING,
                 field.holder().location(),
-                "the field %s of %s is an %s, %s; the program's keeps its own value"
+                "the field %s of %s (%s) %s; the uniform keeps its own value"
                     .formatted(
                         field.name(), field.holder(), field.type(), misfit(field, uniform))));
       }
@@ -195,16 +197,16 @@ final class AuthorPrograms {
 
   private static String misfit(ProgramField field, AuthorProgram.Uniform uniform) {
     return numbers(field)
-        ? "of %s numbers each, but its program has %s in what it calls so"
+        ? "has %s components, but the uniform of that name has %s"
             .formatted(field.type().components(), uniform.components())
-        : "and programs have numbers only";
+        : "cannot be a uniform: shaders take no strings and no image fields";
   }
 
   private static boolean fits(ProgramField field, AuthorProgram.Uniform uniform) {
     return numbers(field) && field.type().components() == uniform.components();
   }
 
-  /** Whether a program can have its value: not a text, not an image. */
+  /** Returns whether the field's type can be a uniform: strings and images cannot. */
   private static boolean numbers(ProgramField field) {
     return switch (field.type()) {
       case SFString, MFString, SFImage, MFImage -> false;
@@ -242,14 +244,14 @@ final class AuthorPrograms {
     return new AuthorLook(program, source, List.copyOf(numbers), List.copyOf(images));
   }
 
-  /** Which texture a sampler shows; a black one when there is none of its kind. */
+  /** Returns the texture that a sampler shows; a black one when the scene has none of its type. */
   private static Optional<TextureSource> texture(
       AuthorProgram.Uniform sampler, @Nullable ProgramField field, int element, SurfaceProgram of) {
     TextureSource found = null;
     if (field != null && field.type().isNode()) {
       found = element < field.textures().size() ? field.textures().get(element) : null;
     } else {
-      // As OpenGL has it: the number of a unit, 0 where nothing is said.
+      // As in OpenGL, a sampler's value is the number of a texture unit, 0 by default.
       int unit = sampler.name().startsWith("x3d_") ? element : 0;
       if (field != null) {
         float[] given = AuthorLook.floats(field.type(), field.value());
@@ -274,7 +276,7 @@ final class AuthorPrograms {
     return one.cube() ? other.cube() : one.getClass() == other.getClass();
   }
 
-  /** Frees programs that none of the items could use. */
+  /** Frees the programs that none of the items uses. */
   void keepOnly(GL3 gl, List<DrawItem> items) {
     if (outcomes.isEmpty()) {
       return;

@@ -7,11 +7,12 @@ import org.selectiverenderer.runtime.instance.Fog;
 import org.selectiverenderer.runtime.instance.Surface;
 
 /**
- * What the program of an author may ask for when a shape is drawn for an eye.
+ * The state from which the built-in uniforms of a custom shader are computed, for one shape and one
+ * eye.
  *
- * @param toEye from the buffers' coordinates to the eye's
- * @param lights that are on and reach it, in the eye's coordinates
- * @param fog where the shape is
+ * @param toEye the model-view matrix, from the coordinates in the buffers to the eye's
+ * @param lights the lights that are on and reach the shape, in the eye's coordinates
+ * @param fog the fog at the shape
  */
 record AuthorState(
     DrawItem item, Camera camera, Matrix4dc toEye, EyeLights.Packed lights, Fog fog) {
@@ -20,7 +21,7 @@ record AuthorState(
     return item.surface();
   }
 
-  /** The material of the back: that of the front unless it has its own. */
+  /** Returns the back material: the front one unless the surface has its own. */
   Surface back() {
     Surface front = item.surface();
     return front.detail() != null && front.detail().back() != null ? front.detail().back() : front;

@@ -13,11 +13,11 @@ import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.instance.TextureUnit;
 
 /**
- * The numbers that browsers give to programs of authors, by their names: GLSL's own up to 1.20
- * (beginning with sr_ here), X_ITE's, Castle's, X3DOM's.
+ * The built-in uniforms that custom shaders expect from a browser, by name: those of GLSL up to
+ * 1.20 (with the prefix {@code sr_} here), X_ITE's, Castle Game Engine's and X3DOM's.
  */
 final class AuthorValues {
-  /** Lights that such programs count on. */
+  /** The number of lights in the arrays that such shaders declare. */
   static final int MOST_LIGHTS = 8;
 
   private static final Pattern OF_LIGHT =
@@ -28,7 +28,7 @@ final class AuthorValues {
       Pattern.compile(
           "(sr|x3d)_(Front|Back)?(Material|LightModelProduct|Fog)(?:\\[0\\])?\\.(\\w+)");
 
-  /** A number or several, in a state of drawing. */
+  /** Computes a uniform's value from the drawing state. */
   interface Value extends Function<AuthorState, float[]> {}
 
   private static final Map<String, Value> MATRICES =
@@ -48,9 +48,10 @@ final class AuthorValues {
   private AuthorValues() {}
 
   /**
-   * What stands behind a name; empty for a name that no browser gives a value.
+   * Returns how the uniform of a name is computed; empty for a name that no browser defines.
    *
-   * @param components numbers that the program has in it: some have the normals' matrix in 16
+   * @param components the components of the uniform, since some programs declare the normal matrix
+   *     as a mat4
    */
   static Optional<Value> of(String name, int components) {
     Matcher light = OF_LIGHT.matcher(name);
@@ -176,7 +177,7 @@ final class AuthorValues {
     if (value != null) {
       return Optional.of(value);
     }
-    // X_ITE's and Titania's names of before they had structures.
+    // The older names of X_ITE and Titania, from before these browsers used structures.
     if (name.startsWith("x3d_Fog")) {
       String word = name.substring("x3d_Fog".length());
       return word.isEmpty() ? Optional.empty() : fog(lower(word));
@@ -233,7 +234,8 @@ final class AuthorValues {
   }
 
   /**
-   * @param old whether the member is one of OpenGL, whose shininess goes to 128, not to 1
+   * @param old whether the member belongs to OpenGL's structure, whose shininess is 0..128 instead
+   *     of 0..1
    */
   private static Optional<Value> material(boolean back, String member, boolean old) {
     return Optional.ofNullable(

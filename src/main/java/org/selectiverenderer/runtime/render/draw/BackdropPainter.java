@@ -11,11 +11,11 @@ import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.render.gpu.Program;
 
-/** Draws sky, ground and pictures behind what is drawn already (X3D 4.0, 24.4.1). */
+/** Draws a Background's sky, ground and images behind what is drawn already (X3D 4.0, 24.4.1). */
 final class BackdropPainter {
   private static final int MAX_STOPS = 32;
 
-  /** How much of the background one sees in a parallel view, from bottom to top. */
+  /** The vertical angle of the background that a parallel projection shows. */
   private static final double PARALLEL_ANGLE = Math.PI / 4;
 
   private @Nullable Program program;
@@ -32,7 +32,7 @@ final class BackdropPainter {
     gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
   }
 
-  /** Fills what nothing was drawn on, unless clearing did that. */
+  /** Fills the pixels that nothing was drawn on, unless clearing did that already. */
   void paint(GL3 gl, Backdrop backdrop, Camera camera) {
     if (backdrop.plain() && backdrop.pictures().isEmpty() && skybox.isEmpty()) {
       return;
@@ -49,12 +49,14 @@ final class BackdropPainter {
     gl.glDepthFunc(GL.GL_LESS);
   }
 
-  /** Paints a transparent backdrop over what is in the picture, before anything is before it. */
+  /**
+   * Blends a transparent background over the layers below, before this layer's shapes are drawn.
+   */
   void paintOver(GL3 gl, Backdrop backdrop, Camera camera) {
     gl.glDisable(GL.GL_DEPTH_TEST);
     gl.glDisable(GL.GL_CULL_FACE);
     Matrix4d toClip = toClip(backdrop, camera);
-    // Its colours are multiplied by its opacity already.
+    // Premultiplied alpha: the shader has multiplied the colours by the opacity.
     gl.glEnable(GL.GL_BLEND);
     gl.glBlendColor(0, 0, 0, 1 - backdrop.transparency());
     gl.glBlendFunc(GL.GL_ONE, GL3.GL_ONE_MINUS_CONSTANT_ALPHA);
@@ -79,10 +81,10 @@ final class BackdropPainter {
     gl.glDrawArrays(GL.GL_TRIANGLES, 0, 3);
   }
 
-  /** From the directions of the background to clip coordinates. */
+  /** Returns the matrix from the background's directions to clip coordinates. */
   private static Matrix4d toClip(Backdrop backdrop, Camera camera) {
     Matrix4d rotation = new Matrix4d(camera.view()).setTranslation(0, 0, 0);
-    // Seen in parallel, all of a picture would be one direction.
+    // In a parallel projection all pixels have the same direction.
     Matrix4dc projection =
         camera.projection().m33() == 0
             ? camera.projection()
@@ -92,7 +94,8 @@ final class BackdropPainter {
   }
 
   /**
-   * The directions, in the background, of the centre and of one unit right and up at the far plane.
+   * Returns the directions in the background's coordinates of one clip unit right, one up, and of
+   * the centre of the far plane.
    */
   private static float[] unproject(Matrix4d toClip) {
     Matrix4d inverse = toClip.invert(new Matrix4d());

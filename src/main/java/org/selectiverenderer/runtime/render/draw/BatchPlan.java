@@ -14,30 +14,33 @@ import org.selectiverenderer.runtime.render.mesh.MeshMerger;
 import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 
 /**
- * Decides which shapes share a batch: those of one look that are small and near each other. Of
- * plain lit shapes the diffuse colours may differ: then the batch's vertices have them.
+ * Decides which shapes share a batch: small shapes of equal draw state that are near each other.
+ * The diffuse colours of plain lit shapes may differ; they are then stored in the batch's vertices.
  */
 final class BatchPlan {
   /**
-   * Indices of a mesh's coarsest stage beyond which a call of its own costs next to nothing beside
-   * its triangles.
+   * The number of indices of a mesh's coarsest level above which the cost of a draw call of its own
+   * is negligible beside its triangles.
    */
   private static final int MOST_OF_ONE = 3 * 512;
 
   /**
-   * Indices of a batch, of coarsest stages. Batches are drawn front to back, the shapes in one are
-   * not: with four times as many, 1,000 shapes took a tenth more of the rasteriser's time and no
-   * less before.
+   * The most indices of a batch, counted at the coarsest levels. Batches are drawn front to back,
+   * but not the shapes within one: with batches four times as large, 1,000 shapes took a tenth more
+   * of the rasteriser's time and no less of ours.
    */
   private static final int MOST_TOGETHER = 3 * 1024;
 
-  /** Indices up to which a mesh is copied for every shape that uses it. */
+  /** The number of indices up to which a mesh is copied for every shape that uses it. */
   private static final int ALWAYS_COPIED = 3 * 128;
 
-  /** Indices that the copies of one larger mesh may have together. */
+  /** The most indices that all copies of one larger mesh may have together. */
   private static final int MOST_COPIED = 3 * 65_536;
 
-  /** How far a batch reaches in sizes of its smallest shape: floats stay exact enough for that. */
+  /**
+   * The largest extent of a batch in multiples of its smallest shape's size, so that
+   * single-precision coordinates stay exact enough.
+   */
   private static final double WIDEST = 1024;
 
   private BatchPlan() {}
@@ -45,10 +48,10 @@ final class BatchPlan {
   private record LitLook(DrawLook look, boolean byVertex) {}
 
   /**
-   * A shape that may share a batch with those of an equal look.
+   * A shape that may share a batch with shapes of equal draw state.
    *
-   * @param number of the shape among those that are new, the order in a batch too
-   * @param staged what is drawn: the shape's own mesh or a finer one
+   * @param number the shape's index among the new shapes, which is also its order in a batch
+   * @param staged the mesh that is drawn: the shape's own or a refined one
    */
   record Candidate(
       int number, ShapeInstance shape, StagedMesh staged, DrawLook look, Lighting lighting) {
@@ -57,15 +60,15 @@ final class BatchPlan {
     }
 
     /**
-     * Indices of what is drawn of it from afar. Calls cost time where many shapes are in view, and
-     * then most are far away.
+     * The number of indices that is drawn from afar. The cost of draw calls matters when many
+     * shapes are in view, and then most of them are far away.
      */
     int least() {
       return staged.least();
     }
   }
 
-  /** The batches, of two shapes or more each; shapes that are in none are drawn by themselves. */
+  /** Returns the batches, each of two or more shapes; all other shapes are drawn by themselves. */
   static List<List<Candidate>> of(List<Candidate> candidates) {
     Map<Mesh, Integer> uses = new IdentityHashMap<>();
     candidates.forEach(candidate -> uses.merge(candidate.mesh(), 1, Integer::sum));
@@ -85,7 +88,10 @@ final class BatchPlan {
     return batches;
   }
 
-  /** What all shapes have in common that differ in their diffuse colours only. */
+  /**
+   * Returns the draw state without its diffuse colour, if the shape may be batched regardless of
+   * it.
+   */
   private static DrawLook colourless(Candidate candidate) {
     DrawLook look = candidate.look();
     if (!candidate.shape().surface().lit()
@@ -102,7 +108,8 @@ final class BatchPlan {
   private static boolean mergeable(Candidate candidate, int uses) {
     int indices = candidate.mesh().indices().length;
     double determinant = candidate.shape().world().determinant3x3();
-    // Blended shapes are drawn one by one, back to front; what moves may be lit now so, now so.
+    // Blended shapes are drawn one by one, back to front; a moving shape may change between
+    // per-vertex and per-pixel lighting.
     return !candidate.look().blended()
         && candidate.look().detail() == null
         && candidate.look().author() == null
@@ -116,15 +123,18 @@ final class BatchPlan {
         && Double.isFinite(1 / determinant);
   }
 
-  /** Halves what is too much or too wide for one batch along its longest side. */
+  /**
+   * Splits shapes that are too many or too far apart for one batch at the median of the longest
+   * axis.
+   */
   private static void split(List<Candidate> alike, List<List<Candidate>> batches) {
     if (alike.size() < 2) {
       return;
     }
     double[] box = bounds(alike);
     if (fits(alike, box)) {
-      // In the order in which they are visited each frame, neighbours in the buffers are one
-      // stretch.
+      // In the order in which shapes are visited each frame, so that visible neighbours form one
+      // range of the index buffer.
       batches.add(alike.stream().sorted(Comparator.comparingInt(Candidate::number)).toList());
       return;
     }
@@ -150,7 +160,7 @@ final class BatchPlan {
         && size(box) <= WIDEST * smallest;
   }
 
-  /** The box around shapes: min x, y, z, max x, y, z. */
+  /** Returns the bounding box of shapes: min x, y, z, max x, y, z. */
   static double[] bounds(List<Candidate> candidates) {
     double[] all = candidates.get(0).shape().bounds().clone();
     for (Candidate candidate : candidates) {

@@ -12,20 +12,20 @@ import org.selectiverenderer.runtime.render.mesh.Clusters;
 import org.selectiverenderer.runtime.render.occlude.Occlusion;
 
 /**
- * Finds what some eye can see: by the boxes of shapes, in its frustum and not behind others, then,
- * within a shape, by clusters of triangles outside of every eye's frustum, hidden or, when the
- * shape is solid, turned away from all eyes. Keeps too much rather than too little. Makes no GL
- * calls.
+ * Finds what at least one eye can see: first shapes, whose bounding boxes are tested against each
+ * eye's frustum and occluders; then, within a shape, triangle clusters, which are left out if they
+ * are outside of every frustum, occluded or, when the shape is solid, facing away from all eyes.
+ * Conservative. Makes no GL calls.
  *
- * <p>What is seen is drawn by program and texture, within that front to back, which spares covered
- * pixels; a batch stands where its nearest item does.
+ * <p>Visible items are sorted by program and texture, then front to back, which saves the shading
+ * of covered pixels; a batch has the place of its nearest item.
  */
 final class Culler {
-  /** Fewer clusters are not worth looking at. */
+  /** Shapes with fewer clusters are not tested cluster by cluster. */
   private static final int FEWEST_CLUSTERS = 2;
 
   /**
-   * How far points and lines reach beyond their box in the picture, at most, unless they are wider.
+   * The pixels by which points and lines of the usual width may reach beyond their bounding box.
    */
   private static final double LOOSE_PIXELS = 4;
 
@@ -43,16 +43,16 @@ final class Culler {
   private long hidden;
 
   /**
-   * @param out where what is seen is put
+   * @param out receives the visible items
    */
   Culler(Visible out) {
     this.out = out;
   }
 
   /**
-   * Fills the list with what of the items some eye sees.
+   * Fills the visible set with what at least one eye sees of the items.
    *
-   * @param hiding null to keep what is hidden behind other things
+   * @param hiding the occlusion test, or null to keep what is hidden behind other things
    */
   void cull(List<DrawItem> items, List<Camera> seeing, @Nullable Occlusion hiding) {
     out.clear();
@@ -111,7 +111,7 @@ final class Culler {
       }
     }
     for (int i = 0; i < count; i++) {
-      // Of a batch the place in the order is known when all its items are.
+      // The sort key of a batch is known only when all its items are.
       DrawItem item = items.get((int) order[i] & DrawOrder.INDEX_MASK);
       DrawBatch batch = item.part().batch();
       order[i] = batch == null ? order[i] : DrawOrder.key(item, batch.nearest, batch.first);
@@ -120,7 +120,7 @@ final class Culler {
     for (int i = 0; i < count; i++) {
       add(items, (int) order[i] & DrawOrder.INDEX_MASK);
     }
-    // Clusters may have emptied items; those stay in the list without stretches.
+    // Items of which all clusters were culled stay in the list with no index range.
   }
 
   private boolean hides(DrawItem item) {
@@ -148,7 +148,9 @@ final class Culler {
     }
   }
 
-  /** Adds an item to those of its batch; true for the first. */
+  /**
+   * Appends an item to the linked list of its batch's visible items; returns true for the first.
+   */
   private boolean string(DrawBatch batch, int index, int distance) {
     boolean first = batch.first < 0;
     if (first) {
@@ -161,7 +163,7 @@ final class Culler {
     return first;
   }
 
-  /** Adds an item, or all of its batch that is seen, in the order of the index buffer. */
+  /** Adds an item, or all visible items of its batch in the order of the index buffer. */
   private void add(List<DrawItem> items, int index) {
     DrawBatch batch = items.get(index).part().batch();
     if (batch == null) {
@@ -225,7 +227,7 @@ final class Culler {
     }
   }
 
-  /** Whether all eyes see nothing but fronts of the clusters, whichever of them they see. */
+  /** Returns whether all clusters face every eye with their front sides. */
   private boolean fronts(Clusters clusters) {
     for (int c = 0; c < clusters.size(); c++) {
       for (Vector3d at : localEyes) {

@@ -7,11 +7,13 @@ import org.selectiverenderer.runtime.instance.TextureStage;
 import org.selectiverenderer.runtime.instance.TextureUnit;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 
-/** What the opacity of a detailed surface is for (X3D 4.0, 12.4.2: {@code alphaMode}). */
+/**
+ * Interprets the opacity of a surface with several textures (X3D 4.0, 12.4.2: {@code alphaMode}).
+ */
 final class DetailAlpha {
   private DetailAlpha() {}
 
-  /** Whether it is blended over what is behind. */
+  /** Returns whether the surface is blended over what is behind it. */
   static boolean blended(
       Surface surface, SurfaceDetail detail, List<GpuTexture> images, boolean translucentColors) {
     return switch (detail.alphaMode()) {
@@ -27,14 +29,16 @@ final class DetailAlpha {
     };
   }
 
-  /** Whether pixels are left out where an image has none. */
+  /** Returns whether pixels are discarded where an image is transparent. */
   static boolean cutOut(SurfaceDetail detail, List<GpuTexture> images) {
     return detail.alphaMode() == SurfaceDetail.AlphaMode.AUTO
         && any(detail, images, GpuTexture.Alpha.CUT_OUT)
         && !any(detail, images, GpuTexture.Alpha.BLENDED);
   }
 
-  /** Whether an image that says what is there has such an alpha channel. */
+  /**
+   * Returns whether one of the images that determine the opacity has an alpha channel of that kind.
+   */
   private static boolean any(
       SurfaceDetail detail, List<GpuTexture> images, GpuTexture.Alpha alpha) {
     for (int i = 0; i < images.size(); i++) {

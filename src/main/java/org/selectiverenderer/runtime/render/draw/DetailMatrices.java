@@ -4,7 +4,7 @@ import java.util.List;
 import org.joml.Matrix4f;
 import org.selectiverenderer.runtime.instance.TextureUnit;
 
-/** The matrices by which a shader multiplies texture coordinates. */
+/** Computes the matrices by which a shader multiplies texture coordinates. */
 final class DetailMatrices {
   private DetailMatrices() {}
 
@@ -26,7 +26,7 @@ final class DetailMatrices {
     return all;
   }
 
-  /** From 0 to 1 along each side of the box. */
+  /** Returns the map to coordinates from 0 to 1 along each side of the bounding box. */
   private static Matrix4f through(float[] b) {
     return new Matrix4f()
         .scale(share(b[3] - b[0]), share(b[4] - b[1]), share(b[5] - b[2]))
@@ -37,7 +37,7 @@ final class DetailMatrices {
     return side > 0 ? 1 / side : 0;
   }
 
-  /** As seen from the middle of the box. */
+  /** Returns the map to directions from the centre of the bounding box. */
   private static Matrix4f aroundMiddle(float[] b) {
     return new Matrix4f().translation(-(b[0] + b[3]) / 2, -(b[1] + b[4]) / 2, -(b[2] + b[5]) / 2);
   }

@@ -3,24 +3,24 @@ package org.selectiverenderer.runtime.render.draw;
 import org.joml.Matrix4dc;
 
 /**
- * Shapes that lie in one pair of buffers and are drawn by one call. Between frames it is a value;
- * within one, {@link Culler} strings its visible items together here.
+ * Shapes whose vertices lie in one pair of buffers, so that the visible ones are drawn by one call.
+ * While a frame is culled, {@link Culler} keeps the linked list of the batch's visible items here.
  */
 final class DrawBatch {
   private final Matrix4dc place;
   private final boolean tinted;
 
-  /** First and last of its items found visible, by their numbers; -1 for none. */
+  /** Indices of the first and last visible item found so far; -1 for none. */
   int first = -1;
 
   int last = -1;
 
-  /** The least distance of these items from an eye, as {@link Culler} writes distances. */
+  /** The least distance of these items from an eye, in {@link Culler}'s sortable form. */
   int nearest = Integer.MAX_VALUE;
 
   /**
-   * @param place from the coordinates in its buffers to the world: a translation
-   * @param tinted whether its vertices have the diffuse colours of its shapes
+   * @param place the translation from the coordinates in its buffers to the world
+   * @param tinted whether its vertices store the diffuse colours of its shapes
    */
   DrawBatch(Matrix4dc place, boolean tinted) {
     this.place = place;
@@ -35,7 +35,7 @@ final class DrawBatch {
     return place;
   }
 
-  /** Ends the frame's list of visible items. */
+  /** Empties the list of visible items. */
   void forget() {
     first = -1;
     last = -1;

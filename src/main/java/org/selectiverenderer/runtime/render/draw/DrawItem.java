@@ -19,20 +19,21 @@ import org.selectiverenderer.runtime.render.light.Lighting;
 import org.selectiverenderer.runtime.render.mesh.Clusters;
 
 /**
- * A shape instance with everything on the graphics card that drawing it takes. Valid as long as the
- * shape has this mesh and surface and, in a batch, stands where it stood.
+ * A shape instance with everything on the graphics card that drawing it needs. It is valid as long
+ * as the shape keeps this mesh and surface and, in a batch, its place.
  *
- * @param source the shape's mesh; what is drawn of it may be finer
- * @param part what it draws
- * @param byPixel the programs that light it at its pixels
- * @param byVertex those that light it at its vertices
- * @param numbers the material as the light model wants it
- * @param blended whether it is drawn over what is behind, back to front
- * @param form how its primitives become pixels
- * @param around the fog and planes whose scope it is in
- * @param rank of its program and texture in the order of drawing
- * @param detail of a surface that has more than a material and an image, else null
- * @param author what the program of an author makes of it, in place of all that; else null
+ * @param source the shape's own mesh; the mesh that is drawn may be a refined one
+ * @param part the range of an index buffer that it draws
+ * @param byPixel the shader programs with per-pixel lighting
+ * @param byVertex the shader programs with per-vertex lighting
+ * @param numbers the material's uniform values, in the order of the lighting shader
+ * @param blended whether it is blended, and so drawn back to front after the opaque items
+ * @param form how its lines, points or areas are rasterised
+ * @param around the fog, clip planes and environment light in whose scope it is
+ * @param rank the place of its program and texture in the drawing order
+ * @param detail the textures and uniforms of a surface that has more than a material and one image,
+ *     else null
+ * @param author the custom shader that replaces material and textures, else null
  */
 public record DrawItem(
     ShapeInstance shape,
@@ -53,12 +54,12 @@ public record DrawItem(
     @Nullable DetailTextures detail,
     @Nullable AuthorLook author) {
 
-  /** The buffers, which other items may share. */
+  /** Returns the vertex and index buffer, which other items may share. */
   public GpuMesh mesh() {
     return part.mesh();
   }
 
-  /** Whether every pixel of it covers what is behind. */
+  /** Returns whether every pixel of it covers what is behind it. */
   boolean opaque() {
     return !blended
         && author == null
@@ -68,22 +69,26 @@ public record DrawItem(
         && (detail == null || !detail.holes());
   }
 
-  /** Whether nobody knows where it will be seen. */
+  /**
+   * Returns whether a custom shader may move it out of its bounds, so that it must not be culled.
+   */
   boolean anywhere() {
     return author != null && author.moves();
   }
 
-  /** Which triangles of the buffers are its own, as finely as they are divided. */
+  /** Returns the clusters of its triangles at the finest refinement level. */
   public Clusters clusters() {
     return part.clusters();
   }
 
-  /** From the coordinates of the buffers to the world. */
+  /** Returns the matrix from the coordinates in the buffers to the world. */
   public Matrix4dc place() {
     return part.place(shape);
   }
 
-  /** Whether the shape still has what this was made from. */
+  /**
+   * Returns whether the shape still has the mesh, surface and stroke that this item was made from.
+   */
   boolean current() {
     return shape.surface() == surface
         && shape.mesh().orElse(null) == source
@@ -91,20 +96,23 @@ public record DrawItem(
         && part.holds(shape);
   }
 
-  /** The programs for where the shape is now. */
+  /**
+   * Returns the programs for the shape's present place: per vertex where that is good enough there.
+   */
   ShapePrograms.Family programs() {
     return lighting.byVertex(shape) ? byVertex : byPixel;
   }
 
-  /** The lights that may reach it where it is now. */
+  /** Returns the lights that may reach the shape at its present place. */
   List<LightInstance> reaching() {
     return lighting.reaching(shape, ShapeProgram.MAX_LIGHTS - 1); // One for the headlight.
   }
 
   /**
-   * Of indices that are drawn, how many the shape's own mesh has for the same.
+   * Converts a number of indices drawn from a refined mesh to the corresponding number of the
+   * shape's own mesh, so that statistics count the model's polygons.
    *
-   * @param all that its stage has
+   * @param all the indices of the refinement level that is drawn
    */
   long own(long drawn, int all) {
     int own = source.indices().length;

@@ -17,24 +17,25 @@ import org.selectiverenderer.runtime.render.light.LightPlanner;
 import org.selectiverenderer.runtime.render.light.LightWatch;
 
 /**
- * The draw items of all shapes of a tree, shown or not, kept between frames. Made anew when the
- * tree's structure changes; otherwise only where a shape has another mesh or surface.
+ * The draw items of all shapes of an instance tree, shown or not, kept between frames. All are
+ * checked when the tree's structure changes; otherwise only items whose shape has another mesh or
+ * surface are made anew.
  *
- * <p>Shapes that are new may wait: then a few of them are made ready with each frame. Those that
- * wait hidden and are shown meanwhile are made ready in that very frame. Those that came into a
- * running scene shown, more of them than one frame can make ready, follow in the next frames, as if
- * they had come in several files; what was in the tree before is never late.
+ * <p>The upload of new shapes may be deferred and spread over the following frames. A deferred
+ * hidden shape that becomes shown is uploaded in that very frame. If more shown shapes come into a
+ * running scene than one frame can upload, the rest appears in the next frames, as if they had come
+ * in several files; shapes that were in the tree before are never late.
  */
 final class DrawList {
   /**
-   * What has moved or changed more often than that, or its lights, is expected to go on: nothing is
-   * made for the place where it is then.
+   * A shape that has moved or changed (or whose lights have) more often than this is expected to go
+   * on doing so: its mesh is then not refined for a particular place.
    */
   private static final int MOST_MOVES = 3;
 
   /**
-   * Triangles of waiting shapes that are made ready with a frame, a shape counting for at least
-   * {@link #LEAST_OF_ONE}: about 5 ms.
+   * Triangles of deferred shapes that are uploaded per frame (about 5 ms), where each shape counts
+   * for at least {@link #LEAST_OF_ONE}.
    */
   private static final int PORTION = 20_000;
 
@@ -46,7 +47,7 @@ final class DrawList {
   private List<ShapeInstance> shapes = List.of();
   private @Nullable DrawItem[] slots = {};
   private final BitSet waiting = new BitSet();
-  private final BitSet late = new BitSet(); // Of those waiting the ones that came shown.
+  private final BitSet late = new BitSet(); // The deferred shapes that came shown.
   private List<DrawItem> items = List.of();
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
   private LightWatch watch = new LightWatch(List.of());
@@ -61,9 +62,9 @@ final class DrawList {
   }
 
   /**
-   * Follows the tree; what is not on the graphics card yet is uploaded.
+   * Updates the items to the tree and uploads what is not on the graphics card yet.
    *
-   * @param all whether new shapes that are not shown are uploaded now too, else they may wait
+   * @param all whether new hidden shapes are uploaded now too; else they may be deferred
    */
   void follow(GL3 gl, InstanceTree newTree, boolean all) {
     boolean changed = newTree != tree || newTree.structureVersion() != structureVersion;
@@ -76,22 +77,22 @@ final class DrawList {
     if (changed || otherLight || newTree.placementVersion() != placementVersion) {
       placementVersion = newTree.placementVersion();
       made |= update(gl, changed, otherLight);
-    } // Else nothing moved, and nothing has another mesh, surface or light.
+    } // Otherwise nothing moved or changed.
     if (changed || made) {
       publish(gl);
     }
   }
 
   /**
-   * Makes waiting shapes ready: all that are shown but late ones, and of these and then of the
-   * others so many.
+   * Uploads deferred shapes: all that have become shown, then late ones and then hidden ones up to
+   * the portion.
    *
    * @param portion triangles
    */
   private boolean arrive(GL3 gl, long portion) {
     Arrivals arrivals = new Arrivals(portion);
     for (int i = late.nextSetBit(0); i >= 0; i = late.nextSetBit(i + 1)) {
-      late.set(i, shapes.get(i).shown()); // What was hidden since waits like the others.
+      late.set(i, shapes.get(i).shown()); // A shape hidden meanwhile is no longer late.
     }
     for (int i = waiting.nextSetBit(0); i >= 0; i = waiting.nextSetBit(i + 1)) {
       if (shapes.get(i).shown() && !late.get(i)) {
@@ -110,7 +111,7 @@ final class DrawList {
     return !arrivals.places.isEmpty();
   }
 
-  /** What is made ready of the waiting shapes. */
+  /** The deferred shapes that are uploaded with this frame. */
   private final class Arrivals {
     final List<Integer> places = new ArrayList<>();
     final List<LightPlanner.Request> requests = new ArrayList<>();
@@ -133,13 +134,13 @@ final class DrawList {
     }
   }
 
-  /** What making a shape ready counts for, in triangles. */
+  /** Returns the cost of uploading a shape, in triangles. */
   private static long cost(ShapeInstance shape) {
     Mesh mesh = mesh(shape);
     return mesh == null ? 0 : Math.max(LEAST_OF_ONE, mesh.polygons());
   }
 
-  /** Makes anew what is no longer as its shape is; whether anything was. */
+  /** Makes the items anew that no longer match their shapes; returns whether there were any. */
   private boolean update(GL3 gl, boolean changed, boolean otherLight) {
     boolean together = changed || otherLight;
     List<Integer> places = new ArrayList<>();
@@ -158,7 +159,7 @@ final class DrawList {
         continue;
       }
       any = true;
-      // A lamp that moves concerns many, which are to stay together.
+      // A lamp that moves affects many shapes, which are to stay batched together.
       together |= current && slot != null && slot.lighting().stands(shape);
       slots[i] = null;
       if (mesh != null) {
@@ -181,7 +182,7 @@ final class DrawList {
     return shape.mesh().filter(mesh -> !mesh.isEmpty()).orElse(null);
   }
 
-  /** The shapes of the tree as it was, but for those that are late already. */
+  /** Returns the shapes of the previous tree except those that are late already. */
   private Set<ShapeInstance> older() {
     Set<ShapeInstance> older = Collections.newSetFromMap(new IdentityHashMap<>());
     for (int i = 0; i < shapes.size(); i++) {
@@ -205,7 +206,8 @@ final class DrawList {
     late.clear();
     for (int i = 0; i < slots.length; i++) {
       DrawItem before = known.get(shapes.get(i));
-      // Another light may have come into scope: such items are made anew, their assets are kept.
+      // An item with another light or effect in scope is made anew; its meshes and textures are
+      // kept.
       slots[i] =
           before != null
                   && before.current()

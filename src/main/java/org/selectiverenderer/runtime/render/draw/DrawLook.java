@@ -12,17 +12,17 @@ import org.selectiverenderer.runtime.render.gpu.ShapePrograms;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
 /**
- * All that one call of the drawing needs beside the triangles: shapes of equal looks that are lit
+ * The state that a draw call needs besides its triangles. Shapes of equal draw state that are lit
  * alike may be drawn by one call.
  *
- * @param byPixel the programs that light it at its pixels
- * @param byVertex those that light it at its vertices
+ * @param byPixel the shader programs with per-pixel lighting
+ * @param byVertex the shader programs with per-vertex lighting
  * @param reaching the lights that reach the shape
- * @param material as the light model wants it; twelve numbers
- * @param textureTransform nine numbers
- * @param around the fog and planes whose scope it is in
- * @param detail of a surface that has more than that, else null
- * @param author what the program of an author makes of it, else null
+ * @param material the material's twelve uniform values, in the order of the lighting shader
+ * @param textureTransform a 3 x 3 matrix
+ * @param around the fog, clip planes and environment light in whose scope the shape is
+ * @param detail the textures and uniforms of a surface that has more than that, else null
+ * @param author the custom shader, else null
  */
 record DrawLook(
     ShapePrograms.Family byPixel,
@@ -40,7 +40,7 @@ record DrawLook(
     @Nullable DetailTextures detail,
     @Nullable AuthorLook author) {
 
-  /** The same with other programs. */
+  /** Returns the same state with other programs. */
   DrawLook drawnBy(ShapePrograms.Family pixel, ShapePrograms.Family vertex) {
     return new DrawLook(
         pixel,
@@ -59,7 +59,7 @@ record DrawLook(
         author);
   }
 
-  /** The same in another material. */
+  /** Returns the same state with another material. */
   DrawLook of(Numbers other) {
     return new DrawLook(
         byPixel,

@@ -26,7 +26,10 @@ import org.selectiverenderer.runtime.render.gpu.TextureFilters;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.VertexLayout;
 
-/** How shapes look: programs, textures and lights, each once however many shapes have it. */
+/**
+ * The draw states of shapes with their programs, textures and lights, each kept once however many
+ * shapes share it.
+ */
 final class DrawLooks {
   private static final float[] NO_TRANSFORM = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
@@ -39,29 +42,29 @@ final class DrawLooks {
   private final TextureFilters filters;
   private long uploads;
 
-  /** A program and texture, which decide the order of drawing. */
+  /** A program and texture, by which the drawing order is sorted. */
   private record State(ShapePrograms.Family programs, @Nullable GpuTexture texture) {}
 
   DrawLooks(TextureFilters filters) {
     this.filters = filters;
   }
 
-  /** Textures sent to the graphics card since the start. */
+  /** Returns the number of textures uploaded since the start. */
   long uploads() {
     return uploads;
   }
 
-  /** The same list for all shapes that have equal ones. */
+  /** Returns one shared list object for all shapes with equal lists. */
   List<LightInstance> shared(List<LightInstance> reaching) {
     return lists.computeIfAbsent(reaching, list -> list);
   }
 
   /**
-   * How a shape is drawn; its texture is uploaded unless it is there. Equal looks are the same
-   * object, whose numbers are then sent once.
+   * Returns the draw state of a shape and uploads its texture unless it is there. Equal states are
+   * the same object, so that their uniforms are sent once.
    *
-   * @param drawn the shape's mesh or a finer one
-   * @param reaching shared
+   * @param drawn the shape's mesh or a refined one
+   * @param reaching the lights that reach it, as returned by {@link #shared}
    */
   DrawLook of(GL3 gl, ShapeInstance shape, Mesh drawn, List<LightInstance> reaching) {
     Surface surface = shape.surface();
@@ -79,7 +82,7 @@ final class DrawLooks {
     GpuTexture texture =
         image == null
                 || drawn.texCoords() == null
-                || drawn.primitive() == Mesh.Primitive.LINES // Theirs are lengths.
+                || drawn.primitive() == Mesh.Primitive.LINES // Lengths along the line.
             ? null
             : texture(gl, image);
     boolean blended = blended(surface, drawn, texture);
@@ -140,7 +143,10 @@ final class DrawLooks {
     return whole(family, shape, drawn, reaching, blended, textured, null);
   }
 
-  /** A shape that the program of an author draws: of its surface only the opacity counts here. */
+  /**
+   * Returns the draw state of a shape with a custom shader: only the opacity of its surface counts
+   * here.
+   */
   private DrawLook authored(
       GL3 gl, ShapeInstance shape, Mesh drawn, List<LightInstance> reaching, AuthorLook author) {
     Surface surface = shape.surface();
@@ -154,7 +160,10 @@ final class DrawLooks {
     return whole(family, shape, drawn, reaching, blended, null, author);
   }
 
-  /** One that is lit at pixels alone, with all its textures in the details or the program. */
+  /**
+   * Returns a draw state with per-pixel lighting only, whose textures are all in the material
+   * binding or the custom shader.
+   */
   private DrawLook whole(
       ShapePrograms.Family family,
       ShapeInstance shape,
@@ -183,7 +192,7 @@ final class DrawLooks {
     return look;
   }
 
-  /** Numbers in each of the mesh's further texture coordinates. */
+  /** Returns the number of components of each of the mesh's further texture coordinates. */
   private static List<Integer> coordinates(Mesh mesh) {
     return mesh.moreTexCoords().stream()
         .filter(more -> more.name().isEmpty())
@@ -191,12 +200,12 @@ final class DrawLooks {
         .toList();
   }
 
-  /** Its place in the order of drawing. */
+  /** Returns the state's place in the drawing order. */
   int rank(DrawLook look) {
     return ranks.computeIfAbsent(new State(look.byPixel(), look.texture()), state -> ranks.size());
   }
 
-  /** The same where the vertices have the diffuse colour. */
+  /** Returns the same state for batches whose vertices store the diffuse colour. */
   DrawLook tinted(DrawLook look) {
     return look.drawnBy(programs.tinted(look.byPixel()), programs.tinted(look.byVertex()));
   }
@@ -258,10 +267,10 @@ final class DrawLooks {
     };
   }
 
-  /** Frees what none of the items uses. */
+  /** Frees the resources that none of the items uses. */
   void keepOnly(GL3 gl, List<DrawItem> items) {
     Set<GpuTexture> used = new HashSet<>();
-    // Shared lists, and the numbers of each look, are one object each.
+    // Compared by identity: each shared list and each state's material array is one object.
     Set<List<LightInstance>> usedLists = Collections.newSetFromMap(new IdentityHashMap<>());
     Set<float[]> usedNumbers = Collections.newSetFromMap(new IdentityHashMap<>());
     for (DrawItem item : items) {

@@ -4,19 +4,19 @@ import java.util.List;
 import org.joml.Matrix4dc;
 import org.selectiverenderer.runtime.camera.Camera;
 
-/** The order of drawing, as numbers to sort by. */
+/** Encodes the drawing order as integer sort keys. */
 final class DrawOrder {
   private static final int INDEX_BITS = 24;
 
-  /** What of a number is the place in the list. */
+  /** The bits of a key that hold the item's index in the list. */
   static final int INDEX_MASK = (1 << INDEX_BITS) - 1;
 
   private DrawOrder() {}
 
   /**
-   * The order of drawing as a number: opaque before blended; opaque ones by program and texture,
-   * then front to back, which spares covered pixels; blended ones back to front. Sixteen bits of
-   * rank, 23 of distance, 24 of place in the list.
+   * Returns the sort key of an item: opaque before blended; opaque items by program and texture,
+   * then front to back, which saves the shading of covered pixels; blended items back to front.
+   * Sixteen bits hold the rank, 23 the distance, 24 the index in the list.
    */
   static long key(DrawItem item, int distance, int index) {
     long rank = item.blended() ? (1L << 15) : Math.min(item.rank(), (1 << 15) - 1);
@@ -25,9 +25,9 @@ final class DrawOrder {
   }
 
   /**
-   * From the nearest eye along the line of sight: of a blended item to the middle of its box, of
-   * others to the far end. So walls, whose boxes reach from before all else to behind it, come last
-   * and fill only what is left.
+   * Returns the depth from the nearest eye: to the centre of a blended item's bounding box, to the
+   * far end of other boxes. So walls, whose boxes enclose everything else, are drawn last and fill
+   * only the pixels that are left.
    */
   static int distance(DrawItem item, List<Camera> eyes) {
     double[] box = item.shape().bounds();

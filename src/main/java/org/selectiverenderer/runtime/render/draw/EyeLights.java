@@ -15,13 +15,14 @@ import org.selectiverenderer.runtime.render.gpu.LightCounts;
 import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
 import org.selectiverenderer.runtime.render.light.WorldLight;
 
-/** The lights of one eye's frame as the shaders want them: in that eye's coordinates. */
+/** The lights of one eye's frame, packed for the shaders in that eye's coordinates. */
 final class EyeLights {
   static final int PER_LIGHT = 20;
 
   /**
-   * @param numbers twenty per light
-   * @param counts of lights by kind, at most {@link ShapeProgram#MAX_LIGHTS} together
+   * @param numbers twenty numbers per light
+   * @param counts the number of lights of each kind, at most {@link ShapeProgram#MAX_LIGHTS}
+   *     together
    */
   record Packed(float[] numbers, LightCounts counts) {}
 
@@ -32,7 +33,8 @@ final class EyeLights {
   private final Map<List<LightInstance>, Packed> packed = new IdentityHashMap<>();
 
   /**
-   * @param bearer of a headlight, mostly the camera itself; null for none
+   * @param bearer the camera that carries the headlight, mostly {@code camera} itself; null for no
+   *     headlight
    */
   EyeLights(Camera camera, @Nullable Camera bearer) {
     this.camera = camera;
@@ -40,9 +42,10 @@ final class EyeLights {
   }
 
   /**
-   * The lights that are on: by kind, in each the headlight first, then in the order of the scene.
+   * Returns the lights that are on, sorted by kind; within a kind the headlight first, then the
+   * order of the scene.
    *
-   * @param reaching compared by identity
+   * @param reaching the lights that reach a shape; the list is compared by identity
    */
   Packed of(List<LightInstance> reaching) {
     return packed.computeIfAbsent(reaching, this::pack);

@@ -22,7 +22,7 @@ import org.selectiverenderer.runtime.render.gpu.Scenery;
 import org.selectiverenderer.runtime.render.gpu.ShapeProgram;
 import org.selectiverenderer.runtime.render.gpu.StrokeForm;
 
-/** Fog, planes that cut, lines and hatches as one eye's frame wants them. */
+/** The uniforms of fog, clip planes, strokes and environment light in one eye's coordinates. */
 final class EyeScenery {
   private static final float[] NOTHING = {};
   private static final Packed PLAIN =
@@ -35,13 +35,13 @@ final class EyeScenery {
   private final Map<Key, Packed> packed = new HashMap<>();
 
   /**
-   * What a shape's program takes for it.
+   * The shader effects of a shape and their uniform values.
    *
-   * @param stroke eight numbers, unless the stroke is plain
-   * @param fog four numbers, unless the air is clear
-   * @param planes four numbers for each
-   * @param around as {@code environment.glsl} says, unless there is no light from all around
-   * @param mirrored what is mirrored of it, or null
+   * @param stroke eight numbers; empty for a plain stroke
+   * @param fog four numbers; empty without fog
+   * @param planes four numbers per clip plane
+   * @param around the environment light as {@code environment.glsl} declares it; empty without one
+   * @param mirrored the environment map for reflections, or null
    */
   record Packed(
       Scenery scenery,
@@ -69,9 +69,9 @@ final class EyeScenery {
   private record Key(StrokeForm form, Stroke stroke, Surroundings around, int fogDepth) {}
 
   /**
-   * @param fog where no LocalFog reaches
-   * @param pointSize side of a point of the usual size in pixels
-   * @param images on the graphics card
+   * @param fog the bound fog, which counts where no LocalFog reaches
+   * @param pointSize the side of a point of the usual size in pixels
+   * @param images returns the texture of an environment map on the graphics card
    */
   EyeScenery(Camera camera, Fog fog, float pointSize, Function<CubeTexture, GpuTexture> images) {
     this.camera = camera;
@@ -80,7 +80,7 @@ final class EyeScenery {
     this.images = images;
   }
 
-  /** The fog that the shape is in. */
+  /** Returns the fog that the shape is in. */
   Fog fog(DrawItem item) {
     return item.around().fog().orElse(fog);
   }
@@ -128,7 +128,7 @@ final class EyeScenery {
     for (int i = 0; i < around.diffuse().length; i++) {
       numbers[4 * (i / 3) + i % 3] = around.diffuse()[i];
     }
-    // Directions: from the eye to the world to the light.
+    // Rotates directions from the eye's to the environment light's coordinates.
     Matrix3d toLight =
         camera.view().mul(around.place(), new Matrix4d()).get3x3(new Matrix3d()).invert();
     for (int row = 0; row < 3 && toLight.isFinite(); row++) {
@@ -141,7 +141,7 @@ final class EyeScenery {
     return numbers;
   }
 
-  /** How many times an image can be halved until its faces have four pixels a side. */
+  /** Returns how many times a cube map can be halved until its faces have four pixels a side. */
   private static float sizes(CubeTexture image) {
     int size = 1;
     for (CubeTexture.Face face : image.faces()) {

@@ -6,14 +6,14 @@ import org.joml.Vector4d;
 import org.selectiverenderer.runtime.camera.Camera;
 
 /**
- * The six planes of a camera in some coordinate system, unit normals pointing inwards. Double
- * precision, so that scenes far from the origin are culled as those near it.
+ * The six planes of a camera's view frustum with unit normals pointing inwards. In double
+ * precision, so that scenes far from the origin are culled as exactly as those near it.
  */
 final class Frustum {
   private static final int PLANES = 6;
   private final double[] planes = new double[4 * PLANES];
 
-  /** Planes that are set later. */
+  /** Makes a frustum whose planes are set later. */
   Frustum() {}
 
   static Frustum of(Camera camera) {
@@ -28,10 +28,10 @@ final class Frustum {
   }
 
   /**
-   * The same planes in local coordinates.
+   * Transforms the planes to local coordinates.
    *
-   * @param world from local to this frustum's coordinates
-   * @param local is made the result
+   * @param world the matrix from local to this frustum's coordinates
+   * @param local receives the result
    */
   Frustum local(Matrix4dc world, Frustum local) {
     for (int i = 0; i < PLANES; i++) {
@@ -57,7 +57,7 @@ final class Frustum {
     planes[4 * i + 3] = d * scale;
   }
 
-  /** Where a box lies. */
+  /** The position of a box relative to the frustum. */
   enum Side {
     OUTSIDE,
     ACROSS,
@@ -65,8 +65,8 @@ final class Frustum {
   }
 
   /**
-   * Where a box lies; a box near a corner of the frustum may count as across it although it is
-   * outside.
+   * Classifies a box; one near a corner of the frustum may count as {@link Side#ACROSS} although it
+   * is outside.
    *
    * @param box min x, y, z, max x, y, z
    */
@@ -90,7 +90,7 @@ final class Frustum {
     return side;
   }
 
-  /** Whether a sphere lies wholly outside of one of the planes. */
+  /** Returns whether a sphere lies completely outside of one of the planes. */
   boolean outside(float[] spheres, int at) {
     for (int i = 0; i < planes.length; i += 4) {
       double distance =

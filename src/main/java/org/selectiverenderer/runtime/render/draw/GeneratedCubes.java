@@ -19,21 +19,24 @@ import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 
 /**
- * Draws what is seen from the middle of shapes into their generated cubes (X3D 4.0, 34.4.2), along
- * the axes of the world. A shape is not seen in its own cube; other cubes are seen there as they
- * were last drawn. A cube on several shapes is drawn from the first that is shown. Belongs to the
- * thread that owns the context.
+ * Renders GeneratedCubeMapTextures (X3D 4.0, 34.4.2): the scene as seen from the centre of a shape,
+ * along the axes of the world. A shape does not see itself in its own cube map, and sees other
+ * generated cube maps as they were last rendered. A cube map on several shapes is rendered from the
+ * first one that is shown. Belongs to the thread that owns the context.
  */
 final class GeneratedCubes {
-  /** Cubes that are drawn in a frame; those that always change take turns. */
+  /** The most cube maps rendered per frame; those that are updated always take turns. */
   private static final int MOST_A_FRAME = 4;
 
-  /** Pixels of all generated cubes together: 200 MB. Sides of those beyond that are small. */
+  /**
+   * The most pixels of all generated cube maps together (200 MB); further ones get {@link #SMALL}
+   * sides.
+   */
   private static final long MOST_PIXELS = 50_000_000;
 
   private static final int SMALL = 16;
 
-  /** Where the card's faces look, and which way is up on them. */
+  /** The view direction and up vector of each face, in OpenGL's order. */
   private static final Vector3d[][] FACES = {
     {new Vector3d(1, 0, 0), new Vector3d(0, -1, 0)},
     {new Vector3d(-1, 0, 0), new Vector3d(0, -1, 0)},
@@ -43,7 +46,7 @@ final class GeneratedCubes {
     {new Vector3d(0, 0, -1), new Vector3d(0, -1, 0)}
   };
 
-  /** Draws these items of the scene as a camera sees them, into the current frame buffer. */
+  /** Draws items of the scene as a camera sees them, into the current framebuffer. */
   @FunctionalInterface
   interface Scene {
     void draw(List<DrawItem> items, Camera camera);
@@ -57,7 +60,7 @@ final class GeneratedCubes {
   private int depth;
   private int depthSide;
 
-  /** What has been drawn into a cube: the request that was answered, and the frame. */
+  /** The last rendering of a cube map: the update request that it answered, and the frame. */
   private record Last(long request, long frame) {
     static final Last NEVER = new Last(0, -1);
   }
@@ -65,9 +68,9 @@ final class GeneratedCubes {
   private record Due(GpuTexture texture, DrawItem from) {}
 
   /**
-   * The texture, or a small cube where there are many large ones already.
+   * Returns the wanted texture, or a small cube map where there are many large ones already.
    *
-   * @param others on the graphics card
+   * @param others the textures on the graphics card
    */
   static TextureSource fitting(TextureSource wanted, Collection<GpuTexture> others) {
     if (!(wanted instanceof GeneratedCube cube)) {
@@ -75,14 +78,14 @@ final class GeneratedCubes {
     }
     long pixels = 6L * cube.size() * cube.size();
     for (GpuTexture texture : others) {
-      pixels += 6L * texture.side() * texture.side(); // 0 for all others.
+      pixels += 6L * texture.side() * texture.side(); // 0 for other textures.
     }
     return pixels <= MOST_PIXELS
         ? cube
         : new GeneratedCube(cube.node(), Math.min(cube.size(), SMALL), cube.sampling());
   }
 
-  /** Looks for cubes; what is drawn changes only when the list is another. */
+  /** Finds the generated cube maps among the items, if the list is a new one. */
   void follow(List<DrawItem> items) {
     if (items == known) {
       return;
@@ -115,10 +118,10 @@ final class GeneratedCubes {
   }
 
   /**
-   * Draws those that are due; the frame buffer and the viewport stay as they were.
+   * Renders the cube maps that are due; restores the framebuffer and the viewport.
    *
-   * @param eyes who will see the shapes: what none of them sees need not change always
-   * @param near distance from which on things are seen
+   * @param eyes the cameras of the frame: a cube map that none of them sees need not be updated
+   * @param near the distance of the near plane
    */
   void paint(GL3 gl, InstanceTree tree, List<Camera> eyes, double near, Scene scene) {
     frame++;
@@ -170,7 +173,7 @@ final class GeneratedCubes {
         new Vector3d((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
     last.put(texture, new Last(texture.generated().orElseThrow().node().request(), frame));
     if (!eye.isFinite()) {
-      return; // A shape without extent is nowhere.
+      return; // An empty bounding box has no centre.
     }
     DepthRange range = DepthRange.of(tree, eye, 2 * near, 0);
     Matrix4d projection = new Matrix4d().setPerspective(Math.PI / 2, 1, range.near(), range.far());

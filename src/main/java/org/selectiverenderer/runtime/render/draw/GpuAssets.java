@@ -26,8 +26,8 @@ import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
- * What is on the graphics card: batches of small shapes, other meshes once however many shapes use
- * them, and the looks of shapes.
+ * The resources on the graphics card: batches of small shapes, other meshes once however many
+ * shapes use them, and the draw states of shapes.
  */
 final class GpuAssets {
   private final LightPlanner planner;
@@ -38,7 +38,7 @@ final class GpuAssets {
 
   private record Uploaded(MeshPart part, MeshSurvey survey) {}
 
-  /** A mesh as it is drawn. */
+  /** A mesh in the form in which it is drawn. */
   private record Drawn(MeshForm form, StagedMesh staged, MeshSurvey survey) {
     Mesh mesh() {
       return staged.mesh();
@@ -52,17 +52,17 @@ final class GpuAssets {
     looks = new DrawLooks(filters);
   }
 
-  /** Meshes and textures sent to the graphics card since the start. */
+  /** Returns the number of meshes and textures uploaded since the start. */
   long uploads() {
     return uploads + looks.uploads();
   }
 
   /**
-   * Decides how shapes are lit and uploads what they draw; what is new is looked at, refined and
-   * packed on all processors.
+   * Decides how shapes are lit and uploads what they draw; new meshes are measured, refined and
+   * packed in parallel on all processors.
    *
-   * @param together whether small ones of one look are put into batches
-   * @return one for each request, in their order
+   * @param together whether small shapes of equal draw state are put into batches
+   * @return one item for each request, in the same order
    */
   List<DrawItem> prepare(GL3 gl, List<LightPlanner.Request> requests, boolean together) {
     if (requests.isEmpty()) {
@@ -129,7 +129,8 @@ final class GpuAssets {
     Mesh source = plan.form().source();
     Uploaded uploaded = meshes.get(plan.form());
     if (uploaded != null && !together) {
-      // Only its kind is asked for, which is its source's: it need not be refined again.
+      // Only the mesh's layout is needed, which is that of its source: it need not be refined
+      // again.
       return new Drawn(plan.form(), StagedMesh.of(source), uploaded.survey());
     }
     StagedMesh staged = plan.refined() == null ? LightPlanner.mesh(plan.form()) : plan.refined();
@@ -160,7 +161,7 @@ final class GpuAssets {
         .forEach(
             packed -> {
               MeshForm form = packed.drawn().form();
-              // Finer triangles cover what the mesh's own do.
+              // The refined triangles cover the same surface as the mesh's own.
               Occluders occluders = Occluders.of(form.source());
               MeshPart part = MeshPart.whole(new GpuMesh(gl, packed.mesh()), occluders);
               meshes.put(form, new Uploaded(part, packed.drawn().survey()));
@@ -191,7 +192,7 @@ final class GpuAssets {
         look.author());
   }
 
-  /** Frees what none of the items uses. */
+  /** Frees the resources that none of the items uses. */
   void keepOnly(GL3 gl, List<DrawItem> items) {
     Set<GpuMesh> used = new HashSet<>();
     items.forEach(item -> used.add(item.mesh()));

@@ -9,8 +9,9 @@ import org.selectiverenderer.runtime.camera.HiddenPart;
 import org.selectiverenderer.runtime.render.gpu.Program;
 
 /**
- * Puts black triangles before everything else where nobody sees a view, so that the depth test
- * spares what would be drawn there. Belongs to the thread that owns the context.
+ * Draws the hidden area mesh of a headset: black triangles at the near plane where a lens hides the
+ * view, so that the depth test rejects what would be drawn there. Belongs to the thread that owns
+ * the context.
  */
 final class HiddenPainter {
   private @Nullable Program program;
@@ -59,7 +60,7 @@ final class HiddenPainter {
     return made;
   }
 
-  /** Frees what it has on the graphics card. */
+  /** Frees its resources on the graphics card. */
   void dispose(GL3 gl) {
     Program known = program;
     if (known != null) {

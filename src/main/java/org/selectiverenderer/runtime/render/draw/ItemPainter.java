@@ -46,7 +46,7 @@ final class ItemPainter {
     this.scenery = scenery;
   }
 
-  /** Opaque items. */
+  /** Draws opaque items. */
   void paint(int from, int to) {
     for (int i = from; i < to; i++) {
       DrawItem item = visible.calls.get(i);
@@ -58,7 +58,7 @@ final class ItemPainter {
       if (item.author() == null) {
         elements(i);
       } else {
-        // An opaque picture stays opaque, whatever the program says.
+        // The framebuffer's alpha stays 1, whatever alpha the custom shader writes.
         gl.glEnable(GL.GL_BLEND);
         gl.glBlendFuncSeparate(GL.GL_ONE, GL.GL_ZERO, GL.GL_ZERO, GL.GL_ONE);
         authored(item.author(), i);
@@ -67,7 +67,7 @@ final class ItemPainter {
     }
   }
 
-  /** Draws by the program of an author, who may have left the size of points open. */
+  /** Draws with a custom shader, which need not set the size of points. */
   private void authored(AuthorLook look, int i) {
     boolean open = visible.calls.get(i).mesh().mode() == GL.GL_POINTS && !look.sizesPoints();
     if (open) {
@@ -80,7 +80,7 @@ final class ItemPainter {
     }
   }
 
-  /** Items that are blended; of those seen from both sides the far side first. */
+  /** Draws blended items; of two-sided ones the back faces first. */
   void blend(int from, int to) {
     program = null;
     texture = null;
@@ -101,7 +101,10 @@ final class ItemPainter {
     }
   }
 
-  /** Lines and points have no sides, also where they are drawn as rectangles. */
+  /**
+   * Returns whether face culling applies: lines and points have no sides, even where they are drawn
+   * as rectangles.
+   */
   private static boolean areas(DrawItem item) {
     return item.mesh().mode() == GL.GL_TRIANGLES;
   }
@@ -151,7 +154,7 @@ final class ItemPainter {
     gl.glFrontFace(mirrored ? GL.GL_CW : GL.GL_CCW);
   }
 
-  /** Binds what the program of an author takes; the next item binds its own anew. */
+  /** Binds a custom shader with its resources; the next item binds its own anew. */
   private void author(DrawItem item, AuthorLook look, EyeLights.Packed packed) {
     program = null;
     texture = null;
@@ -161,7 +164,7 @@ final class ItemPainter {
       item.mesh().bind(gl);
     }
     place(item.place());
-    // For meshes without colours or normals, which then have these at every vertex.
+    // Constant attributes for meshes without colours or normals.
     float[] numbers = item.numbers();
     gl.glVertexAttrib4f(2, numbers[0], numbers[1], numbers[2], numbers[3]);
     gl.glVertexAttrib3f(1, 0, 0, 1);
@@ -169,7 +172,7 @@ final class ItemPainter {
     gl.glFrontFace(areas(item) && toEye.determinant3x3() < 0 ? GL.GL_CW : GL.GL_CCW);
   }
 
-  /** Has as many planes cut as the program says. */
+  /** Enables as many clip distances as the program writes. */
   private void planes(int count) {
     for (int i = Math.min(planes, count); i < Math.max(planes, count); i++) {
       if (i < count) {
@@ -181,12 +184,15 @@ final class ItemPainter {
     planes = count;
   }
 
-  /** Leaves nothing behind that would cut what is drawn next. */
+  /** Disables all clip distances for what is drawn next. */
   void end() {
     planes(0);
   }
 
-  /** Composes in double precision; the large translations cancel before they become floats. */
+  /**
+   * Computes the shape's matrices in double precision, so that large translations cancel before
+   * they become floats.
+   */
   private void place(Matrix4dc world) {
     camera.view().mul(world, toEye);
     camera.projection().mul(toEye, toClip);
@@ -196,7 +202,7 @@ final class ItemPainter {
     put(28, normals);
   }
 
-  /** Writes three rows. */
+  /** Writes the upper three rows of a matrix. */
   private void put(int at, Matrix4d m) {
     for (int row = 0; row < 3; row++) {
       for (int column = 0; column < 4; column++) {

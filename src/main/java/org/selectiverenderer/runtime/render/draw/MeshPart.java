@@ -10,13 +10,13 @@ import org.selectiverenderer.runtime.render.mesh.CoarserPart;
 import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
- * A shape's stretch of an index buffer.
+ * The part of an index buffer that a shape draws.
  *
- * @param clusters of the stretch, in the coordinates of the buffers
- * @param coarser stretches that draw the same with fewer triangles, the fewest first
- * @param occluders what of the stretch hides other things, in the coordinates of the buffers
- * @param batch whose buffers they are, or null for the mesh's own
- * @param merged the shape's {@code world()} when it was put into the batch, or null without one
+ * @param clusters the clusters of that part, in the coordinates of the buffers
+ * @param coarser the coarser refinement levels, fewest triangles first
+ * @param occluders the flat parts that hide other things, in the coordinates of the buffers
+ * @param batch the batch that owns the buffers, or null for the mesh's own buffers
+ * @param merged the shape's {@code world()} when it was put into the batch, or null without a batch
  */
 record MeshPart(
     GpuMesh mesh,
@@ -26,17 +26,17 @@ record MeshPart(
     @Nullable DrawBatch batch,
     @Nullable Matrix4dc merged) {
 
-  /** All of a mesh's own buffers. */
+  /** Returns the whole of a mesh's own buffers. */
   static MeshPart whole(GpuMesh mesh, Occluders occluders) {
     return new MeshPart(mesh, mesh.clusters(), mesh.coarser(), occluders, null, null);
   }
 
-  /** Whether the shape still stands where its buffers say. */
+  /** Returns whether the shape still has the place that its batch was made for. */
   boolean holds(ShapeInstance shape) {
     return merged == null || merged == shape.world() || merged.equals(shape.world());
   }
 
-  /** From the coordinates of the buffers to the world, for this shape. */
+  /** Returns the matrix from the coordinates in the buffers to the world, for this shape. */
   Matrix4dc place(ShapeInstance shape) {
     return batch == null ? shape.world() : batch.place();
   }

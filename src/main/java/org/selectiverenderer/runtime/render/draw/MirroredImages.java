@@ -10,8 +10,8 @@ import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.TextureFilters;
 
 /**
- * What surfaces mirror of the light around them, on the graphics card: as long as it is mirrored in
- * every frame. Belongs to the thread that owns the context.
+ * The environment maps that surfaces reflect, on the graphics card; each is kept as long as every
+ * frame uses it. Belongs to the thread that owns the context.
  */
 final class MirroredImages {
   private final Map<CubeTexture, GpuTexture> known = new HashMap<>();
@@ -22,7 +22,7 @@ final class MirroredImages {
     return known.computeIfAbsent(image, wanted -> new GpuTexture(gl, wanted, TextureFilters.FINE));
   }
 
-  /** Frees what was not asked for since the last call. */
+  /** Frees the environment maps that were not used since the last call. */
   void forgetOthers(GL3 gl) {
     if (known.isEmpty()) {
       return;

@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.render.draw;
 import java.util.Arrays;
 
 /**
- * Numbers compared one by one.
+ * An array of floats as a map key, compared by value.
  *
  * @param array not written to
  */
@@ -13,7 +13,7 @@ record Numbers(float[] array) {
     return other instanceof Numbers numbers && Arrays.equals(array, numbers.array);
   }
 
-  /** Tells fractions apart, which a FloatBuffer's does not. */
+  /** Distributes well: the hash code of a FloatBuffer ignores fractions. */
   @Override
   public int hashCode() {
     return Arrays.hashCode(array);

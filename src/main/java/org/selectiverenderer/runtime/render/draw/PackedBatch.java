@@ -17,12 +17,13 @@ import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 import org.selectiverenderer.runtime.render.occlude.Occluders;
 
 /**
- * A batch ready to be uploaded.
+ * A batch whose buffers are ready to be uploaded.
  *
- * @param origin in the world, of the coordinates in the buffers
- * @param worlds of the shapes when they were put there
- * @param tinted whether the vertices have the diffuse colours of the shapes, which differ
- * @param occluders what of each shape hides other things, in the coordinates of the buffers
+ * @param origin the translation from the coordinates in the buffers to the world
+ * @param worlds the shapes' world matrices when they were put there
+ * @param tinted whether the vertices store the diffuse colours of the shapes, because these differ
+ * @param occluders each shape's flat parts that hide other things, in the coordinates of the
+ *     buffers
  */
 record PackedBatch(
     List<BatchPlan.Candidate> shapes,
@@ -32,7 +33,7 @@ record PackedBatch(
     MeshMerger.Merged merged,
     List<Occluders> occluders) {
 
-  /** Puts shapes into one pair of buffers around the middle of them all; any thread. */
+  /** Puts shapes into one pair of buffers whose origin is the centre of them all; any thread. */
   static PackedBatch pack(List<BatchPlan.Candidate> shapes) {
     double[] box = BatchPlan.bounds(shapes);
     double x = (box[0] + box[3]) / 2;
@@ -62,7 +63,7 @@ record PackedBatch(
         occluders);
   }
 
-  /** The stages of a mesh for where it is placed. */
+  /** Returns the coarser levels of a mesh with their lengths scaled to its place. */
   private static List<StagedMesh.Stage> placed(StagedMesh mesh, Matrix4dc placement) {
     if (mesh.coarser().isEmpty()) {
       return List.of();
@@ -76,13 +77,13 @@ record PackedBatch(
         .toList();
   }
 
-  /** A mesh without colours in the one that its look has. */
+  /** Returns a mesh with the diffuse colour of its draw state at each vertex. */
   private static Mesh tinted(Mesh mesh, DrawLook look) {
     float[] material = look.material().array();
     float[] colors = new float[4 * mesh.vertexCount()];
     for (int i = 0; i < colors.length; i += 4) {
       System.arraycopy(material, 0, colors, i, 3);
-      colors[i + 3] = 1; // Of the opacity a batch has one.
+      colors[i + 3] = 1; // A batch has one opacity.
     }
     return new Mesh(
         mesh.primitive(),
@@ -95,7 +96,7 @@ record PackedBatch(
         mesh.bounds());
   }
 
-  /** Tells each shape its part of the uploaded buffers. */
+  /** Assigns each shape its part of the uploaded buffers. */
   void parts(GpuMesh mesh, Map<ShapeInstance, MeshPart> parts) {
     DrawBatch batch = new DrawBatch(origin, tinted);
     for (int i = 0; i < shapes.size(); i++) {

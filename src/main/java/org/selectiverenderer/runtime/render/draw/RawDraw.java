@@ -17,9 +17,9 @@ import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
 
 /**
- * All triangles that a scene shows, drawn by one call with a shader that computes no light: a
- * yardstick for how much faster the driver could be fed. Nothing is culled but backs. Belongs to
- * the thread that owns the context.
+ * Draws all triangles of a scene by one call with an unlit shader: the baseline that shows how much
+ * time a frame needs in the driver alone. Only back faces are culled. Belongs to the thread that
+ * owns the context.
  */
 public final class RawDraw {
   private final Program program;
@@ -27,7 +27,7 @@ public final class RawDraw {
   private final float[] numbers = new float[16];
 
   /**
-   * @param triangles as {@link #pack} makes them
+   * @param triangles the triangles, as {@link #pack} returns them
    */
   public RawDraw(GL3 gl, PackedMesh triangles) {
     program = new Program(gl, "raw", List.of());
@@ -35,7 +35,7 @@ public final class RawDraw {
   }
 
   /**
-   * The triangles of all shapes shown, with a position and a normal per vertex, in the world's
+   * Packs the triangles of all shapes shown, with a position and a normal per vertex in the world's
    * coordinates; any thread.
    */
   public static PackedMesh pack(InstanceTree tree) {
@@ -97,7 +97,7 @@ public final class RawDraw {
     gl.glDisable(GL.GL_DEPTH_TEST);
   }
 
-  /** Frees what it has on the graphics card. */
+  /** Frees its resources on the graphics card. */
   public void dispose(GL3 gl) {
     program.dispose(gl);
     mesh.dispose(gl);

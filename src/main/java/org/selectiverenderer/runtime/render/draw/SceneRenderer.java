@@ -20,8 +20,8 @@ import org.selectiverenderer.runtime.render.occlude.Occlusion;
  * Draws instance trees. A frame is {@link #prepare}, {@link #cull} once for all eyes, and {@link
  * #draw} once per eye. Belongs to the thread that owns the context.
  *
- * <p>What was measured: docs/performance.md has where a frame's time goes. Our own part is under a
- * hundredth of it; on a software renderer the rest is vertices, triangles and pixels, of which
+ * <p>docs/performance.md tells where a frame's time goes. Our own part is under a hundredth of it;
+ * on a software renderer the rest is vertex processing, triangle setup and rasterisation, of which
  * {@link Portions} lets the first overlap with the others.
  */
 public final class SceneRenderer {
@@ -40,31 +40,31 @@ public final class SceneRenderer {
   private boolean wireframe;
 
   /**
-   * @param pointSize side of a point of a PointSet in pixels
-   * @param shading where light is computed
+   * @param pointSize the side of a point of a PointSet in pixels
+   * @param shading whether lighting is computed per vertex or per pixel
    */
   public SceneRenderer(float pointSize, Shading shading) {
     this.shading = shading;
     this.pointSize = pointSize;
   }
 
-  /** Whether only the edges of polygons are drawn. */
+  /** Sets whether only the edges of polygons are drawn. */
   public void wireframe(boolean on) {
     wireframe = on;
   }
 
   /**
-   * Follows the tree after its update. All shapes are uploaded, shown or not, so that a Switch that
-   * changes its choice uploads nothing.
+   * Prepares the tree after its update. All shapes are uploaded, shown or not, so that a Switch
+   * that changes its choice uploads nothing.
    */
   public void prepare(GL3 gl, InstanceTree tree) {
     follow(gl, tree, true);
   }
 
   /**
-   * Likewise, without waiting for what is not shown: shapes that are new and hidden are uploaded a
-   * few with each frame. Whatever is shown is uploaded now, so that a Switch shows its choice in
-   * the frame in which it changes, however early that is.
+   * Prepares the tree likewise, but defers new hidden shapes, a few of which are uploaded with each
+   * frame. Whatever is shown is uploaded now, so that a Switch shows its choice in the frame in
+   * which it changes, however early that is.
    */
   public void follow(GL3 gl, InstanceTree tree) {
     follow(gl, tree, false);
@@ -82,7 +82,8 @@ public final class SceneRenderer {
   }
 
   /**
-   * A processor samples quickly; light by pixel, asked for, is for a picture as a card draws it.
+   * Returns cheap filters for a software renderer, except where per-pixel lighting is asked for:
+   * that is for pictures as a graphics card draws them.
    */
   private TextureFilters filters(GlInfo info) {
     if (!info.software()) {
@@ -91,32 +92,32 @@ public final class SceneRenderer {
     return shading == Shading.PIXEL ? TextureFilters.FINE_BY_PROCESSOR : TextureFilters.QUICK;
   }
 
-  /** The shapes of the tree last prepared, shown or not, with what they have on the card. */
+  /** Returns the draw items of all shapes of the tree last prepared, shown or not. */
   public List<DrawItem> items() {
     return list == null ? List.of() : list.items();
   }
 
   /**
-   * What the eyes can see of the tree last prepared, without most of what is hidden behind other
-   * things. The result is reused by the next call.
+   * Returns what the eyes can see of the tree last prepared, without most of what is occluded. The
+   * result is reused by the next call.
    */
   public Visible cull(List<Camera> eyes) {
     culler.cull(items(), eyes, occlusion);
     return visible;
   }
 
-  /** Likewise, with what is hidden: for pictures through which one can see. */
+  /** Culls to the view frusta only and keeps what is occluded, for wireframe pictures. */
   public Visible cullToView(List<Camera> eyes) {
     culler.cull(items(), eyes, null);
     return visible;
   }
 
   /**
-   * Draws the generated cubes of the tree last prepared that are due (X3D 4.0, 34.4.2). To be
-   * called before the frame is culled.
+   * Renders the GeneratedCubeMapTextures of the tree last prepared that are due (X3D 4.0, 34.4.2).
+   * To be called before the frame is culled.
    *
-   * @param eyes that will see the frame; the first carries the headlight
-   * @param near distance from which on things are seen
+   * @param eyes the cameras of the frame; the first carries the headlight
+   * @param near the distance of the near plane
    */
   public void reflect(GL3 gl, InstanceTree tree, List<Camera> eyes, Setting setting, double near) {
     cubes.follow(items());
@@ -153,18 +154,18 @@ public final class SceneRenderer {
     gl.glDisable(GL.GL_SCISSOR_TEST);
   }
 
-  /** Draws into the camera's viewport, over what is there if the setting says so. */
+  /** Draws into the camera's viewport, over the layer below if the setting says so. */
   public void draw(GL3 gl, Visible seen, Camera camera, Setting setting) {
     draw(gl, seen, camera, setting, HiddenPart.NONE);
   }
 
-  /** The same where nobody sees a part of the view: that becomes black. */
+  /** Draws likewise, and fills the part of the view that a lens hides with black. */
   public void draw(GL3 gl, Visible seen, Camera camera, Setting setting, HiddenPart hidden) {
     draw(gl, seen, camera, camera, setting, hidden);
   }
 
   /**
-   * @param bearer who carries the headlight
+   * @param bearer the camera that carries the headlight
    */
   private void draw(
       GL3 gl, Visible seen, Camera camera, Camera bearer, Setting setting, HiddenPart hidden) {
@@ -225,15 +226,15 @@ public final class SceneRenderer {
     }
   }
 
-  /** Meshes and textures sent to the graphics card since the start. */
+  /** Returns the number of meshes and textures uploaded since the start. */
   public long uploads() {
     return assets == null ? 0 : assets.uploads();
   }
 
-  /** Frees everything on the graphics card. */
+  /** Frees its resources on the graphics card. */
   public void dispose(GL3 gl) {
     mirrored.forgetOthers(gl);
-    mirrored.forgetOthers(gl); // Also what the last picture had.
+    mirrored.forgetOthers(gl); // The first call only ends the last frame.
     cubes.dispose(gl);
     if (assets != null) {
       assets.dispose(gl);

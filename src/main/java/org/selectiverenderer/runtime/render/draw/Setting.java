@@ -5,11 +5,11 @@ import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.Fog;
 
 /**
- * What shapes are seen in.
+ * The background, headlight and fog that a scene is drawn with.
  *
- * @param backdrop behind them; empty where what is drawn already is to be seen
- * @param headlight whether the viewer carries a light
- * @param fog where no LocalFog reaches
- * @param over whether there is a picture below, which a transparent backdrop lets through
+ * @param backdrop the background; empty where the layer below is to be seen
+ * @param headlight whether the viewer carries a headlight
+ * @param fog the bound fog, which counts where no LocalFog reaches
+ * @param over whether a lower layer is drawn already, which a transparent background lets through
  */
 public record Setting(Optional<Backdrop> backdrop, boolean headlight, Fog fog, boolean over) {}

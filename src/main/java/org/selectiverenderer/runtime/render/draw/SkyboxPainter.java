@@ -15,16 +15,16 @@ import org.selectiverenderer.runtime.render.gpu.GpuTexture;
 import org.selectiverenderer.runtime.render.gpu.Program;
 import org.selectiverenderer.runtime.render.gpu.TextureFilters;
 
-/** Draws the pictures of a background behind what is drawn already (X3D 4.0, 24.2.1). */
+/** Draws the images of a Background as a skybox behind what is drawn already (X3D 4.0, 24.2.1). */
 final class SkyboxPainter {
   private final Map<Texture.Image, GpuTexture> textures = new IdentityHashMap<>();
   private @Nullable Program program;
   private int emptyArray;
 
   /**
-   * Paints the sides that have a picture; the caller has set the depth test.
+   * Draws the sides that have an image; the caller has set the depth test.
    *
-   * @param toClip from the background's directions to clip coordinates
+   * @param toClip the matrix from the background's directions to clip coordinates
    */
   void paint(GL3 gl, Backdrop backdrop, Matrix4dc toClip) {
     forget(gl, backdrop);
@@ -62,9 +62,9 @@ final class SkyboxPainter {
   }
 
   /**
-   * The middle of a side and what points to its picture's right and upper edge. One sees the
-   * picture upright who looks along the side's axis with +Y up; at the top with +Z, at the bottom
-   * with -Z up.
+   * Returns the centre of a side and the vectors to its image's right and upper edge. The image is
+   * upright for a viewer who looks along the side's axis with +Y up; at the top with +Z up, at the
+   * bottom with -Z up.
    */
   private static float[] side(Backdrop.Side side) {
     return switch (side) {
@@ -77,12 +77,12 @@ final class SkyboxPainter {
     };
   }
 
-  /** Whether it keeps no pictures. */
+  /** Returns whether it holds no textures. */
   boolean isEmpty() {
     return textures.isEmpty();
   }
 
-  /** Frees pictures that are no longer shown. */
+  /** Frees the textures of images that are no longer shown. */
   private void forget(GL3 gl, Backdrop backdrop) {
     if (!textures.isEmpty()) {
       textures

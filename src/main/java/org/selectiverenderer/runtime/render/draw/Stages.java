@@ -8,26 +8,27 @@ import org.selectiverenderer.runtime.render.mesh.Clusters;
 import org.selectiverenderer.runtime.render.mesh.CoarserPart;
 
 /**
- * Chooses which stage of a mesh that was divided for its light is drawn: the one with the fewest
- * triangles of which no edge that later stages divide is long in the picture of any eye. All stages
- * have the same surface, so that nothing but light differs, and that within a few pixels. Depends
- * on nothing but the eyes and the shape: what was drawn before does not matter.
+ * Selects the refinement level at which a mesh refined for per-vertex lighting is drawn: the
+ * coarsest level in which no edge that finer levels split is long on the screen of any eye. All
+ * levels have the same surface, so that only the lighting differs, and that within a few pixels.
+ * Depends on the eyes and the shape alone, not on earlier frames.
  */
 final class Stages {
   /**
-   * Pixels within which nobody sees how light goes on between two vertices: with 16, pictures
-   * differ from those by pixel as they do without stages; with 32, highlights become duller.
+   * The pixels between two vertices within which interpolated light is not told from per-pixel
+   * light: with 16, pictures differ from those with per-pixel lighting as little as without coarser
+   * levels; with 32, highlights become duller.
    */
   private static final double MOST_PIXELS = 16;
 
   private List<Camera> eyes = List.of();
 
-  /** Begins with what some eyes see. */
+  /** Begins a frame with its eyes. */
   void begin(List<Camera> seeing) {
     eyes = seeing;
   }
 
-  /** The triangles to draw of an item. */
+  /** Returns the clusters to draw of an item. */
   Clusters of(DrawItem item) {
     List<CoarserPart> coarser = item.part().coarser();
     return coarser.isEmpty() || item.anywhere()
@@ -36,12 +37,12 @@ final class Stages {
   }
 
   /**
-   * One of several stages.
+   * Selects one of several levels.
    *
-   * @param last that of the most triangles
-   * @param coarser the others, fewest triangles first
-   * @param box around them in the world
-   * @param scale of the world's lengths to those of the stages
+   * @param last the finest level
+   * @param coarser the other levels, fewest triangles first
+   * @param box the bounding box in the world
+   * @param scale the scale from the levels' lengths to the world's
    */
   Clusters of(Clusters last, List<CoarserPart> coarser, double[] box, double scale) {
     double most = MOST_PIXELS / (pixels(box) * scale);
@@ -53,7 +54,7 @@ final class Stages {
     return last;
   }
 
-  /** How many pixels a unit of the world has in the nearest part of a box, at most. */
+  /** Returns the most pixels that a unit of length has in the nearest part of a box. */
   private double pixels(double[] box) {
     double most = 0;
     for (int i = 0; i < eyes.size(); i++) {
@@ -67,7 +68,7 @@ final class Stages {
     return most;
   }
 
-  /** How far before the eye the nearest part of a box is; below 0 behind it. */
+  /** Returns the depth of the nearest corner of a box before the eye; below 0 behind it. */
   private static double depth(Matrix4dc view, double[] box) {
     return -view.m32()
         - view.m02() * box[view.m02() > 0 ? 3 : 0]

@@ -5,9 +5,12 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.runtime.instance.Stroke;
 import org.selectiverenderer.runtime.render.gpu.StrokeForm;
 
-/** What the standard's line types and hatches look like (X3D 4.0, 12.4.3 and 12.4.5). */
+/** The patterns of the standard's line types and hatches (X3D 4.0, 12.4.3 and 12.4.5). */
 final class Strokes {
-  /** The hatches that the register of graphical items has; others look like the third. */
+  /**
+   * The number of hatch styles in the International Register of Graphical Items; others are drawn
+   * like the third.
+   */
   private static final int HATCHES = 19;
 
   private static final int SLANTED = 3;
@@ -15,12 +18,14 @@ final class Strokes {
   private static final int FREEHAND = 14;
   private static final int ZIGZAG = 15;
 
-  /** Pixels that arrows, dots and breaks reach beside their line, or for each of its width. */
+  /**
+   * The pixels by which arrows, dots and breaks reach beside their line, per pixel of its width.
+   */
   private static final double BESIDE = 9;
 
   private Strokes() {}
 
-  /** How the primitives of a mesh with that stroke become pixels. */
+  /** Returns how the primitives of a mesh with that stroke are rasterised. */
   static StrokeForm form(Stroke stroke, Mesh.Primitive primitive) {
     return switch (primitive) {
       case LINES -> form(stroke.line());
@@ -63,8 +68,8 @@ final class Strokes {
   }
 
   /**
-   * The pattern of a line: a bit for each of sixteen stretches, the first the lowest; the type of
-   * one with ends or breaks.
+   * Returns the stipple pattern of a line, one bit for each of sixteen dashes, lowest bit first;
+   * for a line with arrows, dots or breaks its line type.
    */
   static int pattern(Stroke.Line line) {
     return form(line) == StrokeForm.ENDED || form(line) == StrokeForm.BREAK
@@ -97,7 +102,7 @@ final class Strokes {
         : line.width();
   }
 
-  /** How far a shape may reach beyond its box in the picture, in pixels. */
+  /** Returns by how many pixels a shape may reach beyond its bounding box on the screen. */
   static double reach(Stroke stroke, Mesh.Primitive primitive, double least) {
     Stroke.Line line = stroke.line();
     Stroke.Dot dot = stroke.dot();

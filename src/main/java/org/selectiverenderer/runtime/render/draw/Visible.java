@@ -9,24 +9,26 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a frame draws: the shapes that some eye sees, in the order of drawing, and of each the
- * stretches of its index buffer. Neighbours of one batch are one call, stretches that touch are one
- * stretch. Filled by {@link SceneRenderer#cull}, good for every eye that it was made for, until the
- * next call.
+ * The visible set of a frame: the shapes that at least one eye sees, in drawing order, each with
+ * the visible ranges of its index buffer. Consecutive items of one batch are one draw call, and
+ * adjacent ranges are merged. Filled by {@link SceneRenderer#cull}; valid for all eyes that it was
+ * culled for, until the next call.
  */
 public final class Visible {
-  /** The first item of each call; the others of a batch differ from it in nothing but stretches. */
+  /**
+   * The first item of each draw call; the others of its batch differ only in their index ranges.
+   */
   final List<DrawItem> calls = new ArrayList<>();
 
-  /** How many of the calls are opaque; they come first. */
+  /** The number of opaque calls, which come first. */
   int opaque;
 
-  /** Where each call's stretches begin, and where those of the last end. */
+  /** The index of each call's first range, and the end of the last call's ranges. */
   int[] firstRange = new int[16];
 
   int ranges;
 
-  /** Of each call whether all eyes see nothing of it but fronts. */
+  /** Whether all eyes see only front faces, per call. */
   private boolean[] fronts = new boolean[15];
 
   private int shapes;
@@ -51,9 +53,9 @@ public final class Visible {
   }
 
   /**
-   * Begins an item: its stretches follow.
+   * Begins an item, whose ranges are added next.
    *
-   * @param all indices of the stage of its mesh that they are of
+   * @param all the indices of the refinement level that the ranges are part of
    */
   void begin(DrawItem item, int all) {
     shapes++;
@@ -76,7 +78,7 @@ public final class Visible {
     firstRange[calls.size()] = ranges;
   }
 
-  /** Adds a stretch of the index buffer of the item begun last. */
+  /** Adds a range of the index buffer of the item begun last. */
   void range(int firstIndex, int count, int indexBytes) {
     long byteOffset = (long) firstIndex * indexBytes;
     indicesOfBegun += count;
@@ -93,12 +95,12 @@ public final class Visible {
     rangeEnd = byteOffset + (long) count * indexBytes;
   }
 
-  /** Of the item begun last some eye may see backs. */
+  /** Notes that an eye may see back faces of the item begun last. */
   void backs() {
     fronts[calls.size() - 1] = false;
   }
 
-  /** Whether every eye sees nothing but fronts of what a call draws. */
+  /** Returns whether every eye sees only front faces of what a call draws. */
   boolean frontOnly(int call) {
     return fronts[call];
   }
@@ -131,7 +133,7 @@ public final class Visible {
     return counts.get(range);
   }
 
-  /** The indices of some stretches together. */
+  /** Returns the number of indices in some ranges. */
   long count(int fromRange, int toRange) {
     long sum = 0;
     for (int range = fromRange; range < toRange; range++) {
@@ -140,19 +142,19 @@ public final class Visible {
     return sum;
   }
 
-  /** The number of shapes in it. */
+  /** Returns the number of visible shapes. */
   public int shapes() {
     return shapes;
   }
 
-  /** The number of calls that draw them. */
+  /** Returns the number of draw calls. */
   public int calls() {
     return calls.size();
   }
 
   /**
-   * The number of indices that an eye's drawing takes, three per triangle; of meshes that are drawn
-   * finer than they are, those of the mesh itself.
+   * Returns the number of indices that are drawn for an eye, three per triangle; refined meshes
+   * count with the triangles of the original mesh.
    */
   public long indices() {
     return begun == null ? indices : indices + begun.own(indicesOfBegun, allOfBegun);

@@ -13,13 +13,13 @@ import java.util.Set;
 import org.selectiverenderer.runtime.instance.SurfaceProgram.Stage;
 
 /**
- * The names that programs of authors expect to find declared: those of GLSL up to 1.20, and of
- * browsers. Read from {@code author-names.tsv}.
+ * The built-in names that custom shaders expect to find declared: those of GLSL up to 1.20 and
+ * those of X3D browsers. Read from {@code author-names.tsv}.
  */
 final class BrowserNames {
   private static final String FILE = "/org/selectiverenderer/runtime/render/author-names.tsv";
 
-  /** Names of GLSL's own that newer versions do not know begin so in what is compiled. */
+  /** The prefix that replaces {@code gl_} in names that newer versions of GLSL do not know. */
   static final String OLD = "gl_";
 
   static final String NEW = "sr_";
@@ -55,12 +55,12 @@ final class BrowserNames {
     }
   }
 
-  /** A text with names that GLSL had, as they are in what is compiled. */
+  /** Replaces the table's prefix {@code old_} by the prefix of compiled names. */
   private static String now(String text) {
     return text.replaceAll("\\bold_", NEW);
   }
 
-  /** What a name becomes in what is compiled. */
+  /** Returns the name that replaces an author's name in the compiled source. */
   String renamed(Stage stage, String name) {
     if (name.startsWith(OLD)) {
       String now = NEW + name.substring(OLD.length());
@@ -70,10 +70,11 @@ final class BrowserNames {
   }
 
   /**
-   * What declares the names that a text uses, each once, what they need in turn before them.
+   * Returns the declarations of the built-in names that a source uses, each once, after the
+   * declarations that they depend on.
    *
-   * @param used as they are in what is compiled
-   * @param own names that the text defines itself
+   * @param used the names that the compiled source uses
+   * @param own the names that the source defines itself
    */
   String head(Stage stage, Set<String> used, Set<String> own) {
     Set<String> lines = new LinkedHashSet<>();

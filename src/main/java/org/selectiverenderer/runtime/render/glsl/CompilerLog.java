@@ -4,10 +4,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What a compiler says first of what is wrong.
+ * The first error in a shader compiler's log.
  *
- * @param line from 1, 0 when it does not say
- * @param column from 1, 0 when it does not say
+ * @param line the line from 1; 0 if the log does not tell
+ * @param column the column from 1; 0 if the log does not tell
  */
 public record CompilerLog(int line, int column, String message) {
   // Mesa, which counts columns from 0: 0:12(5): error: ...; NVIDIA: 0(12) : error C1008: ...;
@@ -19,7 +19,7 @@ public record CompilerLog(int line, int column, String message) {
 
   private static final int LONGEST = 200;
 
-  /** Reads a log; the first line that tells a place and is no warning counts. */
+  /** Parses a log; the first line with a position that is no warning counts. */
   public static CompilerLog of(String log) {
     for (String line : log.lines().toList()) {
       Matcher place = PLACE.matcher(line.strip());
@@ -39,7 +39,7 @@ public record CompilerLog(int line, int column, String message) {
     return digits.length() > 8 ? 0 : Integer.parseInt(digits);
   }
 
-  /** A part of a sentence, in the author's names. */
+  /** Returns a message as a part of a sentence, with the author's names. */
   private static String words(String text) {
     String plain =
         text.strip()

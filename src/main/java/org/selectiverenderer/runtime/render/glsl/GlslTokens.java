@@ -8,9 +8,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A text in GLSL as tokens: comments, the directives that must come first, names, and all else.
+ * The tokens of a GLSL source: comments, the directives that must come first, names, and all else.
  *
- * @param list the tokens in order; their texts one after the other are the text
+ * @param list the tokens in order; their concatenation is the source
  */
 record GlslTokens(List<Token> list) {
   private static final Pattern TOKEN =
@@ -20,10 +20,10 @@ record GlslTokens(List<Token> list) {
               + "|(?<name>[A-Za-z_]\\w*)"
               + "|(?<other>\\d[\\w.]*|[^A-Za-z_/#\\d\\n]+|[\\s\\S])");
 
-  /** What a token is. */
+  /** The kind of a token. */
   enum Kind {
     COMMENT,
-    /** A line {@code #version} or {@code #extension}, without its end. */
+    /** A line {@code #version} or {@code #extension}, without its line break. */
     FIRST,
     NAME,
     OTHER
@@ -46,7 +46,7 @@ record GlslTokens(List<Token> list) {
     return new GlslTokens(list);
   }
 
-  /** All names in it, those in directives included. */
+  /** Returns all names in the source, including those in directives. */
   Set<String> names() {
     Set<String> names = new HashSet<>();
     for (Token token : list) {
@@ -57,7 +57,7 @@ record GlslTokens(List<Token> list) {
     return names;
   }
 
-  /** The names that it gives to structures and macros itself. */
+  /** Returns the names of structures and macros that the source defines. */
   Set<String> defined() {
     Set<String> defined = new HashSet<>();
     String before = "";

@@ -12,15 +12,16 @@ import java.util.regex.Pattern;
 import org.selectiverenderer.runtime.instance.SurfaceProgram.Stage;
 
 /**
- * Translates the stages of an author's program to what OpenGL 3.3's core profile compiles: GLSL
- * 3.30, or a later version that the author asks for. Token by token; the lines stay where they are.
+ * Translates the stages of a custom shader to the GLSL of OpenGL 3.3's core profile: GLSL 3.30, or
+ * a later version that the author asks for. Works token by token and keeps the author's line
+ * structure.
  */
 public final class GlslTranslator {
   private static final int OLDEST = 330;
   private static final Pattern VERSION = Pattern.compile("#\\s*version\\s+(\\d+)(?:\\s+(\\w+))?");
   private static final Pattern EXTENSION = Pattern.compile("#\\s*extension\\s+(\\w+)");
 
-  /** Words that were free to be names before GLSL 1.30. */
+  /** Keywords that were allowed as names before GLSL 1.30. */
   private static final Set<String> LATER_WORDS =
       Set.of(
           "smooth",
@@ -57,23 +58,23 @@ public final class GlslTranslator {
   private final BrowserNames names = new BrowserNames();
 
   /**
-   * A text to compile.
+   * A translated source to compile.
    *
-   * @param part which of the texts given it is, from 0; -1 for one that is not the author's
-   * @param head how many lines stand before the author's first; {@code #line} would hide them, but
-   *     drivers count differently after it
+   * @param part the index of the author's source, from 0; -1 for a default stage
+   * @param head the number of lines before the author's first line; {@code #line} could hide them,
+   *     but drivers count differently after it
    */
   public record Unit(Stage stage, int part, int head, String text) {}
 
-  /** A text of the author's. */
+  /** A source of the author's. */
   public record Given(Stage stage, String text) {}
 
-  /** One text, taken apart. */
+  /** A source with its tokens. */
   private record Part(Given given, int number, GlslTokens tokens, boolean old) {}
 
   /**
-   * The texts of a program: those given, and one for a stage of which none is given, so that it
-   * does what graphics cards once did without a program.
+   * Returns the sources of a program: those given, and a default for each missing stage, which does
+   * what OpenGL's fixed-function pipeline did.
    */
   public List<Unit> translate(List<Given> given) {
     List<Part> parts = new ArrayList<>();
@@ -108,7 +109,9 @@ public final class GlslTranslator {
     return new Part(given, number, tokens, declared(tokens).map(v -> v < 130).orElse(true));
   }
 
-  /** The version that a text asks for; those of OpenGL ES as the one that they resemble. */
+  /**
+   * Returns the version that a source asks for; for OpenGL ES the corresponding desktop version.
+   */
   private static Optional<Integer> declared(GlslTokens tokens) {
     for (GlslTokens.Token token : tokens.list()) {
       Matcher version = VERSION.matcher(token.text());
@@ -125,7 +128,7 @@ public final class GlslTranslator {
     return Math.max(OLDEST, declared(part.tokens()).orElse(OLDEST));
   }
 
-  /** What the pixels' stage takes from the vertices' by names of GLSL's own. */
+  /** Returns the built-in varyings that the fragment stage reads from the vertex stage. */
   private Set<String> passed(List<Part> parts) {
     Set<String> passed = new HashSet<>();
     for (Part part : parts) {
@@ -168,7 +171,10 @@ public final class GlslTranslator {
     return new Unit(stage, part.number(), lines, head + body + "\n");
   }
 
-  /** Extensions of OpenGL ES are part of what is compiled; others are asked for, not required. */
+  /**
+   * Returns an extension directive: extensions of OpenGL ES are dropped because desktop GLSL
+   * includes them, others are enabled but not required.
+   */
   private static Optional<String> extension(String line) {
     Matcher extension = EXTENSION.matcher(line);
     return extension.find()
@@ -190,8 +196,8 @@ public final class GlslTranslator {
   }
 
   /**
-   * The names that a field's number may have in what is compiled: words that have since become
-   * GLSL's own stand there with an underscore.
+   * Returns the field name of a compiled uniform: names that have since become GLSL keywords are
+   * compiled with an underscore at the end.
    */
   public static String fieldName(String compiled) {
     return compiled.endsWith("_")

@@ -1,15 +1,16 @@
 /**
- * Programs of authors, in the GLSL of their day and browser, as OpenGL 3.3's core profile takes
- * them; without GL.
+ * Translates custom shaders, written for the GLSL of their day and browser, to OpenGL 3.3's core
+ * profile; without GL.
  *
- * <p>{@link org.selectiverenderer.runtime.render.glsl.GlslTokens} takes a text apart, {@link
- * org.selectiverenderer.runtime.render.glsl.GlslTranslator} puts it together again under a head
- * that declares what newer versions of GLSL no longer know and what browsers declare themselves:
- * names and declarations are data, {@code author-names.tsv}. No line of the author's moves, so that
- * the compiler's messages, which {@link org.selectiverenderer.runtime.render.glsl.CompilerLog}
- * reads, name lines of the scene.
+ * <p>{@link org.selectiverenderer.runtime.render.glsl.GlslTokens} splits a source into tokens;
+ * {@link org.selectiverenderer.runtime.render.glsl.GlslTranslator} reassembles them under a head
+ * that declares what newer versions of GLSL no longer know and what browsers declare themselves.
+ * These names and declarations are data in {@code author-names.tsv}. The author's lines are not
+ * moved, so that the compiler's messages, which {@link
+ * org.selectiverenderer.runtime.render.glsl.CompilerLog} reads, can be mapped to lines of the
+ * scene.
  *
- * <p>In: the texts of a program's stages. Out: texts to compile. Uses {@code runtime.instance},
+ * <p>In: the sources of a program's stages. Out: sources to compile. Uses {@code runtime.instance},
  * {@code x3d.shader} and {@code base.problem}.
  */
 @NullMarked

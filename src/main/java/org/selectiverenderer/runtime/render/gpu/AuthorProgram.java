@@ -13,9 +13,9 @@ import org.selectiverenderer.runtime.instance.SurfaceProgram.Stage;
 import org.selectiverenderer.runtime.render.glsl.CompilerLog;
 import org.selectiverenderer.runtime.render.glsl.GlslTranslator;
 
-/** A linked program that an author wrote, with the numbers and textures that it asks for. */
+/** A linked custom shader program with its uniforms and texture samplers. */
 public final class AuthorProgram {
-  /** Textures of one program: what every card has. */
+  /** The most texture units of one program, which every graphics card has. */
   private static final int MOST_TEXTURES = 16;
 
   private final int id;
@@ -23,18 +23,18 @@ public final class AuthorProgram {
   private final List<Uniform> samplers = new ArrayList<>();
   private final Map<Uniform, float[]> sent = new IdentityHashMap<>();
 
-  /** The values that the program's text gives its numbers. */
+  /** The initial values of the uniforms from the program's text. */
   private final Map<Uniform, float[]> own = new IdentityHashMap<>();
 
   /**
-   * What a program asks for by a name.
+   * A uniform or sampler of a program.
    *
-   * @param name as the author wrote it, without the {@code [0]} of an array
-   * @param type as GL numbers it
-   * @param size elements of an array, else 1
+   * @param name its name as the author wrote it, without the {@code [0]} of an array
+   * @param type its GL type constant
+   * @param size the number of elements of an array, else 1
    */
   public record Uniform(String name, int location, int type, int size) {
-    /** Numbers of one element. */
+    /** Returns the number of components of one element. */
     public int components() {
       return switch (type) {
         case GL2ES2.GL_FLOAT_VEC2, GL2ES2.GL_INT_VEC2, GL2ES2.GL_BOOL_VEC2 -> 2;
@@ -79,13 +79,13 @@ public final class AuthorProgram {
     }
   }
 
-  /** What came of compiling: a program, or what the compiler says. */
+  /** The result of compiling: a program, or the compiler's message. */
   public record Outcome(Optional<AuthorProgram> program, Optional<Failure> failure) {}
 
   /**
-   * Why there is no program.
+   * The reason why there is no program.
    *
-   * @param unit that does not compile; empty when the stages do not fit together
+   * @param unit the stage that does not compile; empty when the stages do not link
    */
   public record Failure(Optional<GlslTranslator.Unit> unit, CompilerLog log) {}
 
@@ -116,7 +116,7 @@ public final class AuthorProgram {
     String told = new String(name, 0, length[0], StandardCharsets.UTF_8);
     int location = gl.glGetUniformLocation(id, told);
     if (location < 0) {
-      return; // In a block, which has no fields.
+      return; // In a uniform block, for which X3D has no fields.
     }
     String plain = told.endsWith("[0]") ? told.substring(0, told.length() - 3) : told;
     Uniform uniform =
@@ -137,7 +137,7 @@ public final class AuthorProgram {
     for (int i = 0; i < of.size(); i++) {
       int at = i == 0 ? of.location() : gl.glGetUniformLocation(id, name + "[" + i + "]");
       if (at < 0) {
-        continue; // An element that the program does not use.
+        continue; // An element that was optimised away.
       }
       if (of.whole() || of.type() == GL.GL_UNSIGNED_INT) {
         gl.glGetUniformiv(id, at, whole, 0);
@@ -155,7 +155,7 @@ public final class AuthorProgram {
   /**
    * Compiles and links.
    *
-   * @param attributes where the program finds attributes of vertices by their names
+   * @param attributes the locations of vertex attributes by name
    */
   public static Outcome of(
       GL3 gl, List<GlslTranslator.Unit> units, Map<String, Integer> attributes) {
@@ -175,7 +175,7 @@ public final class AuthorProgram {
           return failed(gl, id, Optional.of(unit), text(log, length));
         }
         gl.glAttachShader(id, shader);
-        gl.glDeleteShader(shader); // It goes with the program.
+        gl.glDeleteShader(shader); // Deleted with the program.
       }
       attributes.forEach((name, location) -> gl.glBindAttribLocation(id, location, name));
       gl.glLinkProgram(id);
@@ -189,7 +189,11 @@ public final class AuthorProgram {
       }
       AuthorProgram made = new AuthorProgram(gl, id);
       if (made.samplers.stream().mapToInt(Uniform::size).sum() > MOST_TEXTURES) {
-        return failed(gl, id, Optional.empty(), "more than %s textures".formatted(MOST_TEXTURES));
+        return failed(
+            gl,
+            id,
+            Optional.empty(),
+            "it uses more than %s texture samplers".formatted(MOST_TEXTURES));
       }
       return new Outcome(Optional.of(made), Optional.empty());
     } finally {
@@ -214,12 +218,12 @@ public final class AuthorProgram {
     };
   }
 
-  /** The numbers that it asks for. */
+  /** Returns the program's uniforms. */
   public List<Uniform> uniforms() {
     return uniforms;
   }
 
-  /** The textures that it asks for, which are on the card's units in this order. */
+  /** Returns the program's samplers, which use the texture units in this order. */
   public List<Uniform> samplers() {
     return samplers;
   }
@@ -229,8 +233,8 @@ public final class AuthorProgram {
   }
 
   /**
-   * Sets numbers while it is current. Those of an array that are not given are those of the
-   * program's text, whatever was set before for another shape.
+   * Sets a uniform while the program is current. Elements of an array that are not given get their
+   * initial values, whatever was set before for another shape.
    *
    * @param values not written to afterwards
    */
@@ -248,7 +252,7 @@ public final class AuthorProgram {
     send(gl, to, all);
   }
 
-  /** Sets a number to what the program's text says while it is current. */
+  /** Resets a uniform to its initial value while the program is current. */
   public void unset(GL3 gl, Uniform to) {
     if (sent.remove(to) != null) {
       send(gl, to, own.get(to));

@@ -13,8 +13,9 @@ import org.selectiverenderer.runtime.instance.TextureUnit;
 import org.selectiverenderer.runtime.instance.VolumeTexture;
 
 /**
- * What the shader of a detailed surface is compiled with: its textures as GLSL, so that it looks up
- * each by what it is for, and computes nothing else.
+ * Generates the preprocessor defines of the shader for a surface with several textures: the texture
+ * look-ups as GLSL code, each for its role, so that the shader computes nothing that the surface
+ * does not need.
  */
 public final class DetailDefines {
   private static final Set<String> MODES =
@@ -43,9 +44,10 @@ public final class DetailDefines {
 
   /**
    * @param tints whether the Appearance's image multiplies the colour, else replaces it
-   * @param sizes floats in each of the mesh's further texture coordinates
-   * @param tangents where the mesh's tangents are among its further coordinates; -1 without any
-   * @param cutOut whether pixels of its images are there or not
+   * @param sizes the number of components of each of the mesh's further texture coordinates
+   * @param tangents the index of the tangents among the mesh's further texture coordinates; -1
+   *     without tangents
+   * @param cutOut whether pixels are discarded where its images are transparent
    */
   public static List<String> of(
       SurfaceDetail detail, boolean tints, List<Integer> sizes, int tangents, boolean cutOut) {
@@ -106,9 +108,9 @@ public final class DetailDefines {
   }
 
   /**
-   * Whether an image lies as the mesh's coordinates say: nothing turns them, and they have no
-   * fourth number to be divided by. On a processor what else is done with them costs as much as a
-   * look-up.
+   * Returns whether an image is looked up at the mesh's texture coordinates unchanged: without a
+   * texture transform and without a fourth component to divide by. For a software renderer the
+   * transform costs as much as a look-up.
    */
   private static boolean straight(TextureUnit unit, List<Integer> sizes) {
     return unit.source() instanceof Texture
@@ -117,7 +119,10 @@ public final class DetailDefines {
         && Arrays.equals(unit.matrix(), new Matrix4f().get(new float[16]));
   }
 
-  /** The mesh's further coordinates that are looked at, from the vertices to the pixels. */
+  /**
+   * Adds the declarations that pass the further texture coordinates in use from the vertex to the
+   * fragment shader.
+   */
   private static void sets(SurfaceDetail detail, List<Integer> sizes, List<String> defines) {
     Set<Integer> used = new TreeSet<>();
     for (TextureUnit unit : detail.units()) {
@@ -129,7 +134,7 @@ public final class DetailDefines {
     StringBuilder passed = new StringBuilder();
     StringBuilder varyings = new StringBuilder();
     for (int set : used) {
-      // A mesh that could not be made with them has none: 0, 0, 0, 1 then.
+      // A mesh without these coordinates gets 0, 0, 0, 1.
       if (set <= sizes.size()) {
         inputs.append("layout(location = %d) in vec4 given%d; ".formatted(3 + set, set));
         passed.append("set%d = given%d; ".formatted(set, set));
@@ -187,7 +192,7 @@ public final class DetailDefines {
           default -> "baseHere";
         };
     String call = "%s(" + texel + ", " + source + ", plain, detail[1])";
-    // Said twice, the texture would be looked up twice.
+    // One expression for both modes, so that the texture is looked up once.
     String result =
         mode(stage.mode()).equals(mode(stage.alphaMode()))
             ? "clamp(" + call.formatted(mode(stage.mode())) + ", 0.0, 1.0)"

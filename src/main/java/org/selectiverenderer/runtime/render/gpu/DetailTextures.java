@@ -5,13 +5,13 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a program of detailed surfaces is told of one of them. Compared by identity.
+ * The textures and uniform values of a surface with several textures. Compared by identity.
  *
- * @param textures of its units
- * @param matrices sixteen numbers per unit
- * @param numbers twelve, as the shader says
- * @param back the material of the back, twelve numbers, or null
- * @param holes whether one sees through where an image has no pixels
+ * @param textures one per texture unit
+ * @param matrices texture transforms, sixteen numbers per unit
+ * @param numbers twelve uniform values, as the shader declares them
+ * @param back the back material, twelve numbers, or null
+ * @param holes whether pixels are discarded where an image is transparent
  */
 public record DetailTextures(
     List<GpuTexture> textures,

@@ -72,17 +72,17 @@ public final class GpuMesh {
     return clusters;
   }
 
-  /** Stretches that draw the same with fewer triangles, the fewest first. */
+  /** Returns the coarser refinement levels, fewest triangles first. */
   public List<CoarserPart> coarser() {
     return coarser;
   }
 
-  /** The kind of primitive, as GL numbers it. */
+  /** Returns the GL constant of the primitive type. */
   public int mode() {
     return mode;
   }
 
-  /** The type of an index, as GL numbers it. */
+  /** Returns the GL constant of the index type. */
   public int indexType() {
     return indexType;
   }

@@ -12,29 +12,29 @@ import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.instance.VolumeTexture;
 import org.selectiverenderer.runtime.movie.Film;
 
-/** A texture on the graphics card, of two dimensions, of three, or a cube. */
+/** A 2D, 3D or cube map texture on the graphics card. */
 public final class GpuTexture {
   private final int id;
   private final int target;
   private final Alpha alpha;
   private final TextureFilters filters;
 
-  /** The texture of a film; null for what stands still. */
+  /** The texture of a movie; null for a still image. */
   private final @Nullable Texture moving;
 
   private Film.@Nullable Picture seen;
 
-  /** What is drawn into it; null for what comes from elsewhere. */
+  /** The generated cube map that is rendered into this texture; null for other textures. */
   private final @Nullable GeneratedCube generated;
 
-  /** The side of a generated cube in pixels. */
+  /** The side of a generated cube map in pixels. */
   private int side;
 
-  /** What the alpha channel of an image is for. */
+  /** The use of an image's alpha channel. */
   public enum Alpha {
     /** Every pixel is opaque. */
     NONE,
-    /** Pixels are there or not: an outline cut out of the image. */
+    /** Pixels are either opaque or transparent: a cut-out shape for the alpha test. */
     CUT_OUT,
     /** Pixels are translucent. */
     BLENDED
@@ -83,7 +83,7 @@ public final class GpuTexture {
     return alpha;
   }
 
-  /** What an image's alpha channel is for, judged by its pixels. */
+  /** Classifies an image's alpha channel by its pixels. */
   public static Alpha alphaOf(Texture.Image image) {
     if (!image.translucent()) {
       return Alpha.NONE;
@@ -100,9 +100,9 @@ public final class GpuTexture {
       }
     }
     if (holes == 0 && between == 0) {
-      return image.film() == null ? Alpha.NONE : Alpha.CUT_OUT; // Later pictures have holes.
+      return image.film() == null ? Alpha.NONE : Alpha.CUT_OUT; // Later frames may have holes.
     }
-    // The edges of a cut-out are smoothed over a pixel or two: few pixels lie in between.
+    // The edges of a cut-out are anti-aliased over a pixel or two, so few pixels are translucent.
     return between * 20 <= rgba.length / 4 && holes > 0 ? Alpha.CUT_OUT : Alpha.BLENDED;
   }
 
@@ -110,7 +110,7 @@ public final class GpuTexture {
     bind(gl, 0);
   }
 
-  /** Makes it current on one of the card's texture units. */
+  /** Binds the texture to a texture unit. */
   public void bind(GL3 gl, int unit) {
     use(gl, unit);
     if (moving != null) {
@@ -118,7 +118,7 @@ public final class GpuTexture {
     }
   }
 
-  /** Sends the picture that a film shows now, unless it is there. */
+  /** Uploads the movie's current frame unless it is there. */
   private void follow(GL3 gl, Texture texture) {
     Texture.Image image = texture.image();
     Film.Picture now = Objects.requireNonNull(image.film()).picture();
@@ -130,20 +130,22 @@ public final class GpuTexture {
     }
   }
 
-  /** The cube that is drawn into it while the scene runs; empty for all others. */
+  /**
+   * Returns the generated cube map that is rendered into this texture; empty for other textures.
+   */
   public Optional<GeneratedCube> generated() {
     return Optional.ofNullable(generated);
   }
 
-  /** The side of a cube that is drawn, in pixels. */
+  /** Returns the side of a generated cube map in pixels. */
   public int side() {
     return side;
   }
 
   /**
-   * Makes a side of a generated cube what the current frame buffer draws on.
+   * Attaches a face of a generated cube map to the current framebuffer.
    *
-   * @param face in the card's order +X, -X, +Y, -Y, +Z, -Z
+   * @param face the face in OpenGL's order +X, -X, +Y, -Y, +Z, -Z
    */
   public void drawOn(GL3 gl, int face) {
     gl.glFramebufferTexture2D(
@@ -154,7 +156,7 @@ public final class GpuTexture {
         0);
   }
 
-  /** All sides of a generated cube have been drawn on. */
+  /** Makes the mipmaps after all faces of a generated cube map have been rendered. */
   public void drawn(GL3 gl) {
     if (generated != null) {
       use(gl, 0);

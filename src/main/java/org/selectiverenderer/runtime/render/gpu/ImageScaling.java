@@ -2,13 +2,13 @@ package org.selectiverenderer.runtime.render.gpu;
 
 import org.selectiverenderer.runtime.instance.Texture;
 
-/** Pictures in other sizes. */
+/** Resamples images to other sizes. */
 final class ImageScaling {
   private ImageScaling() {}
 
   /**
-   * A layer of an image in another size: each pixel is the mean of those that it covers, or the
-   * nearest where it covers less than one.
+   * Scales a layer of an image by a box filter: each pixel is the mean of those that it covers, or
+   * the nearest where it covers less than one.
    *
    * @return the image's own bytes where nothing changes
    */
@@ -39,7 +39,7 @@ final class ImageScaling {
     return out;
   }
 
-  /** Upside down and back to front: by half a turn. */
+  /** Rotates an image by 180 degrees. */
   static byte[] turnedRound(byte[] rgba) {
     byte[] out = new byte[rgba.length];
     for (int i = 0; i < rgba.length; i += 4) {

@@ -5,14 +5,15 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * The lights that a program computes, by kind; in its uniforms they stand in this order.
+ * The number of lights of each kind that a program computes; its uniform array has them in this
+ * order.
  *
- * @param directional lights that are everywhere alike
- * @param points lights with a position
- * @param spots lights with a position and a beam
+ * @param directional directional lights
+ * @param points point lights
+ * @param spots spot lights
  */
 public record LightCounts(int directional, int points, int spots) {
-  /** For what is not lit. */
+  /** No lights, for unlit shapes. */
   static final LightCounts NONE = new LightCounts(0, 0, 0);
 
   int all() {

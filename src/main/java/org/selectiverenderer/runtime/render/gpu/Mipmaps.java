@@ -3,12 +3,12 @@ package org.selectiverenderer.runtime.render.gpu;
 import org.selectiverenderer.runtime.instance.Texture;
 
 /**
- * Smaller versions of an image, each half as wide and high as the one before, as OpenGL has them
- * (OpenGL 3.3, 3.8.14). A software renderer draws them as pictures of pictures, each by a call of
- * its own, which takes thirty times as long.
+ * Generates the mipmap levels of an image, each half as wide and high as the one before (OpenGL
+ * 3.3, 3.8.14). A software renderer's glGenerateMipmap draws each level as a textured rectangle,
+ * which takes thirty times as long.
  */
 final class Mipmaps {
-  /** The weights of a filter are so many parts of one. */
+  /** The fixed-point precision of filter weights. */
   private static final int BITS = 8;
 
   private static final int ONE = 1 << BITS;
@@ -17,7 +17,7 @@ final class Mipmaps {
   private int height;
   private byte[] rgba;
 
-  /** Begins with the image itself. */
+  /** Begins with the image itself as level 0. */
   Mipmaps(Texture.Image image) {
     this(image.width(), image.height(), image.rgba());
   }
@@ -39,12 +39,12 @@ final class Mipmaps {
     return height;
   }
 
-  /** The pixels of this version; not to be written to. */
+  /** Returns the pixels of this level; not to be written to. */
   byte[] rgba() {
     return rgba;
   }
 
-  /** Goes on to the next smaller version; false where this one is a single pixel. */
+  /** Goes on to the next smaller level; returns false if this one is a single pixel. */
   boolean next() {
     if (width == 1 && height == 1) {
       return false;
@@ -57,7 +57,7 @@ final class Mipmaps {
     return true;
   }
 
-  /** The means of four pixels each. */
+  /** Averages four pixels each. */
   private byte[] quarters(int w, int h) {
     byte[] out = new byte[4 * w * h];
     int row = 4 * width;
@@ -78,7 +78,7 @@ final class Mipmaps {
     return out;
   }
 
-  /** What lies between the four pixels around the middle of each that is made. */
+  /** Interpolates bilinearly between the four pixels around the centre of each new pixel. */
   private byte[] between(int w, int h) {
     byte[] out = new byte[4 * w * h];
     int[] left = places(width, w);
@@ -102,12 +102,12 @@ final class Mipmaps {
     return out;
   }
 
-  /** Weighted; the weights' parts are not divided away. */
+  /** Returns the weighted sum in fixed point, without dividing by {@link #ONE}. */
   private static int mix(int a, int b, int weight) {
     return a * (ONE - weight) + b * weight;
   }
 
-  /** Where the middles of the pixels of a shorter row lie among the middles of a longer one's. */
+  /** Returns the positions of a shorter row's pixel centres in a longer row, in fixed point. */
   private static int[] places(int longer, int shorter) {
     int[] places = new int[shorter];
     for (int i = 0; i < shorter; i++) {

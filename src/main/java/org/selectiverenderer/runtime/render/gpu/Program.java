@@ -13,7 +13,10 @@ import org.jspecify.annotations.Nullable;
 
 /** A linked shader program, GLSL 3.30. */
 public final class Program {
-  /** Names of what passes through a geometry shader, which no name may do unchanged. */
+  /**
+   * Defines that append an underscore to the vertex shader's outputs, because the inputs and
+   * outputs of a geometry shader need different names.
+   */
   private static final String HANDED_ON =
       Stream.of("eyeNormal", "eyePosition", "vertexColor", "fogPlace", "cutPlace", "along")
           .map(name -> "#define %s %s_\n".formatted(name, name))
@@ -25,7 +28,7 @@ public final class Program {
   /**
    * @param name of the resources {@code name.vert.glsl} and {@code name.frag.glsl}; a line {@code
    *     #include other.glsl} stands for the text of that resource
-   * @param defines what the texts are compiled with: {@code NAME} or {@code NAME value}
+   * @param defines the preprocessor defines of the program: {@code NAME} or {@code NAME value}
    * @throws GLException if the driver rejects the text; its log is in the message
    */
   public Program(GL3 gl, String name, List<String> defines) {
@@ -33,11 +36,11 @@ public final class Program {
   }
 
   /**
-   * Likewise.
+   * Compiles and links a program with an optional geometry shader.
    *
-   * @param texts where the texts are kept for further programs of the same resources
-   * @param geometry names the resource {@code geometry.geom.glsl}, or null for none. What the
-   *     vertex shader hands on has an underscore after its name then
+   * @param texts the loaded source texts, shared by programs of the same resources
+   * @param geometry the name of the resource {@code geometry.geom.glsl}, or null for none. With
+   *     one, the vertex shader's outputs get an underscore after their names
    */
   Program(GL3 gl, ShaderTexts texts, String name, List<String> defines, @Nullable String geometry) {
     StringBuilder head = new StringBuilder("#version 330 core\n");
@@ -91,7 +94,10 @@ public final class Program {
     gl.glUseProgram(id);
   }
 
-  /** The location of a uniform; -1, which GL ignores, for one that this program does not have. */
+  /**
+   * Returns the location of a uniform; -1, which GL ignores, for one that this program does not
+   * have.
+   */
   public int uniform(GL3 gl, String name) {
     return uniforms.computeIfAbsent(name, key -> gl.glGetUniformLocation(id, key));
   }

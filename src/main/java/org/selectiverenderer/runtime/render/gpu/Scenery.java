@@ -4,32 +4,35 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a program does beside colour and light: lines and hatches, fog, planes that cut. Programs of
- * scenes without them know nothing of it.
+ * The effects of a shader program besides colour and lighting: strokes and hatches, fog, clip
+ * planes, environment light. Programs of scenes without them do not contain their code.
  *
- * @param fogDepth where vertices say how deep in fog they are, counted from the first attribute
- *     after the texture coordinates; -1 where that is how far they are from the eye
- * @param planes that cut, at most {@link #MAX_PLANES}
- * @param around light from all around
+ * @param fogDepth the index of the fog depth attribute (FogCoordinate) after the texture
+ *     coordinates; -1 where the fog depth is the distance from the eye
+ * @param planes the number of clip planes, at most {@link #MAX_PLANES}
+ * @param around the environment light
  */
 public record Scenery(StrokeForm stroke, Mist mist, int fogDepth, int planes, Around around) {
-  /** Planes that can cut one shape, as many as every OpenGL 3.3 has; those beyond do not cut. */
+  /**
+   * The most clip planes of a shape: the number that every OpenGL 3.3 has; further ones are
+   * ignored.
+   */
   public static final int MAX_PLANES = 8;
 
-  /** Nothing of all that. */
+  /** No effects. */
   public static final Scenery NONE = new Scenery(StrokeForm.PLAIN, Mist.CLEAR, -1, 0, Around.DARK);
 
-  /** How fog thickens with distance. */
+  /** The function by which fog increases with distance. */
   public enum Mist {
     CLEAR,
     LINEAR,
     EXPONENTIAL
   }
 
-  /** Light from all around. */
+  /** The kind of environment light (EnvironmentLight). */
   public enum Around {
     DARK,
-    /** Without an image that is mirrored. */
+    /** Diffuse light without a reflected image. */
     SMOOTH,
     IMAGE
   }

@@ -8,7 +8,7 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The texts of the program's shaders, put together of their parts. Each resource is read once,
+ * Loads the application's shader sources and resolves their includes. Each resource is read once,
  * however many programs are made of it. For one thread.
  */
 final class ShaderTexts {
@@ -18,7 +18,8 @@ final class ShaderTexts {
   private final Map<String, String> texts = new HashMap<>();
 
   /**
-   * A text whose lines {@code #include other.glsl} have been replaced by that resource's.
+   * Returns a shader source whose lines {@code #include other.glsl} are replaced by the texts of
+   * these resources.
    *
    * @param resource such as {@code shape.vert.glsl}
    */
@@ -43,7 +44,7 @@ final class ShaderTexts {
     return whole.append(text, done, text.length()).toString();
   }
 
-  /** The next line that includes something, from an offset on; -1 if there is none. */
+  /** Returns the offset of the next include line; -1 if there is none. */
   private static int next(String text, int from) {
     int at = text.indexOf(INCLUDE, from);
     while (at > 0 && text.charAt(at - 1) != '\n') {

@@ -9,12 +9,12 @@ import org.joml.Matrix4dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.instance.SurfaceDetail;
 
-/** The program of shapes in one variant, with its uniforms, which it remembers between draws. */
+/** A variant of the shape shader. It remembers the uniforms sent last, and sends only changes. */
 public final class ShapeProgram {
-  /** Lights that one shape can have; those beyond are left out. */
+  /** The most lights of one shape; further ones are left out. */
   public static final int MAX_LIGHTS = 16;
 
-  /** The texture unit of what is mirrored, which no texture of a surface has. */
+  /** The texture unit of the environment map, beyond those of the surface. */
   private static final int ENVIRONMENT_UNIT = SurfaceDetail.MOST_UNITS;
 
   private final Program program;
@@ -37,7 +37,7 @@ public final class ShapeProgram {
   private float currentPointSize;
 
   /**
-   * @param texts where the texts of all such programs are kept
+   * @param texts the shader sources, shared by all such programs
    */
   ShapeProgram(
       GL3 gl, ShaderTexts texts, ShapeVariant variant, LightCounts counts, Scenery scenery) {
@@ -59,7 +59,7 @@ public final class ShapeProgram {
     details = variant.detail().isEmpty() ? null : new Details(gl, program);
   }
 
-  /** What only detailed surfaces have. */
+  /** The uniforms of surfaces with several textures. */
   private static final class Details {
     private final int unit;
     private final int detail;
@@ -73,7 +73,7 @@ public final class ShapeProgram {
       back = program.uniform(gl, "backMaterial");
       toWorld = program.uniform(gl, "toWorld");
       for (int i = 0; i < SurfaceDetail.MOST_UNITS; i++) {
-        gl.glUniform1i(program.uniform(gl, "image" + i), i); // GL passes over those not there.
+        gl.glUniform1i(program.uniform(gl, "image" + i), i); // GL ignores missing ones.
       }
     }
 
@@ -98,9 +98,9 @@ public final class ShapeProgram {
   }
 
   /**
-   * Sets what a detailed surface has beside its material, and makes its textures current.
+   * Sets the further uniforms of a surface with several textures, and binds the textures.
    *
-   * @param view from the world to the eye
+   * @param view the view matrix, from the world to the eye
    */
   public void detail(GL3 gl, DetailTextures detailed, Matrix4dc view) {
     if (details != null) {
@@ -109,9 +109,9 @@ public final class ShapeProgram {
   }
 
   /**
-   * Makes it current.
+   * Makes the program current.
    *
-   * @param pixels side of a point
+   * @param pixels the side of a point in pixels
    */
   public void use(GL3 gl, float pixels) {
     program.use(gl);
@@ -122,15 +122,16 @@ public final class ShapeProgram {
   }
 
   /**
-   * @param transform 40 numbers, as the vertex shader says
+   * @param transform 40 numbers, as the vertex shader declares them
    */
   public void object(GL3 gl, float[] transform) {
     gl.glUniform4fv(object, 10, transform, 0);
   }
 
   /**
-   * @param numbers twelve, as the light model says; not written to afterwards
-   * @param transform nine numbers of the texture transform
+   * @param numbers twelve material values, as the lighting shader declares them; not written to
+   *     afterwards
+   * @param transform the texture transform, nine numbers
    */
   public void material(GL3 gl, float[] numbers, float[] transform) {
     if (currentMaterial != numbers) {
@@ -141,7 +142,7 @@ public final class ShapeProgram {
   }
 
   /**
-   * @param numbers twenty per light, as the light model says
+   * @param numbers twenty per light, as the lighting shader declares them
    */
   public void lights(GL3 gl, float[] numbers) {
     if (numbers.length > 0 && currentLights != numbers) {
@@ -151,7 +152,7 @@ public final class ShapeProgram {
   }
 
   /**
-   * @param numbers eight, as the form of the stroke says; not written to afterwards
+   * @param numbers eight, as the shader of the stroke declares them; not written to afterwards
    */
   public void stroke(GL3 gl, float[] numbers) {
     if (currentStroke != numbers) {
@@ -161,7 +162,7 @@ public final class ShapeProgram {
   }
 
   /**
-   * @param numbers the fog's colour, and how far one sees in it; not written to afterwards
+   * @param numbers the fog's colour and visibility range; not written to afterwards
    */
   public void fog(GL3 gl, float[] numbers) {
     if (currentFog != numbers) {
@@ -171,8 +172,7 @@ public final class ShapeProgram {
   }
 
   /**
-   * @param numbers four for each plane that cuts, in the eye's coordinates; not written to
-   *     afterwards
+   * @param numbers four per clip plane, in the eye's coordinates; not written to afterwards
    */
   public void planes(GL3 gl, float[] numbers) {
     if (currentPlanes != numbers) {
@@ -182,8 +182,8 @@ public final class ShapeProgram {
   }
 
   /**
-   * @param numbers 52, as {@code environment.glsl} says; not written to afterwards
-   * @param image what is mirrored, or null
+   * @param numbers 52, as {@code environment.glsl} declares them; not written to afterwards
+   * @param image the environment map for reflections, or null
    */
   public void environment(GL3 gl, float[] numbers, @Nullable GpuTexture image) {
     if (currentEnvironment != numbers) {

@@ -6,12 +6,15 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** The shape programs made so far: one per variant and kinds of lights. */
+/**
+ * A cache of the variants of the shape shader: one per material variant, light counts and effects,
+ * compiled when first needed.
+ */
 public final class ShapePrograms {
   private final Map<ShapeVariant, Family> families = new HashMap<>();
   private final ShaderTexts texts = new ShaderTexts();
 
-  /** The programs of one variant, which differ in their lights. */
+  /** The programs of one material variant, which differ in their lights and effects. */
   public static final class Family {
     private final ShapeVariant variant;
     private final @Nullable Family front;
@@ -27,19 +30,22 @@ public final class ShapePrograms {
       this.texts = texts;
     }
 
-    /** The programs for where nothing but front sides is seen, which light no back. */
+    /**
+     * Returns the programs for views in which only front faces are seen, which compute no lighting
+     * for back faces.
+     */
     public Family front() {
       return front == null ? this : front;
     }
 
-    /** The program for such lights, made when first asked for. */
+    /** Returns the program for these light counts, compiled when first asked for. */
     public ShapeProgram get(GL3 gl, LightCounts lights) {
       LightCounts counted = variant.lit() ? lights : LightCounts.NONE;
       return byLights.computeIfAbsent(
           counted, counts -> new ShapeProgram(gl, texts, variant, counts, Scenery.NONE));
     }
 
-    /** Likewise, with what the scenery takes. */
+    /** Returns the program for these light counts and effects, compiled when first asked for. */
     public ShapeProgram get(GL3 gl, LightCounts lights, Scenery scenery) {
       if (scenery == Scenery.NONE) {
         return get(gl, lights);
@@ -65,7 +71,9 @@ public final class ShapePrograms {
     return known;
   }
 
-  /** The programs of the same shapes where several diffuse colours are drawn together. */
+  /**
+   * Returns the programs of the same material variant for batches with a diffuse colour per vertex.
+   */
   public Family tinted(Family family) {
     return get(family.variant.tints());
   }

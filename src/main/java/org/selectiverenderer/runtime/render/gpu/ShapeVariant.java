@@ -4,23 +4,23 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a shape needs of its shader. Each variant is a program of its own that computes nothing
- * else: software GL executes both sides of every branch.
+ * The features that a shape needs of its shader. Each variant is a program of its own without
+ * branches, because software GL executes both sides of every branch.
  *
- * @param lit whether lights count
+ * @param lit whether it is lit
  * @param specular whether the material has a highlight
- * @param byVertex whether light is computed at the vertices, else at the pixels
+ * @param byVertex whether lighting is per vertex, else per pixel
  * @param colors whether vertices have colours
- * @param texture whether there is an image
- * @param tint whether the image tints the colour, else replaces it
- * @param glow whether the image multiplies the emissive colour, and nothing else
- * @param alphaTest whether pixels of the image are either there or not
- * @param twoSided whether the back is seen
- * @param points whether points are drawn
- * @param blended whether it is blended over what is behind
- * @param tinted whether vertices have, instead, the diffuse colours of the materials of shapes that
- *     are drawn together
- * @param detail what {@link DetailDefines} says of a surface that has more; else empty
+ * @param texture whether there is a texture
+ * @param tint whether the texture multiplies the colour, else replaces it
+ * @param glow whether the texture multiplies the emissive colour only
+ * @param alphaTest whether transparent pixels of the texture are discarded
+ * @param twoSided whether back faces are drawn
+ * @param points whether the primitives are points
+ * @param blended whether it is blended over what is behind it
+ * @param tinted whether vertices store the diffuse colours of the shapes of a batch instead
+ * @param detail the defines of {@link DetailDefines} for a surface with several textures; else
+ *     empty
  */
 public record ShapeVariant(
     boolean lit,
@@ -40,7 +40,8 @@ public record ShapeVariant(
   List<String> defines(LightCounts lights) {
     List<String> defines = new ArrayList<>(lights.defines());
     boolean apart = colors || (texture && !glow);
-    // Such a colour is the same all over a triangle: where light is computed, there it is enough.
+    // A diffuse colour is constant over a triangle, so with per-vertex lighting it is only needed
+    // there.
     boolean atVertices = lit && byVertex && !apart;
     add(defines, lit, "LIT");
     add(defines, lit && specular, "SPECULAR");
@@ -61,7 +62,7 @@ public record ShapeVariant(
     return defines;
   }
 
-  /** The same with its light computed elsewhere. */
+  /** Returns the same variant with per-vertex or per-pixel lighting. */
   public ShapeVariant lit(boolean atVertices) {
     return new ShapeVariant(
         lit,
@@ -79,7 +80,10 @@ public record ShapeVariant(
         detail);
   }
 
-  /** The same for where nothing but front sides is seen; differs only in its light. */
+  /**
+   * Returns the same variant for views in which only front faces are seen; differs only if it is
+   * lit.
+   */
   ShapeVariant front() {
     return new ShapeVariant(
         lit,
@@ -97,7 +101,7 @@ public record ShapeVariant(
         detail);
   }
 
-  /** The same for shapes of several diffuse colours, which are drawn together. */
+  /** Returns the same variant for batches with a diffuse colour per vertex. */
   ShapeVariant tints() {
     return new ShapeVariant(
         lit, specular, byVertex, colors, texture, tint, glow, alphaTest, twoSided, points, blended,

@@ -3,15 +3,15 @@ package org.selectiverenderer.runtime.render.gpu;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** How the primitives of a shape become pixels: what the texts of its program are compiled with. */
+/** The styles of lines, points and areas, with the shader defines that draw them. */
 public enum StrokeForm {
-  /** Lines one pixel wide, points of the usual size, areas filled. */
+  /** Lines one pixel wide, points of the usual size, filled areas. */
   PLAIN(null),
   /** Wide lines with round ends, which meet without a gap. */
   WIDE("line", "LINES", "WIDE"),
   /** Lines with a pattern, of any width. */
   PATTERN("line", "LINES", "PATTERN"),
-  /** Lines that lie beside the straight one: freehand, zigzag. */
+  /** Lines that deviate from the straight one: freehand, zigzag. */
   BREAK("line", "LINES", "PATTERN", "BREAK"),
   /** Lines with arrows or dots at their ends. */
   ENDED("line", "LINES", "WIDE", "ENDED"),
@@ -19,11 +19,11 @@ public enum StrokeForm {
   SIZED(null, "SIZED"),
   /** Points that distance makes smaller. */
   ATTENUATED(null, "SIZED", "ATTENUATED"),
-  /** Areas with lines over them. */
+  /** Filled areas with hatching. */
   HATCHED(null, "HATCHED"),
-  /** Lines over areas that are not seen themselves. */
+  /** Areas drawn by hatching only. */
   HATCH_ONLY(null, "HATCHED", "HOLLOW"),
-  /** Areas of which nothing is seen. */
+  /** Invisible areas. */
   HOLLOW(null, "HOLLOW");
 
   private final @Nullable String geometry;
@@ -34,7 +34,7 @@ public enum StrokeForm {
     this.defines = List.of(defines);
   }
 
-  /** The name of its geometry shader, or null for none. */
+  /** Returns the name of its geometry shader, or null for none. */
   @Nullable String geometry() {
     return geometry;
   }

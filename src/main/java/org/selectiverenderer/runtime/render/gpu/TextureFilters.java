@@ -10,30 +10,30 @@ import org.selectiverenderer.runtime.instance.TextureSource;
 import org.selectiverenderer.runtime.instance.VolumeTexture;
 
 /**
- * How textures are sampled: as their TextureProperties say, else trilinearly and a little
- * anisotropically. Or as quickly as does not show, for where a processor samples them: there four
- * samples of an anisotropic filter cost more than all the rest of a pixel.
+ * The quality of texture filtering: as the TextureProperties say, by default trilinear with some
+ * anisotropy; or cheaper without a visible difference, for a software renderer, where four samples
+ * of an anisotropic filter cost more than all the rest of a pixel.
  */
 public enum TextureFilters {
-  /** As the scene says. */
+  /** Filters as the scene says; the graphics card makes the mipmaps. */
   FINE,
-  /** The same where a processor draws: smaller versions of images are made by this program. */
+  /** Filters as the scene says, for a software renderer: this application makes the mipmaps. */
   FINE_BY_PROCESSOR,
   /**
-   * Of a filter's samples only those of one mipmap, none of them for slanted faces. Cubes stay as
-   * they are: mirrors ask for mipmaps between two.
+   * Without interpolation between mipmaps and without anisotropy. Cube maps are filtered as the
+   * scene says, because reflections need interpolated mipmaps.
    */
   QUICK;
 
   private static final float ANISOTROPY = 4;
 
   /**
-   * Pixels a side from which on a texture is filtered anisotropically. It helps what is made
-   * smaller; a few pixels are made larger, and then Mesa's software renderer draws arcs with it.
+   * The side in pixels from which on a texture is filtered anisotropically. Smaller textures are
+   * mostly magnified, and then Mesa's software renderer draws arcs with anisotropic filters.
    */
   private static final int ANISOTROPIC_FROM = 32;
 
-  /** Sets those of the texture that is current. */
+  /** Sets the filters of the texture that is bound. */
   void set(GL3 gl, int target, TextureSource source) {
     Sampling sampling = source.sampling();
     if (!(source instanceof Texture texture && halves(texture))) {
@@ -56,7 +56,7 @@ public enum TextureFilters {
     }
   }
 
-  /** Whether the smaller versions of a texture are to come with it: what stands still has some. */
+  /** Returns whether the mipmaps of a texture are uploaded with it; movies get none. */
   boolean halves(Texture texture) {
     return this != FINE && texture.image().film() == null && mipmaps(texture);
   }
@@ -66,15 +66,15 @@ public enum TextureFilters {
     return sampling == null || sampling.minify().mipmaps();
   }
 
-  /** Makes the smaller versions anew, where there are any. */
+  /** Generates the mipmaps anew, if the filter uses any. */
   static void halve(GL3 gl, int target, TextureSource source) {
     if (mipmaps(source)) {
       gl.glGenerateMipmap(target);
     }
   }
 
-  // Cubes are not filtered so either, unless their author says so: the same renderer draws dots
-  // where faces meet.
+  // Cube maps are not filtered anisotropically either unless their author says so: the same
+  // renderer draws dots where faces meet.
   private static float anisotropy(TextureSource source) {
     boolean tiny =
         source instanceof Texture texture

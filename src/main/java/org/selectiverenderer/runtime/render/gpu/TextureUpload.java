@@ -7,9 +7,12 @@ import com.jogamp.opengl.GL3;
 import org.selectiverenderer.runtime.instance.CubeTexture;
 import org.selectiverenderer.runtime.instance.Texture;
 
-/** Sends images to the texture that is current, made smaller where the card takes none so large. */
+/**
+ * Uploads images to the texture that is bound, scaled down where the graphics card's size limit
+ * requires it.
+ */
 final class TextureUpload {
-  /** The card's faces in its order +X, -X, +Y, -Y, +Z, -Z, as places in that of a CubeTexture. */
+  /** The faces in OpenGL's order +X, -X, +Y, -Y, +Z, -Z, as indices into a CubeTexture's faces. */
   private static final int[] FACES = {3, 2, 4, 5, 1, 0};
 
   private TextureUpload() {}
@@ -21,7 +24,7 @@ final class TextureUpload {
     send(gl, GL.GL_TEXTURE_2D, width, height, ImageScaling.to(image, 0, width, height));
   }
 
-  /** The same with its mipmaps. */
+  /** Uploads an image with its mipmaps. */
   static void planeWithMipmaps(GL3 gl, Texture.Image image) {
     int most = limit(gl, GL.GL_MAX_TEXTURE_SIZE);
     int width = Math.min(image.width(), most);
@@ -37,7 +40,7 @@ final class TextureUpload {
     int most = limit(gl, GL2ES2.GL_MAX_3D_TEXTURE_SIZE);
     int width = Math.min(image.width(), most);
     int height = Math.min(image.height(), most);
-    // Of more slices than the card takes, every second or third is left out.
+    // If there are too many slices, only every second (third ...) is uploaded.
     int step = (image.layers() + most - 1) / most;
     int depth = (image.layers() + step - 1) / step;
     byte[] all = image.rgba();
@@ -73,7 +76,7 @@ final class TextureUpload {
       CubeTexture.Face face = cube.faces().get(FACES[i]);
       byte[] rgba = ImageScaling.to(face.image(), face.layer(), size, size);
       boolean side = i != 2 && i != 3;
-      // The card looks at faces from outside and from their top left corner on.
+      // OpenGL takes faces as seen from outside, beginning at the top left corner.
       send(
           gl,
           GL.GL_TEXTURE_CUBE_MAP_POSITIVE_X + i,
@@ -83,7 +86,7 @@ final class TextureUpload {
     }
   }
 
-  /** A cube whose faces are black; its side in pixels. */
+  /** Allocates a cube map with black faces; returns its side in pixels. */
   static int emptyCube(GL3 gl, int wanted) {
     gl.glEnable(GL3.GL_TEXTURE_CUBE_MAP_SEAMLESS);
     int size = Math.min(wanted, limit(gl, GL.GL_MAX_CUBE_MAP_TEXTURE_SIZE));

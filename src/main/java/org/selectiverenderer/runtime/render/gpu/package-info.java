@@ -1,12 +1,12 @@
 /**
- * What lives on the graphics card: programs, buffers, textures. Every call needs the context to be
- * current on the calling thread.
+ * The GL objects on the graphics card: shader programs, buffers, textures. Every call needs the
+ * context to be current on the calling thread.
  *
- * <p>A plain surface is a {@link ShapeVariant} of the shape shader. A detailed one adds defines of
- * its own ({@link DetailDefines}), which name its textures and what they are for, and is told the
- * rest by {@link DetailTextures}.
+ * <p>A plain surface is a {@link ShapeVariant} of the shape shader. A surface with several textures
+ * adds defines ({@link DetailDefines}), which name its textures and their roles, and has its
+ * uniforms in {@link DetailTextures}.
  *
- * <p>In: packed meshes, images, shader texts from the resources. Out: GL objects, each with a
+ * <p>In: packed meshes, images, shader sources from the resources. Out: GL objects, each with a
  * {@code dispose}. Uses {@code runtime.render.mesh}, {@code runtime.render.glsl}, {@code
  * runtime.instance}, {@code geometry.mesh} and JOGL.
  */

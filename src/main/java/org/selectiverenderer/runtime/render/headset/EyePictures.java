@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;
 
 /**
- * Both eyes' pictures side by side in a frame buffer of several samples, copied from there to the
- * textures of a runtime. Belongs to the headset's thread.
+ * The multisample framebuffer of a headset: both eyes' pictures side by side, copied from there to
+ * the swapchain textures of the runtime. Belongs to the headset's thread.
  */
 final class EyePictures {
   private final int samples;
@@ -18,7 +18,7 @@ final class EyePictures {
     this.samples = samples;
   }
 
-  /** Makes it what is drawn to. */
+  /** Binds the framebuffer for drawing, resized if needed. */
   OffscreenTarget bind(GL3 gl, int width, int height) {
     OffscreenTarget known = target;
     if (known == null || known.width() != 2 * width || known.height() != height) {
@@ -33,7 +33,7 @@ final class EyePictures {
     return known;
   }
 
-  /** The drawing is done: makes the pictures what is copied from. */
+  /** Resolves the samples and binds the result for reading, after the drawing is done. */
   void resolve(GL3 gl) {
     OffscreenTarget drawn = target;
     if (drawn != null) {
@@ -42,8 +42,8 @@ final class EyePictures {
   }
 
   /**
-   * Copies an eye's half of what was resolved to a texture. Values are copied as they are, also to
-   * one of sRGB: they are sRGB values.
+   * Copies an eye's half of the resolved picture to a texture. Values are copied unchanged even to
+   * an sRGB texture, because they are sRGB values.
    *
    * @param eye 0 for the left one, 1 for the right one
    */

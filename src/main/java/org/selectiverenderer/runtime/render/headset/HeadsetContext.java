@@ -17,8 +17,8 @@ import org.selectiverenderer.runtime.render.context.GlProfiles;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 
 /**
- * A context of OpenGL 3.3 or newer on a surface that is never shown (a pbuffer), current on the
- * thread that opened it until that thread closes it.
+ * A context of OpenGL 3.3 or newer on an offscreen surface (a pbuffer), current on the thread that
+ * opened it until that thread closes it.
  */
 final class HeadsetContext implements AutoCloseable {
   private final GLOffscreenAutoDrawable drawable;
@@ -30,9 +30,9 @@ final class HeadsetContext implements AutoCloseable {
   }
 
   /**
-   * Opens it.
+   * Opens a context.
    *
-   * @throws GlUnavailableException if the display has none
+   * @throws GlUnavailableException if the display offers no such context
    */
   static HeadsetContext open() {
     try {
@@ -57,7 +57,10 @@ final class HeadsetContext implements AutoCloseable {
     }
   }
 
-  /** Chooses the first configuration that has a visual: a runtime refuses one that has not. */
+  /**
+   * Chooses the first configuration that has an X visual, because OpenXR runtimes refuse a
+   * configuration without one.
+   */
   private static int withVisual(
       CapabilitiesImmutable wanted,
       List<? extends CapabilitiesImmutable> available,
@@ -76,7 +79,7 @@ final class HeadsetContext implements AutoCloseable {
     return context.getGL().getGL3();
   }
 
-  /** What a runtime is told of it. */
+  /** Returns the native handles that an OpenXR runtime needs. */
   ContextHandles handles() {
     AbstractGraphicsConfiguration configuration =
         drawable.getNativeSurface().getGraphicsConfiguration();

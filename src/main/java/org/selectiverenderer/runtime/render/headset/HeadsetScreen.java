@@ -6,15 +6,15 @@ import org.selectiverenderer.runtime.camera.DepthRange;
 import org.selectiverenderer.runtime.camera.ViewLayout;
 
 /**
- * What shows frames to two eyes, at its own pace. All calls come from the thread {@code headset},
- * with its context current. None of them fails when the headset goes away: then there are no frames
- * until it is back.
+ * A headset that shows frames to two eyes at its own pace. All calls come from the thread {@code
+ * headset}, with its context current. None of them fails when the headset is disconnected: then no
+ * frames are due until it is back.
  */
 public interface HeadsetScreen extends AutoCloseable {
-  /** Depths, in the scene's units, between which there may be something to be read. */
+  /** The depth range, in the scene's units, for panels of text. */
   DepthRange READING = new DepthRange(1e-3, 1e6);
 
-  /** Begins to show; once, before everything else. */
+  /** Opens the headset; called once, before everything else. */
   void open(ContextHandles handles);
 
   /**
@@ -22,41 +22,42 @@ public interface HeadsetScreen extends AutoCloseable {
    *
    * @param width of an eye's picture in pixels
    * @param height of an eye's picture in pixels
-   * @param drawn whether anybody will see it
+   * @param drawn whether the frame will be displayed, and so should be drawn
    */
   record Due(int width, int height, boolean drawn) {}
 
   /**
-   * Waits until a frame is due. From then on the head is where it will be when that is seen.
+   * Waits until a frame is due. From then on the head's pose is the one predicted for the time at
+   * which that frame is displayed.
    *
    * @return empty at once when none is due
    */
   Optional<Due> next();
 
-  /** Whether the user sees the scene. */
+  /** Returns whether the user sees the scene. */
   boolean visible();
 
-  /** The views of the frame that is due: of both eyes side by side in a target. */
+  /** Returns the layout of the frame that is due: both eyes side by side in one framebuffer. */
   ViewLayout layout();
 
-  /** The drawing of the frame begins. */
+  /** Called when the drawing of the frame begins. */
   void begin();
 
   /**
-   * The texture for an eye's picture.
+   * Returns the texture for an eye's picture.
    *
    * @param eye 0 for the left one, 1 for the right one
    */
   OptionalInt texture(int eye);
 
   /**
-   * The frame is handed over.
+   * Submits the frame.
    *
-   * @param shown whether both pictures are there
+   * @param shown whether both eyes' pictures were copied
    */
   void end(boolean shown);
 
-  /** The runtime wants the program to end: whether that was so since the last call. */
+  /** Returns whether the runtime has asked the program to end since the last call. */
   boolean takeLeave();
 
   @Override

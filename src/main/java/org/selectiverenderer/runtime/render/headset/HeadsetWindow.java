@@ -29,9 +29,9 @@ import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.RenderWindow;
 import org.selectiverenderer.runtime.render.window.SideWindow;
 
-/** A world in a headset, and on the desk what the headset shows. */
+/** Shows a world in a headset, and mirrors the headset's pictures to windows on the desktop. */
 public final class HeadsetWindow implements WorldScreen {
-  /** From one look to the next while nobody sees the headset. */
+  /** The time between two polls while the headset shows nothing. */
   private static final long IDLE_NANOS = 20_000_000;
 
   private final WorldHost host;
@@ -52,9 +52,9 @@ public final class HeadsetWindow implements WorldScreen {
   private volatile @Nullable Screenshot last;
 
   /**
-   * @param stage the windows on the desk; their layout is the headset's own
-   * @param screen opened and closed by the headset's thread
-   * @param side what the main window shows
+   * @param stage the windows on the desktop; their layout is the headset's own
+   * @param screen the headset, opened and closed by the headset's thread
+   * @param side which eyes the main window shows
    * @param samples per pixel of the eyes' pictures; 0 for no anti-aliasing
    */
   public HeadsetWindow(
@@ -115,7 +115,7 @@ public final class HeadsetWindow implements WorldScreen {
     return operator == null ? Optional.empty() : Optional.ofNullable(operator.shot());
   }
 
-  /** All of the thread {@code headset}. */
+  /** Runs the thread {@code headset}. */
   private void show() {
     try (HeadsetContext context = HeadsetContext.open()) {
       GL3 gl = context.gl();
@@ -200,7 +200,10 @@ public final class HeadsetWindow implements WorldScreen {
       }
     }
 
-    /** A frame without a picture: the runtime counts on each that was waited for. */
+    /**
+     * Submits a frame without a picture, because the runtime expects every frame that was waited
+     * for.
+     */
     private void empty() {
       screen.begin();
       screen.end(false);
@@ -233,7 +236,7 @@ public final class HeadsetWindow implements WorldScreen {
       mirror.frame(gl, target);
     }
 
-    /** Draws what is to be read, for both eyes. */
+    /** Draws a panel of text for both eyes. */
     private void read(Panel page, World shown, OffscreenTarget target) {
       for (EyeView eye :
           screen.layout().views(shown, target.width(), target.height(), HeadsetScreen.READING)) {
@@ -241,7 +244,7 @@ public final class HeadsetWindow implements WorldScreen {
       }
     }
 
-    /** Frees everything, with a last picture of what was seen. */
+    /** Frees everything, after taking a last picture of the view. */
     void dispose() {
       HeadsetScreen.Due known = size;
       if (known != null && world.isPresent()) {

@@ -10,9 +10,10 @@ import org.selectiverenderer.runtime.camera.MirrorSide;
 import org.selectiverenderer.runtime.render.context.OffscreenTarget;
 
 /**
- * Copies of a headset's pictures for windows on the desk, {@value #RATE} a second. A copy is made
- * smaller and sent to a buffer of the graphics card, which is read some frames later, when the card
- * is done: neither side ever waits. All but {@link #newest} belongs to the headset's thread.
+ * Copies a headset's pictures for windows on the desktop, {@value #RATE} times a second, by
+ * asynchronous readback: a picture is scaled down and read into a pixel buffer object, which is
+ * mapped some frames later when the graphics card has finished, so that neither side waits. All
+ * methods except {@link #newest} belong to the headset's thread.
  */
 final class Mirror {
   /** Copies a second. */
@@ -23,9 +24,9 @@ final class Mirror {
   private static final int BYTES = 4;
 
   /**
-   * A copy.
+   * A copy of the headset's picture.
    *
-   * @param pixels four bytes each, from the lowest row up; not written to any more
+   * @param pixels four bytes per pixel, lowest row first; not written to any more
    */
   record Copy(ByteBuffer pixels, int width, int height, long number) {}
 
@@ -41,12 +42,12 @@ final class Mirror {
     this.side = side;
   }
 
-  /** The newest copy; null before the first. Any thread. */
+  /** Returns the newest copy; null before the first. Any thread. */
   @Nullable Copy newest() {
     return newest.get();
   }
 
-  /** Nothing is seen: the next copy is black. */
+  /** Publishes a black picture, while the headset shows nothing. */
   void blacken() {
     Copy before = newest.get();
     if (before != null && before.width() != 1) {
@@ -56,7 +57,7 @@ final class Mirror {
     }
   }
 
-  /** Takes a copy of both eyes' pictures if it is time for one, and publishes the one before. */
+  /** Publishes the previous copy when it is ready, and starts the next one if it is time for it. */
   void frame(GL3 gl, OffscreenTarget eyes) {
     publish(gl);
     long now = System.nanoTime();

@@ -11,13 +11,13 @@ import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.SideSource;
 
 /**
- * The operator's window beside the mirror: pages are made by the headset's thread, which owns what
- * they tell of, ten times a second, and drawn by the windows'.
+ * The operator's window of a headset run. Its pages are made by the headset's thread, which owns
+ * the data that they show, ten times a second, and are drawn by the windows' thread.
  */
 final class MirrorOperator implements SideSource {
   private static final long PAUSE = 100_000_000;
 
-  /** A page and the size of the window that it was made for. */
+  /** A page, and the size of the window that it was made for. */
   private record Made(OperatorPage page, FrameSize size, long number) {}
 
   private final Mirror mirror;
@@ -30,12 +30,12 @@ final class MirrorOperator implements SideSource {
   private long drawn = -1;
   private long copied;
 
-  /** Reads the newest of its copies. */
+  /** Makes a window that shows the newest copies of a mirror. */
   MirrorOperator(Mirror mirror) {
     this.mirror = mirror;
   }
 
-  /** Makes the next page if it is time for one; on the headset's thread. */
+  /** Makes the next page if it is time for it; on the headset's thread. */
   void update(WorldHost host) {
     FrameSize known = size;
     long now = System.nanoTime();
@@ -78,7 +78,7 @@ final class MirrorOperator implements SideSource {
     canvas.paint(gl, frame, newest.page(), copy != null);
   }
 
-  /** The window's last picture; null when there was none. */
+  /** Returns the window's last picture; null when there was none. */
   @Nullable Screenshot shot() {
     return shot;
   }

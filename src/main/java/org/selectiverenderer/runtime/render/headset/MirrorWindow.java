@@ -11,7 +11,9 @@ import org.selectiverenderer.runtime.render.show.Overlay;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.FrameSource;
 
-/** The window on the desk that shows what the headset shows, at the desktop's own pace. */
+/**
+ * The window on the desktop that mirrors the headset's picture, at the desktop's own frame rate.
+ */
 final class MirrorWindow implements FrameSource {
   private final Mirror mirror;
   private final Supplier<List<String>> lines;
@@ -23,9 +25,10 @@ final class MirrorWindow implements FrameSource {
   private volatile boolean open;
 
   /**
-   * @param lines what is written over the picture
-   * @param over whether nothing will be shown any more
-   * @param closing asked when the user closes a window; called by the window system's thread
+   * @param lines the text lines over the picture
+   * @param over returns whether the run has ended
+   * @param closing asked whether a window that the user closes may close; called by the window
+   *     system's thread
    */
   MirrorWindow(
       Mirror mirror, Supplier<List<String>> lines, BooleanSupplier over, BooleanSupplier closing) {
@@ -40,7 +43,7 @@ final class MirrorWindow implements FrameSource {
     open = true;
   }
 
-  /** Whether it and the windows beside it have been opened; any thread. */
+  /** Returns whether this window and those beside it have been opened; any thread. */
   boolean open() {
     return open;
   }

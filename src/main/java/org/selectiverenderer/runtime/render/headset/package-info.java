@@ -1,6 +1,6 @@
 /**
- * Shows a world in a headset whose runtime decides when frames are due and gives the textures that
- * they are drawn into, and a mirror of it in windows on the desk.
+ * Shows a world in a headset, whose runtime decides when frames are due and provides the textures
+ * that they are drawn into, and mirrors it to windows on the desktop.
  *
  * <p>Two threads that never wait for each other:
  *
@@ -12,16 +12,16 @@
  * </pre>
  *
  * <p>The thread {@code headset} has a context of its own without a window ({@link
- * org.selectiverenderer.runtime.render.headset.HeadsetContext}), which a runtime may share pictures
- * with: it needs a surface with a visual, which JOGL's usual context without a window has not. It
- * steps the world, draws, and makes all calls of {@link
+ * org.selectiverenderer.runtime.render.headset.HeadsetContext}), with which a runtime may share
+ * textures: it needs a surface with an X visual, which JOGL's usual context without a window does
+ * not have. It steps the world, draws, and makes all calls of {@link
  * org.selectiverenderer.runtime.render.show.WorldHost} and of the {@link
  * org.selectiverenderer.runtime.render.headset.HeadsetScreen}. The thread {@code render} shows the
  * newest of what was published ({@link org.selectiverenderer.runtime.render.headset.Mirror}).
  *
  * <p>In: a {@link org.selectiverenderer.runtime.render.show.WorldHost} and a {@link
- * org.selectiverenderer.runtime.render.headset.HeadsetScreen}, which somebody else makes of a
- * runtime: nothing here knows OpenXR. Uses {@code runtime.render.show}, {@code
+ * org.selectiverenderer.runtime.render.headset.HeadsetScreen}, which another module implements for
+ * a runtime: this package does not depend on OpenXR. Uses {@code runtime.render.show}, {@code
  * runtime.render.window}, {@code runtime.render.context}, {@code runtime.render.sketch}, {@code
  * runtime.camera} and {@code runtime}.
  */

@@ -2,7 +2,7 @@ package org.selectiverenderer.runtime.render.light;
 
 import java.util.Arrays;
 
-/** A set of edges, each a pair of numbers whose order does not count, numbered by their order. */
+/** A set of undirected edges between vertex numbers, numbered in sorted order. */
 final class EdgeMarks {
   private long[] keys = new long[64];
   private int count;
@@ -14,7 +14,7 @@ final class EdgeMarks {
     keys[count++] = key(a, b);
   }
 
-  /** Ends adding: edges added twice count once. */
+  /** Sorts the set and removes duplicates, after the last edge was added. */
   void close() {
     Arrays.sort(keys, 0, count);
     int kept = 0;
@@ -30,7 +30,7 @@ final class EdgeMarks {
     return count;
   }
 
-  /** The number of an edge, below 0 if it is not in the set. */
+  /** Returns the number of an edge; below 0 if it is not in the set. */
   int number(int a, int b) {
     return Arrays.binarySearch(keys, 0, count, key(a, b));
   }

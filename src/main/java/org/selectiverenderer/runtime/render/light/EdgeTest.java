@@ -5,24 +5,28 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.tree.ClosestPoint;
 
 /**
- * Decides which edges of a mesh are too coarse: for the lights by its two ends alone, for normals
- * by the size of the triangle too. An edge counts if it does for one of its sides.
+ * The refinement criterion: decides which edges of a mesh are too long for per-vertex lighting,
+ * from the light at the edge's ends and middle, and from the angle between its normals and the size
+ * of its triangle. An edge is split if one of its triangles requires it.
  */
 final class EdgeTest {
-  /** Why an edge is to be split. */
+  /** The reason why an edge is to be split. */
   enum Reason {
     NONE,
     SHAPE,
     LIGHT
   }
 
-  /** Edges shorter than that share of the distance to the nearest light are not split for it. */
+  /**
+   * Edges shorter than this share of the distance to the nearest light are not split for their
+   * light.
+   */
   private static final double LEAST_ANGLE = 0.04;
 
-  /** Nor are those shorter than that share of the longest of the mesh. */
+  /** Edges shorter than this share of the mesh's longest edge are not split either. */
   private static final double LEAST_SHARE = 1.0 / 256;
 
-  /** A departure that the shortest edges may still have; it is a step that no mesh can follow. */
+  /** A larger error at the shortest edges is a step in the light that no mesh can follow. */
   private static final double STEP = 10.0 / 255;
 
   private static final double NOT_KNOWN = Double.NaN;
@@ -45,7 +49,7 @@ final class EdgeTest {
 
   /**
    * @param longest edge of the mesh in the world
-   * @param tolerance departures of the light, in 0..1, that nobody sees
+   * @param tolerance the invisible error of the light, in 0..1
    */
   EdgeTest(
       FineVertices vertices,
@@ -64,12 +68,12 @@ final class EdgeTest {
     straight = new double[3 * sides];
   }
 
-  /** Whether it met an edge of light that no mesh can follow. */
+  /** Returns whether it met a step in the light that no mesh can follow. */
   boolean stepped() {
     return stepped;
   }
 
-  /** The length of an edge in the world. */
+  /** Returns the length of an edge in the world. */
   double length(int a, int b) {
     double[] p = vertices.placed();
     double dx = p[6 * b] - p[6 * a];
@@ -78,7 +82,7 @@ final class EdgeTest {
     return Math.sqrt(dx * dx + dy * dy + dz * dz);
   }
 
-  /** The square of a triangle's size. */
+  /** Returns the square of a triangle's size. */
   double size(int a, int b, int c) {
     double ab = length(a, b);
     double bc = length(b, c);
@@ -87,9 +91,9 @@ final class EdgeTest {
   }
 
   /**
-   * Whether an edge is to be split.
+   * Returns whether and why an edge is to be split.
    *
-   * @param size the square of its triangle's
+   * @param size the square of its triangle's size
    */
   Reason edge(int a, int b, double size) {
     double length = length(a, b);
@@ -126,8 +130,8 @@ final class EdgeTest {
   }
 
   /**
-   * Whether there is light in a triangle of which its edges show nothing: where it is nearest to a
-   * light, and where a beam meets it.
+   * Returns whether there is light inside a triangle that its edges do not show: at the point
+   * nearest to a light, or where the axis of a spot light meets it.
    */
   boolean inside(int a, int b, int c) {
     if (field.isEmpty()) {
@@ -141,7 +145,7 @@ final class EdgeTest {
       corners[i].set(p[v], p[v + 1], p[v + 2]);
       spot.fma(1.0 / 3, corners[i]);
     }
-    // Every place of the triangle lies within two thirds of its longest edge from the middle.
+    // Every point of the triangle lies within two thirds of its longest edge from the centroid.
     if (longest <= shortest
         || field.bound(spot.x, spot.y, spot.z, longest * 4 / 3) <= 2 * tolerance) {
       return false;
@@ -174,7 +178,7 @@ final class EdgeTest {
     return departure(a, b, c) > 2 * tolerance;
   }
 
-  /** By how much the light at {@code spot} departs from what the corners give. */
+  /** Returns the error of interpolation at {@code spot} in the triangle. */
   private double departure(int a, int b, int c) {
     Vector3d u = corners[1].sub(corners[0], new Vector3d());
     Vector3d v = corners[2].sub(corners[0], new Vector3d());
@@ -204,8 +208,8 @@ final class EdgeTest {
   }
 
   /**
-   * The largest difference of a channel between the light at a place, which is given by its corners
-   * and their shares, and that of the corners.
+   * Returns the error of interpolation: the largest difference of a colour channel between the
+   * light at a point, given by barycentric coordinates, and the interpolated light of the corners.
    */
   private double departure(int corners) {
     double[] p = vertices.placed();
@@ -231,7 +235,7 @@ final class EdgeTest {
     return most;
   }
 
-  /** Where the light of a vertex stands, which is computed when first asked for. */
+  /** Returns the place of a vertex's light in {@code light}, computed when first asked for. */
   private int light(int vertex) {
     int at = sample.length * vertex;
     if (light.length < at + sample.length) {
@@ -246,7 +250,7 @@ final class EdgeTest {
     return at;
   }
 
-  /** The light on one side or both. */
+  /** Adds the light on the front side, or on both sides. */
   private void light(double[] p, int i, double unit, double[] out, int at) {
     for (int side = 0; side < sides; side++) {
       double turn = side == 0 ? unit : -unit;

@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * The vertices of a mesh that is refined, to which those in the middle of edges are added. All
- * attributes are halfway between those of the ends; normals stay unit vectors.
+ * The vertices of a mesh under refinement, to which the midpoints of edges are added. All
+ * attributes of a midpoint are the means of the ends'; normals are normalised again.
  */
 final class FineVertices {
   private final Mesh source;
@@ -23,14 +23,14 @@ final class FineVertices {
   private float @Nullable [] texCoords;
   private int count;
 
-  // In the world: place x, y, z, unit normal x, y, z.
+  // World coordinates: position x, y, z, unit normal x, y, z.
   private double[] placed;
 
   FineVertices(Mesh source, float[] sourceNormals, Matrix4dc world) {
     this.source = source;
     this.world = world;
     normals = world.normal(new Matrix3d());
-    // Copied when there is more to add: most meshes turn out to be fine enough.
+    // Copied only when vertices are added, because most meshes turn out to be fine enough.
     positions = source.positions();
     normal = sourceNormals;
     colors = source.colors();
@@ -46,7 +46,7 @@ final class FineVertices {
     return count;
   }
 
-  /** Place and normal in the world: six numbers from {@code 6 * vertex}. */
+  /** Returns positions and normals in the world: six numbers from {@code 6 * vertex}. */
   double[] placed() {
     return placed;
   }
@@ -55,7 +55,7 @@ final class FineVertices {
     return positions;
   }
 
-  /** The length of an edge in the mesh's coordinates. */
+  /** Returns the length of an edge in the mesh's coordinates. */
   double length(int a, int b) {
     double x = positions[3 * b] - positions[3 * a];
     double y = positions[3 * b + 1] - positions[3 * a + 1];
@@ -79,7 +79,7 @@ final class FineVertices {
     placed[6 * v + 5] = n.z;
   }
 
-  /** Makes room for so many more, in arrays of its own. */
+  /** Enlarges the arrays for more vertices. */
   void reserve(int more) {
     int all = count + more;
     positions = Arrays.copyOf(positions, 3 * all);
@@ -89,7 +89,7 @@ final class FineVertices {
     placed = Arrays.copyOf(placed, 6 * all);
   }
 
-  /** Adds the vertex in the middle of two, for which there is room; returns its number. */
+  /** Adds the midpoint of two vertices, for which space is reserved; returns its number. */
   int middle(int a, int b) {
     int v = count++;
     halve(positions, 3, a, b, v);
@@ -118,7 +118,7 @@ final class FineVertices {
     normal[3 * v + 2] = (float) (z * scale);
   }
 
-  /** The mesh of these vertices; its form and so its bounds are the source's. */
+  /** Returns the mesh of these vertices; its surface and so its bounds are the source's. */
   Mesh mesh(int[] indices) {
     return new Mesh(
         source.primitive(),

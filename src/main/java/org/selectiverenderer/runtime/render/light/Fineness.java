@@ -4,36 +4,40 @@ import org.joml.Matrix4dc;
 import org.selectiverenderer.runtime.instance.Surface;
 
 /**
- * How finely a mesh is to follow its own bends so that nobody sees that light is computed at its
- * vertices. Between two vertices whose normals lie an angle a apart the light departs from a
- * straight line by up to a a / 8 of its strength, and a highlight of exponent e by e times that.
+ * The tolerance for curvature with per-vertex lighting: how finely a curved mesh must be refined so
+ * that interpolation between vertices is not seen. Between two vertices whose normals differ by an
+ * angle a, interpolated light has an error of up to a^2 / 8 of its strength, and a specular
+ * highlight of exponent e an error of e times that.
  *
- * @param cosine least, of the angle between the normals of an edge's ends
- * @param bent size of triangles above which they are split for their normals
+ * @param cosine the least cosine of the angle between the normals at an edge's ends
+ * @param bent the size of triangles above which they are split because of their normals
  */
 public record Fineness(double cosine, double bent) {
-  /** The cosine of an angle between normals that shows as facets even without a highlight. */
+  /**
+   * The cosine of the angle between normals above which facets are visible even without a
+   * highlight.
+   */
   static final double WIDE = Math.cos(Math.toRadians(30));
 
-  /** That of one which shows only in highlights. */
+  /** The cosine of the angle above which facets are visible in highlights. */
   static final double NARROW = Math.cos(Math.toRadians(20));
 
-  /** What is bent within five hundredths of a unit is small in every picture. */
+  /** Curved triangles of less than this size (in units of length) are small on every screen. */
   private static final double BENT = 0.05;
 
-  /** The product of specular colour and exponent above which a highlight is narrow. */
+  /** The product of specular colour and shininess exponent above which a highlight is narrow. */
   private static final double NARROW_HIGHLIGHT = 16;
 
-  /** The specular colour from which on a highlight is missed where it falls between vertices. */
+  /** The specular colour above which a highlight between two vertices is missed. */
   private static final double MIRROR = 0.3;
 
-  /** The size of a face in whose middle it would be. */
+  /** The size of faces in whose middle such a highlight would be lost. */
   private static final double FACE = 0.5;
 
-  /** What every mesh has. */
+  /** The tolerance that every mesh meets. */
   static final Fineness NONE = new Fineness(-2, Double.POSITIVE_INFINITY);
 
-  /** What a lit surface needs, in the lengths of the world. */
+  /** Returns the tolerance for a lit surface, in the world's units. */
   static Fineness of(Surface surface) {
     boolean narrow = specular(surface) * 128 * surface.shininess() > NARROW_HIGHLIGHT;
     return new Fineness(narrow ? NARROW : WIDE, BENT);
@@ -44,14 +48,18 @@ public record Fineness(double cosine, double bent) {
     return Math.max(s[0], Math.max(s[1], s[2]));
   }
 
-  /** Whether a surface shines so brightly on faces so large that its vertices miss highlights. */
+  /**
+   * Returns whether a surface is so shiny, on faces so large, that per-vertex lighting would miss
+   * highlights.
+   */
   static boolean mirrors(Surface surface, MeshSurvey mesh, double scale) {
     return specular(surface) >= MIRROR && mesh.largest() * scale > FACE;
   }
 
   /**
-   * The same for a mesh in its own coordinates, whose lengths are {@code scale} times as long in
-   * the world. Rounded down to a power of two, so that meshes of many scales stay few.
+   * Converts the tolerance to a mesh's own coordinates, whose lengths are {@code scale} times as
+   * long in the world. Rounded down to a power of two, so that shapes of similar scales share a
+   * refined mesh.
    */
   Fineness local(double scale) {
     double length = bent / scale;
@@ -60,15 +68,15 @@ public record Fineness(double cosine, double bent) {
   }
 
   /**
-   * Whether a mesh is coarser.
+   * Returns whether a mesh is coarser than this tolerance allows.
    *
-   * @param scale of the world's lengths to the mesh's
+   * @param scale the scale from the mesh's lengths to the world's
    */
   boolean finerThan(MeshSurvey mesh, double scale) {
     return mesh.bent(cosine) * scale > bent;
   }
 
-  /** How many times as long as in its own coordinates a length can be in the world. */
+  /** Returns the largest scale of a matrix along the axes. */
   public static double scale(Matrix4dc world) {
     double x = Math.sqrt(sum(world.m00(), world.m01(), world.m02()));
     double y = Math.sqrt(sum(world.m10(), world.m11(), world.m12()));

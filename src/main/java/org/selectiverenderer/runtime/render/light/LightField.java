@@ -5,14 +5,17 @@ import org.joml.Vector3dc;
 import org.selectiverenderer.runtime.instance.Light;
 
 /**
- * The diffuse light of lights that have a place, as the shaders compute it (X3D 4.0, 17.2.2), for a
- * white surface. Directional lights are left out: on a flat face they are the same everywhere.
+ * The diffuse light of point and spot lights on a white surface, as the shaders compute it (X3D
+ * 4.0, 17.2.2). Directional lights are left out, because they are constant on a flat face.
  */
 final class LightField {
-  /** The material's ambient intensity where it is not said. */
+  /** The default ambient intensity of a Material. */
   private static final double AMBIENT = 0.2;
 
-  /** A cosine times a fall-off with distance bends at most that much, per square distance. */
+  /**
+   * The bound of the second derivative of cosine times attenuation, in units of 1 / distance
+   * squared.
+   */
   private static final double BEND = 3;
 
   private final WorldLight[] lights;
@@ -41,7 +44,7 @@ final class LightField {
     return lights[i];
   }
 
-  /** Adds r, g, b at a place with a unit normal to {@code out}. */
+  /** Adds the light r, g, b at a point with a unit normal to {@code out}. */
   void add(
       double x, double y, double z, double nx, double ny, double nz, double[] out, int offset) {
     for (int i = 0; i < lights.length; i++) {
@@ -97,7 +100,7 @@ final class LightField {
     return 1 / Math.max(divisor, 1);
   }
 
-  /** The distance to the nearest light; endless where there is none. */
+  /** Returns the distance to the nearest light; infinite if there is none. */
   double nearest(double x, double y, double z) {
     double square = Double.POSITIVE_INFINITY;
     for (WorldLight light : lights) {
@@ -107,10 +110,10 @@ final class LightField {
   }
 
   /**
-   * By how much the light along an edge can depart from a straight line, at most.
+   * Returns an upper bound of the error of linear interpolation of the light along an edge.
    *
-   * @param length of the edge
-   * @param x its middle
+   * @param length the length of the edge
+   * @param x the midpoint of the edge
    */
   double bound(double x, double y, double z, double length) {
     double sum = 0;
@@ -122,9 +125,9 @@ final class LightField {
   }
 
   /**
-   * Likewise of one light.
+   * Returns the bound for one light.
    *
-   * @param from the distance from the light at which the edge begins; {@code to} where it ends
+   * @param from the least distance of the edge from the light; {@code to} is the greatest
    */
   static double bound(WorldLight light, double from, double to, double length) {
     if (from >= light.radius()) {

@@ -10,21 +10,26 @@ import org.selectiverenderer.runtime.instance.Surface;
 import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 
 /**
- * Decides how shapes are lit. What a mesh needs for its own form and its highlights is done once
- * for all shapes that use it; what it needs because a light with a place is near is done for that
- * shape in its place. Stateless; safe for use by several threads.
+ * Decides for each shape between per-vertex and per-pixel lighting, and refines meshes where
+ * needed. Refinement for a mesh's curvature and highlights is done once for all shapes that use it;
+ * refinement for a near point or spot light is done for the one shape in its place. Stateless; safe
+ * for use by several threads.
  */
 public final class LightPlanner {
-  /** Light may depart from that by pixel by a few levels of 255: smooth departures are not seen. */
+  /**
+   * The largest error of per-vertex light: a few levels of 255, because smooth errors are not
+   * visible.
+   */
   private static final double TOLERANCE = 2.5 / 255;
 
-  /** Meshes of more triangles are fine enough in themselves, or too many to look at. */
+  /** Meshes with more triangles are not refined: they are fine enough, or too costly to refine. */
   private static final int HEAVY = 20_000;
 
   private final boolean byVertex;
 
   /**
-   * @param byVertex whether light is computed at vertices where nobody sees it, else never
+   * @param byVertex whether per-vertex lighting is used where the difference is invisible, else
+   *     never
    */
   public LightPlanner(boolean byVertex) {
     this.byVertex = byVertex;
@@ -33,18 +38,18 @@ public final class LightPlanner {
   /**
    * A shape that is to be drawn.
    *
-   * @param mesh its own
-   * @param scope lights whose scope it lies in
+   * @param mesh the shape's own mesh
+   * @param scope the lights in whose scope it lies
    * @param steady whether it and its lights are expected to stay where they are
    */
   public record Request(
       ShapeInstance shape, Mesh mesh, List<LightInstance> scope, boolean steady) {}
 
   /**
-   * What was decided, but for what the mesh turns out to be.
+   * The decision about a shape's lighting, before its mesh is made.
    *
-   * @param form of the mesh that is drawn
-   * @param refined that mesh if it is made already, else {@link #mesh} makes it
+   * @param form the key of the mesh that is drawn
+   * @param refined that mesh if it is made already; otherwise {@link #mesh} makes it
    */
   public record Plan(
       Request request,
@@ -54,10 +59,11 @@ public final class LightPlanner {
       List<LightInstance> reaching) {
 
     /**
-     * How the shape is lit with its mesh made.
+     * Returns the lighting of the shape after its mesh is made.
      *
-     * @param drawn the mesh that is drawn
-     * @param lights the reaching ones, in one list for all shapes that have the same
+     * @param drawn the metrics of the mesh that is drawn
+     * @param lights the lights that reach the shape, in one list shared by all shapes with equal
+     *     ones
      */
     public Lighting lighting(MeshSurvey drawn, List<LightInstance> lights) {
       ShapeInstance shape = request.shape();
@@ -70,7 +76,7 @@ public final class LightPlanner {
     }
   }
 
-  /** Looks at a mesh for {@link #plan}; a pass over its triangles. */
+  /** Measures a mesh for {@link #plan}; one pass over its triangles. */
   public MeshSurvey survey(Mesh mesh) {
     return byVertex ? MeshSurvey.of(mesh) : MeshSurvey.FINE;
   }
@@ -81,7 +87,7 @@ public final class LightPlanner {
     Reach reach = new Reach(shape.bounds());
     MeshForm plain = MeshForm.plain(mesh);
     if (!shape.programs().isEmpty()) {
-      // The program of an author may ask for any light, lit or not.
+      // A custom shader may use any light, whether the material is lit or not.
       return new Plan(request, plain, null, false, request.scope());
     }
     if (!lit(request)) {
@@ -89,7 +95,7 @@ public final class LightPlanner {
     }
     List<LightInstance> reaching = request.steady() ? reach.of(request.scope()) : request.scope();
     float[] normals = mesh.normals();
-    // What its textures do with light is seen between the vertices; depths of fog are not refined.
+    // Normal maps and the like need per-pixel lighting; fog depths cannot be refined.
     boolean detailed = shape.surface().detail() != null || mesh.fogDepth() >= 0;
     if (!byVertex || detailed || normals == null || mesh.primitive() != Mesh.Primitive.TRIANGLES) {
       return new Plan(request, plain, null, false, reaching);
@@ -123,12 +129,12 @@ public final class LightPlanner {
         : new Plan(request, form, null, true, reaching);
   }
 
-  /** As the shaders have it: what is not lit has the same look under all lights. */
+  /** Returns whether the shaders light the shape. */
   private static boolean lit(Request request) {
     return request.shape().surface().lit() && request.mesh().normals() != null;
   }
 
-  /** The mesh of a form that is not made for one place. */
+  /** Returns the mesh of a key that is not bound to one place. */
   public static StagedMesh mesh(MeshForm form) {
     float[] normals = form.source().normals();
     if (form.isPlain() || normals == null) {
@@ -149,7 +155,7 @@ public final class LightPlanner {
     return new LightField(lights.stream().filter(LightInstance::on).map(WorldLight::of).toList());
   }
 
-  /** A dark surface shows less of its light. */
+  /** Returns the tolerance of a surface: a darker one shows less of an error. */
   private static double tolerance(Surface surface, Mesh mesh) {
     float[] d = surface.diffuse();
     boolean replaced = mesh.colors() != null || surface.texture() != null;

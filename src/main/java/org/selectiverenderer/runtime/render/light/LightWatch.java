@@ -4,14 +4,14 @@ import java.util.List;
 import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
 
-/** Notices that a light with a place has other fields, or is switched on or off. */
+/** Detects that a point or spot light has changed its fields, or is switched on or off. */
 public final class LightWatch {
   private final LightInstance[] lights;
   private final Light[] fields;
   private final boolean[] on;
 
   /**
-   * @param all lights of a scene
+   * @param all all lights of a scene
    */
   public LightWatch(List<LightInstance> all) {
     lights =
@@ -23,7 +23,7 @@ public final class LightWatch {
     changed();
   }
 
-  /** Whether some have changed since this was last asked. */
+  /** Returns whether some lights have changed since the last call. */
   public boolean changed() {
     boolean changed = false;
     for (int i = 0; i < lights.length; i++) {

@@ -10,8 +10,8 @@ import org.selectiverenderer.runtime.instance.LightInstance;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 
 /**
- * How a shape is lit. Good as long as the shape and those of its lights that have a place stay as
- * they were, unless it was made for a shape of which that is not expected.
+ * The lighting of a shape: per vertex or per pixel, and by which lights. It is valid as long as the
+ * shape and its point and spot lights stay as they were; one made for a moving shape stays valid.
  */
 public final class Lighting {
   private final List<LightInstance> scope;
@@ -21,22 +21,23 @@ public final class Lighting {
   private final List<Placed> placed;
   private final @Nullable Unsteady unsteady;
 
-  /** A light as it was. */
+  /** The state of a light when the lighting was decided. */
   private record Placed(LightInstance instance, Light light, boolean on, Matrix4dc world) {
     static Placed of(LightInstance instance) {
       return new Placed(instance, instance.light(), instance.on(), new Matrix4d(instance.world()));
     }
 
-    /** Whether it reaches what it reached. */
+    /** Returns whether the light still has the same fields and place. */
     boolean stays() {
       return instance.light() == light && instance.world().equals(world, 0);
     }
   }
 
   /**
-   * What moves: its light is by vertex whenever that is good enough where things are.
+   * A moving shape or one with moving lights: it is lit per vertex whenever that is good enough at
+   * the present place.
    *
-   * @param longest edge of the mesh, in its own coordinates
+   * @param longest the longest edge of the mesh, in its own coordinates
    */
   record Unsteady(double longest, double tolerance) {
     boolean fine(ShapeInstance shape, List<LightInstance> lights) {
@@ -46,11 +47,11 @@ public final class Lighting {
   }
 
   /**
-   * @param scope lights whose scope the shape lies in
-   * @param reaching those of them that reach it
-   * @param lit whether lights count at all
-   * @param vertices whether light at the vertices of what is drawn is as good as at the pixels
-   * @param unsteady null for what stays where it is
+   * @param scope the lights in whose scope the shape lies
+   * @param reaching those of the lights that reach the shape
+   * @param lit whether the shape is lit at all
+   * @param vertices whether per-vertex lighting of the drawn mesh looks like per-pixel lighting
+   * @param unsteady null for a shape that stays where it is
    */
   Lighting(
       ShapeInstance shape,
@@ -73,20 +74,21 @@ public final class Lighting {
     place = lights.isEmpty() ? null : new Matrix4d(shape.world());
   }
 
-  /** The lights whose scope the shape lies in. */
+  /** Returns the lights in whose scope the shape lies. */
   public List<LightInstance> scope() {
     return scope;
   }
 
-  /** Those of them that can reach it; of a shape that moves all. */
+  /** Returns the lights that can reach the shape; for a moving shape all lights in scope. */
   public List<LightInstance> reaching() {
     return reaching;
   }
 
   /**
-   * Those that can reach it where the shape is now, if there would else be too many.
+   * Returns the lights that can reach the shape at its present place, culled only if there would
+   * otherwise be too many.
    *
-   * @param most how many are not too many
+   * @param most the most lights that are returned without culling
    */
   public List<LightInstance> reaching(ShapeInstance shape, int most) {
     return unsteady == null || reaching.size() <= most
@@ -94,14 +96,16 @@ public final class Lighting {
         : new Reach(shape.bounds()).of(reaching);
   }
 
-  /** Whether it need not be made anew for where the shape and its lights are now. */
+  /**
+   * Returns whether this decision is still valid for the present state of the shape and its lights.
+   */
   public boolean current(ShapeInstance shape) {
     if (place == null) {
       return true;
     }
     for (int i = 0; i < placed.size(); i++) {
       Placed light = placed.get(i);
-      // By pixel is good whichever lights are on.
+      // Per-pixel lighting is right whichever lights are on.
       if (!light.stays() || (vertices && light.on() != light.instance().on())) {
         return false;
       }
@@ -109,17 +113,17 @@ public final class Lighting {
     return stands(shape);
   }
 
-  /** Whether the shape stands where it was made for. */
+  /** Returns whether the shape is still at the place that this was made for. */
   public boolean stands(ShapeInstance shape) {
     return place == null || shape.world().equals(place, 0);
   }
 
-  /** Whether light at the vertices is as good as at the pixels, where the shape is now. */
+  /** Returns whether the shape is lit per vertex at its present place. */
   public boolean byVertex(ShapeInstance shape) {
     return vertices && (unsteady == null || unsteady.fine(shape, scope));
   }
 
-  /** Whether that stays so as long as this is current. */
+  /** Returns whether {@link #byVertex} is constant as long as this is current. */
   public boolean settled() {
     return unsteady == null;
   }

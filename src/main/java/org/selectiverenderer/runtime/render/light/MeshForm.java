@@ -4,13 +4,14 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * What a drawn mesh is made from: shapes with equal forms share it.
+ * The key of a drawn mesh: shapes with equal keys share the mesh.
  *
- * @param fineness that it is refined to, in its own coordinates
- * @param place stands for the place and the lights it is refined for; null where they do not matter
+ * @param fineness the tolerance that the mesh is refined to, in its own coordinates
+ * @param place an identity of the place and the lights that the mesh is refined for; null where
+ *     they do not matter
  */
 public record MeshForm(Mesh source, Fineness fineness, @Nullable Object place) {
-  /** The mesh as it is. */
+  /** Returns the key of a mesh that is not refined. */
   static MeshForm plain(Mesh source) {
     return new MeshForm(source, Fineness.NONE, null);
   }

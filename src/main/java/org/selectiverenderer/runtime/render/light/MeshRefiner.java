@@ -9,14 +9,14 @@ import org.selectiverenderer.geometry.mesh.ValueWelder;
 import org.selectiverenderer.runtime.render.mesh.StagedMesh;
 
 /**
- * Splits the edges of a mesh in their middles, pass by pass, until light at its vertices is as good
- * as light by pixel. An edge is split with all triangles that share it, seams included, so that no
- * cracks open. Deterministic; what is on the surface stays on it.
+ * Refines a mesh by splitting edges at their midpoints, pass by pass, until per-vertex lighting
+ * looks like per-pixel lighting. An edge is split in all triangles that share it, across seams too,
+ * so that no cracks open. Deterministic; the surface does not change.
  */
 final class MeshRefiner {
   /**
-   * Triangles that refinement may add to a mesh: so many, and so many for each square unit of its
-   * surface. More vertices cost more than the pixels that they spare.
+   * The triangles that refinement may add to a mesh: a constant number plus a number per square
+   * unit of its surface. More vertices would cost more than the per-pixel lighting that they save.
    */
   private static final int ADDED = 300;
 
@@ -26,7 +26,10 @@ final class MeshRefiner {
 
   private static final int MOST_PASSES = 12;
 
-  /** Of the triangles of the next stage kept, how many a stage may have at most to be kept too. */
+  /**
+   * A refinement level is kept if it has at most this share of the triangles of the next finer
+   * level kept.
+   */
   private static final double WORTH = 0.7;
 
   private final Mesh source;
@@ -44,9 +47,9 @@ final class MeshRefiner {
   /**
    * The refined mesh.
    *
-   * @param staged with the stages before; of the source itself alone when nothing was to be split
-   * @param forLight whether lights with a place were a reason, else only the mesh itself
-   * @param complete whether the light by vertex is as good as was asked for
+   * @param staged the mesh with its coarser levels; the source alone when nothing was to be split
+   * @param forLight whether point or spot lights were a reason, else only the mesh's curvature
+   * @param complete whether the tolerance was met
    */
   record Result(StagedMesh staged, boolean forLight, boolean complete) {
     Mesh mesh() {
@@ -62,9 +65,7 @@ final class MeshRefiner {
     fine = new boolean[indices.length / 3];
   }
 
-  /**
-   * What only meshes take that are split: the numbers of their points, and how far they may grow.
-   */
+  /** Prepares the first split: welds vertices of equal position and computes the triangle limit. */
   private void begin() {
     ValueWelder welder =
         new ValueWelder(source.vertexCount(), source.positions(), null, null, null);
@@ -88,9 +89,10 @@ final class MeshRefiner {
   /**
    * Refines triangles with normals.
    *
-   * @param world from the mesh's coordinates to those of the lights and of {@code fineness}
-   * @param longest edge of the mesh in the world
-   * @param tolerance departures of the light, in 0..1, that nobody sees
+   * @param world the matrix from the mesh's coordinates to those of the lights and of {@code
+   *     fineness}
+   * @param longest the longest edge of the mesh in the world
+   * @param tolerance the invisible error of the light, in 0..1
    */
   static Result refine(
       Mesh source,
@@ -116,7 +118,7 @@ final class MeshRefiner {
     return new Result(mesh, lightSplit, complete);
   }
 
-  /** The stages before the last one that have far fewer triangles than those after them. */
+  /** Returns the coarser levels that have far fewer triangles than the next finer one kept. */
   private List<StagedMesh.Stage> kept() {
     List<StagedMesh.Stage> kept = new ArrayList<>();
     double undivided = 0;
@@ -131,7 +133,10 @@ final class MeshRefiner {
     return kept;
   }
 
-  /** Splits what is too coarse once; false when nothing is, or when there is no room. */
+  /**
+   * Splits each edge that is too long once; returns false when none is, or when the triangle limit
+   * is reached.
+   */
   private boolean pass() {
     EdgeMarks marked = marks();
     if (marked.size() == 0) {
@@ -210,7 +215,10 @@ final class MeshRefiner {
     return longest;
   }
 
-  /** The number of the first of the new vertices, which follow one another as the pairs do. */
+  /**
+   * Adds a midpoint for each pair; returns the number of the first, which the others follow in
+   * order.
+   */
   private int addMiddles(EdgeMarks marked, EdgeMarks pairs) {
     int first = vertices.count();
     vertices.reserve(pairs.size());
@@ -248,7 +256,7 @@ final class MeshRefiner {
   }
 
   private void split(int from, int[] middle, int splits, Split out) {
-    // Turned so that its first edge is split, and of two its second too.
+    // Rotated so that the first edge is split, and if two are, the second too.
     int turn = 0;
     while (middle[turn] < 0 || (splits == 2 && middle[(turn + 1) % 3] < 0)) {
       turn++;
@@ -283,7 +291,7 @@ final class MeshRefiner {
     }
   }
 
-  /** Triangles in the making. */
+  /** The triangles of the next level. */
   private static final class Split {
     final int[] indices;
     final boolean[] fine;

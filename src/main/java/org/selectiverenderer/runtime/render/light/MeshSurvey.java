@@ -3,15 +3,18 @@ package org.selectiverenderer.runtime.render.light;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * How coarse a mesh is for light at its vertices, in its own coordinates.
+ * Metrics of how coarse a mesh is for per-vertex lighting, in its own coordinates.
  *
- * @param longest edge
- * @param largest triangle: twice the height of a narrow one, else the longest edge
- * @param bent largest triangle with normals that lie wider apart than {@link Fineness#WIDE}
- * @param bentLittle likewise of {@link Fineness#NARROW}
+ * @param longest the length of the longest edge
+ * @param largest the size of the largest triangle: twice the height of a narrow one, else its
+ *     longest edge
+ * @param bent the size of the largest triangle whose normals differ by more than {@link
+ *     Fineness#WIDE}
+ * @param bentLittle the size of the largest triangle whose normals differ by more than {@link
+ *     Fineness#NARROW}
  */
 public record MeshSurvey(double longest, double largest, double bent, double bentLittle) {
-  /** Of what is not lit or has no edges to split. */
+  /** The metrics of a mesh that is not lit or has no edges to split. */
   static final MeshSurvey FINE = new MeshSurvey(0, 0, 0, 0);
 
   static MeshSurvey of(Mesh mesh) {
@@ -44,23 +47,22 @@ public record MeshSurvey(double longest, double largest, double bent, double ben
   }
 
   /**
-   * The square of a triangle's size, from the squares of its edges (Heron): of its longest edge or
-   * of twice the height above that, whichever is less.
+   * Returns the square of a triangle's size from the squares of its edges (Heron's formula): of its
+   * longest edge or of twice the height above that, whichever is less.
    */
   static double size(double ab, double bc, double ca) {
     double longest = greater(ab, greater(bc, ca));
-    double area =
-        2 * (ab * bc + bc * ca + ca * ab) - ab * ab - bc * bc - ca * ca; // sixteen times its square
+    double area = 2 * (ab * bc + bc * ca + ca * ab) - ab * ab - bc * bc - ca * ca; // 16 * area^2
     return longest > 0 ? Math.min(longest, area / longest) : 0;
   }
 
-  /** The largest triangle whose normals lie farther apart than a limit. */
+  /** Returns the size of the largest triangle whose normals differ by more than a limit. */
   double bent(double cosine) {
     return cosine >= Fineness.NARROW ? bentLittle : bent;
   }
 
-  // By comparison, as here nothing depends on NaN and the sign of zero: to heed those takes longer
-  // than all the rest.
+  // Plain comparisons instead of Math.max and Math.min, whose handling of NaN and the sign of zero
+  // would take longer than all the rest.
   private static double greater(double a, double b) {
     return b > a ? b : a;
   }

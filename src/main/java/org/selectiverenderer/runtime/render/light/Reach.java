@@ -6,7 +6,7 @@ import org.joml.Vector3d;
 import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
 
-/** Which lights can reach a box: by their radius, and by their beam. */
+/** Light culling: tests which lights can reach a bounding box, by their radius and beam. */
 final class Reach {
   private final Vector3d centre;
   private final double radius;
@@ -21,7 +21,7 @@ final class Reach {
     radius = centre.distance(box[3], box[4], box[5]);
   }
 
-  /** Those that reach it, on or off; the same list where that is all. */
+  /** Returns the lights that reach the box, on or off; the same list object if all do. */
   List<LightInstance> of(List<LightInstance> lights) {
     List<LightInstance> reaching = new ArrayList<>(lights.size());
     for (LightInstance light : lights) {
@@ -32,16 +32,17 @@ final class Reach {
     return reaching.size() == lights.size() ? lights : List.copyOf(reaching);
   }
 
-  /** Whether some of the light can fall into the box. */
+  /** Returns whether some of the light can fall into the box. */
   boolean reached(WorldLight light) {
     return nearest(light) <= light.radius() && (light.kind() != Light.Kind.SPOT || inBeam(light));
   }
 
   /**
-   * By how much the light along an edge in the box can depart from a straight line, at most.
+   * Returns an upper bound of the error of linear interpolation of the light along an edge in the
+   * box.
    *
-   * @param lights of which those that are on count
-   * @param length of the edge in the world
+   * @param lights the lights, of which those that are on count
+   * @param length the length of the edge in the world
    */
   double departure(List<LightInstance> lights, double length) {
     double sum = 0;
@@ -56,7 +57,7 @@ final class Reach {
     return sum;
   }
 
-  /** The distance from a light to the box. */
+  /** Returns the distance from a light to the box. */
   private double nearest(WorldLight light) {
     double x = Math.max(0, Math.max(box[0] - light.position().x(), light.position().x() - box[3]));
     double y = Math.max(0, Math.max(box[1] - light.position().y(), light.position().y() - box[4]));
@@ -64,7 +65,7 @@ final class Reach {
     return Math.sqrt(x * x + y * y + z * z);
   }
 
-  /** A distance from a light beyond which nothing of the box lies. */
+  /** Returns an upper bound of the distance from a light to a point of the box. */
   private double farthest(WorldLight light) {
     return centre.distance(light.position()) + radius;
   }

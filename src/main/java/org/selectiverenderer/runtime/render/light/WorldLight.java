@@ -7,15 +7,18 @@ import org.selectiverenderer.runtime.instance.Light;
 import org.selectiverenderer.runtime.instance.LightInstance;
 
 /**
- * A light in the world's coordinates and lengths, as the light model counts with it.
+ * A light in the world's coordinates and units, with the values of the X3D lighting model.
  *
- * @param position of point and spot lights
+ * @param position the position of point and spot lights
  * @param axis the direction of directional and spot lights, a unit vector, or zero if none is given
  * @param color r, g, b
- * @param constant of the attenuation; {@code linear} per unit, {@code quadratic} per square unit
- * @param radius beyond which a point or spot light does not reach
- * @param beamWidth radians, full intensity within; less than {@code cutOff}
- * @param cutOff radians, dark outside; endless for a point light
+ * @param constant the constant term of the attenuation; {@code linear} per unit, {@code quadratic}
+ *     per square unit
+ * @param radius the distance beyond which a point or spot light does not reach
+ * @param beamWidth the angle in radians within which a spot light has full intensity; less than
+ *     {@code cutOff}
+ * @param cutOff the angle in radians outside of which a spot light is dark; infinite for a point
+ *     light
  */
 public record WorldLight(
     Light.Kind kind,
@@ -30,10 +33,10 @@ public record WorldLight(
     double radius,
     double beamWidth,
     double cutOff) {
-  /** A beam's edge is at least that wide: a sharp one has no slope to compute with. */
+  /** The least width of a beam's edge in radians, because a sharp edge has no finite slope. */
   private static final double NARROWEST_EDGE = 1e-4;
 
-  /** The light of a node in the place where it stands now. */
+  /** Returns a light node's light at its present place. */
   public static WorldLight of(LightInstance instance) {
     Light light = instance.light();
     Matrix4dc world = instance.world();
@@ -62,7 +65,7 @@ public record WorldLight(
         cutOff);
   }
 
-  /** Whether it has a place, so that it does not light all places alike. */
+  /** Returns whether the light has a position: a point or spot light. */
   public boolean positional() {
     return kind != Light.Kind.DIRECTIONAL;
   }

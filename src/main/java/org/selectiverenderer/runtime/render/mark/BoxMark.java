@@ -4,9 +4,9 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
 /**
- * A box drawn over a scene: edges, fainter where something is before them, and translucent sides.
+ * A box drawn over a preview: edges, fainter where something hides them, and translucent sides.
  *
- * @param place takes the cube of side 1 about the origin to the world
+ * @param place the matrix from the cube of side 1 about the origin to the world
  * @param edges r, g, b, a of the edges, each 0..1
  * @param sides r, g, b, a of the sides
  */

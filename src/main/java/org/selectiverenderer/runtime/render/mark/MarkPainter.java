@@ -17,11 +17,11 @@ import org.selectiverenderer.runtime.render.mesh.Clusters;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 
 /**
- * Draws boxes over a scene and the mask of chosen shapes. Belongs to the thread that owns the
+ * Draws boxes over a preview and the mask of selected shapes. Belongs to the thread that owns the
  * context.
  */
 final class MarkPainter {
-  /** How much of an edge is left where something stands before it. */
+  /** The opacity of an edge where something hides it. */
   private static final float HIDDEN = 0.3f;
 
   private static final float[] MASK = {1, 1, 1, 1};
@@ -43,7 +43,7 @@ final class MarkPainter {
   private @Nullable GpuMesh edges;
   private @Nullable GpuMesh sides;
 
-  /** Draws over a picture of the scene, with its depth; alpha stays as it is. */
+  /** Draws boxes over a picture of the scene with depth test; alpha stays as it is. */
   void boxes(GL3 gl, List<BoxMark> boxes, Camera camera) {
     if (boxes.isEmpty()) {
       return;
@@ -71,7 +71,7 @@ final class MarkPainter {
     end(gl);
   }
 
-  /** Sets alpha to 1 where a shape of the set is or would be seen, to 0 elsewhere. */
+  /** Sets alpha to 1 at the pixels of the masked shapes, visible or hidden, and to 0 elsewhere. */
   void mask(GL3 gl, List<DrawItem> items, Set<ShapeInstance> masked, Camera camera) {
     gl.glColorMask(false, false, false, true);
     gl.glClearColor(0, 0, 0, 0);

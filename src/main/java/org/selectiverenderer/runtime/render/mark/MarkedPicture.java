@@ -5,10 +5,10 @@ import org.selectiverenderer.runtime.render.Drawn;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 
 /**
- * A picture with marks.
+ * A preview picture with its boxes and mask.
  *
- * @param pixels alpha is the mask of {@link Marking}
- * @param camera it was taken with
- * @param drawn without the marks
+ * @param pixels the picture, whose alpha channel is the mask of {@link Marking}
+ * @param camera the camera that it was taken with
+ * @param drawn the counts of what was drawn, without the boxes
  */
 public record MarkedPicture(Screenshot pixels, Camera camera, Drawn drawn) {}

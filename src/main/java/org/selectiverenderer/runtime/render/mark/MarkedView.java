@@ -21,13 +21,13 @@ import org.selectiverenderer.runtime.render.draw.Setting;
 import org.selectiverenderer.runtime.render.draw.Visible;
 
 /**
- * Pictures of worlds for an author's tool, of any size and with marks over them, without a window:
- * the toolkit shows them as it likes. The thread that opens it owns its GL context and makes all
- * calls.
+ * Draws preview pictures of a world for an author's tool, of any size, with boxes over them and
+ * without a window, so that the tool's GUI toolkit can show them. The thread that opens it owns its
+ * GL context and makes all calls.
  */
 public final class MarkedView implements AutoCloseable {
   private final OffscreenContext context;
-  // By pixel: a wireframe is to show the triangles of the model, not those it is refined to.
+  // With per-pixel lighting: a wireframe is to show the triangles of the model, not refined ones.
   private final SceneRenderer renderer = new SceneRenderer(2, Shading.PIXEL);
   private final MarkPainter marks = new MarkPainter();
   private @Nullable OffscreenTarget target;
@@ -49,7 +49,7 @@ public final class MarkedView implements AutoCloseable {
     return new MarkedView(OffscreenContext.open());
   }
 
-  /** What draws. */
+  /** Returns the OpenGL driver that draws. */
   public GlInfo info() {
     return info;
   }

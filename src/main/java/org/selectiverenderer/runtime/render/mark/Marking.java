@@ -7,19 +7,19 @@ import org.selectiverenderer.runtime.instance.Backdrop;
 import org.selectiverenderer.runtime.instance.ShapeInstance;
 
 /**
- * How an author looks at a scene, beyond what a viewer of it sees.
+ * Options of an author's preview: what it shows beyond what a viewer of the scene sees.
  *
- * @param boxes drawn over the scene
- * @param masked shapes whose pixels have the alpha 255 in the picture, all others 0; those behind
- *     something count as well
+ * @param boxes boxes drawn over the scene
+ * @param masked shapes whose pixels get alpha 255 in the picture, hidden pixels included; all
+ *     others get 0
  * @param wireframe whether only the edges of the triangles are drawn
- * @param backdrop instead of the bound Background
+ * @param backdrop the background to use instead of the bound Background
  */
 public record Marking(
     List<BoxMark> boxes,
     Set<ShapeInstance> masked,
     boolean wireframe,
     Optional<Backdrop> backdrop) {
-  /** Nothing beyond. */
+  /** A preview without boxes, mask or wireframe. */
   public static final Marking NONE = new Marking(List.of(), Set.of(), false, Optional.empty());
 }

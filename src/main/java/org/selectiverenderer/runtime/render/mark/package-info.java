@@ -1,5 +1,5 @@
 /**
- * Pictures with marks: boxes around what is chosen, drawn into the scene; for an editor's preview.
+ * Draws the preview pictures of an editor: the scene with boxes around what is selected.
  *
  * <p>In: a world, a camera, a {@link org.selectiverenderer.runtime.render.mark.Marking}. Out:
  * {@link org.selectiverenderer.runtime.render.mark.MarkedPicture}s. Uses {@code runtime}, {@code

@@ -2,9 +2,9 @@ package org.selectiverenderer.runtime.render.mesh;
 
 import org.selectiverenderer.geometry.TriangleMath;
 
-/** Bounding spheres and cones of normals of clusters. */
+/** Computes the bounding sphere and the normal cone of each triangle cluster. */
 final class ClusterBounds {
-  /** Half angles beyond this (about 84 degrees) are hardly ever culled. */
+  /** The cosine of the widest half angle (about 84 degrees); wider cones are hardly ever culled. */
   private static final double NARROWEST_DOT = 0.1;
 
   private final float[] positions;
@@ -16,7 +16,7 @@ final class ClusterBounds {
   private final double[] normal = new double[3];
 
   /**
-   * @param indices of triangles, ordered by cluster
+   * @param indices three per triangle, ordered by cluster
    */
   ClusterBounds(float[] positions, int[] indices) {
     this.positions = positions;
@@ -24,7 +24,7 @@ final class ClusterBounds {
   }
 
   /**
-   * @param ends where each cluster ends, counted in triangles
+   * @param ends the end of each cluster, counted in triangles
    */
   Clusters of(int[] ends) {
     int[] first = new int[ends.length + 1];
@@ -38,7 +38,10 @@ final class ClusterBounds {
     return new Clusters(first, spheres, cones);
   }
 
-  /** The sphere around the middle of the box: at most a factor of 1.7 too large, and cheap. */
+  /**
+   * Computes the sphere around the centre of the bounding box: at most a factor of 1.7 too large,
+   * and cheap.
+   */
   private void sphere(int from, int to, float[] out, int at) {
     double radius = 0;
     for (int axis = 0; axis < 3; axis++) {

@@ -1,19 +1,21 @@
 package org.selectiverenderer.runtime.render.mesh;
 
 /**
- * Neighbouring triangles of a mesh that are kept or culled together, in local coordinates.
+ * The triangle clusters of a mesh: neighbouring triangles that are kept or culled together. In
+ * local coordinates.
  *
- * @param firstIndex where each cluster's indices begin in the index buffer, and the end of the last
+ * @param firstIndex the first index of each cluster in the index buffer, and the end of the last
+ *     cluster
  * @param spheres bounding spheres: centre x, y, z, radius
- * @param cones what the triangles' front sides face: axis x, y, z, and the sine of the half angle;
- *     the sine is 1 where they face too many ways to be culled together
+ * @param cones normal cones: axis x, y, z and the sine of the half angle; the sine is 1 where the
+ *     normals spread too widely for the cluster to be culled by its facing
  */
 public record Clusters(int[] firstIndex, float[] spheres, float[] cones) {
   public int size() {
     return firstIndex.length - 1;
   }
 
-  /** One cluster that is never culled by itself. */
+  /** Returns one cluster that is never culled by itself. */
   static Clusters whole(int indexCount) {
     return new Clusters(
         new int[] {0, indexCount},
@@ -21,7 +23,7 @@ public record Clusters(int[] firstIndex, float[] spheres, float[] cones) {
         new float[] {0, 0, 1, 1});
   }
 
-  /** The same clusters in an index buffer in which they begin elsewhere. */
+  /** Returns the same clusters moved to another first index of the index buffer. */
   Clusters from(int index) {
     int[] moved = firstIndex.clone();
     for (int i = 0; i < moved.length; i++) {
@@ -30,14 +32,14 @@ public record Clusters(int[] firstIndex, float[] spheres, float[] cones) {
     return new Clusters(moved, spheres, cones);
   }
 
-  /** The number of indices in all of them. */
+  /** Returns the number of indices in all clusters. */
   public int indexCount() {
     return firstIndex[size()] - firstIndex[0];
   }
 
   /**
-   * Whether every triangle of a cluster turns its front to the eye; as {@link #facesAway}, from the
-   * other side.
+   * Returns whether every triangle of a cluster faces the eye with its front side; tested like
+   * {@link #facesAway}, from the other side.
    *
    * @param x the eye in local coordinates
    */
@@ -46,10 +48,10 @@ public record Clusters(int[] firstIndex, float[] spheres, float[] cones) {
   }
 
   /**
-   * Whether every triangle of a cluster turns its back to the eye: the eye lies behind all the
-   * planes that touch a cone of normals around the bounding sphere. (The test of the direction to
-   * the centre, widened by the radius, is the one that Shirman and Abi-Ezzi 1993 call a cone of
-   * normals.)
+   * Returns whether every triangle of a cluster faces away from the eye: the eye lies behind all
+   * planes that are perpendicular to a normal of the cone and touch the bounding sphere (the cone
+   * of normals technique of Shirman and Abi-Ezzi 1993: the direction to the centre is tested,
+   * widened by the radius).
    *
    * @param x the eye in local coordinates
    */

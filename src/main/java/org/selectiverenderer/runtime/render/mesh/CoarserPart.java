@@ -1,9 +1,11 @@
 package org.selectiverenderer.runtime.render.mesh;
 
 /**
- * A stretch of an index buffer that draws the same surface as another one with fewer triangles.
+ * A range of an index buffer that draws a coarser refinement level: the same surface with fewer
+ * triangles.
  *
- * @param clusters of the stretch
- * @param undivided the longest edge in it that the other divides, in the coordinates of the buffers
+ * @param clusters the clusters of the range
+ * @param undivided the longest of its edges that finer levels split, in the coordinates of the
+ *     buffers
  */
 public record CoarserPart(Clusters clusters, double undivided) {}

@@ -6,11 +6,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Puts packed meshes behind one another into the buffers of one. Stateless; safe for use by several
- * threads.
+ * Concatenates packed meshes into one vertex and one index buffer. Stateless; safe for use by
+ * several threads.
  */
 public final class MeshMerger {
-  /** Vertices that the meshes merged into one may have together: indices stay two bytes wide. */
+  /**
+   * The most vertices that merged meshes may have together, so that indices stay two bytes wide.
+   */
   public static final int MOST_VERTICES = MeshPacker.SHORT_INDEX_VERTICES;
 
   private MeshMerger() {}
@@ -18,16 +20,16 @@ public final class MeshMerger {
   /**
    * Several meshes in one pair of buffers.
    *
-   * @param mesh the buffers; as a whole it is one cluster that is never culled
-   * @param parts of each mesh, in the order given, where it is in the index buffer
+   * @param mesh the merged buffers, as one cluster that is never culled
+   * @param parts the index ranges of each mesh, in the order given
    */
   public record Merged(PackedMesh mesh, List<Part> parts) {}
 
   /**
-   * What a mesh has in the buffers.
+   * The index ranges of one mesh in the merged buffers.
    *
-   * @param clusters of its last stage
-   * @param coarser its stages before, fewest triangles first
+   * @param clusters the clusters of its finest refinement level
+   * @param coarser its coarser levels, fewest triangles first
    */
   public record Part(Clusters clusters, List<CoarserPart> coarser) {}
 
@@ -35,7 +37,7 @@ public final class MeshMerger {
    * Merges meshes of one primitive, layout and solidity.
    *
    * @param meshes at least one, with at most {@link #MOST_VERTICES} vertices together
-   * @throws IllegalArgumentException if they cannot be one mesh
+   * @throws IllegalArgumentException if the meshes cannot be one mesh
    */
   public static Merged merge(List<PackedMesh> meshes) {
     PackedMesh first = meshes.get(0);
@@ -68,7 +70,7 @@ public final class MeshMerger {
       vertices.put(mesh.vertices().duplicate());
       stages = Math.max(stages, mesh.coarser().size());
     }
-    // Neighbours in the same stage are one stretch.
+    // The same level of neighbouring meshes is one contiguous range.
     for (int stage = 0; stage < stages; stage++) {
       for (int m = 0; m < bases.length; m++) {
         if (stage < meshes.get(m).coarser().size()) {
@@ -92,7 +94,7 @@ public final class MeshMerger {
     return new Merged(merged, parts);
   }
 
-  /** Appends a stretch of a mesh's indices, and tells where it is now. */
+  /** Appends a range of a mesh's indices, and returns its clusters at their new place. */
   private static Clusters copy(PackedMesh mesh, Clusters clusters, int base, ByteBuffer out) {
     Clusters moved = clusters.from(out.position() / 2);
     int from = clusters.firstIndex()[0];

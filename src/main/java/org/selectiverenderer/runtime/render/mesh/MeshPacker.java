@@ -8,9 +8,9 @@ import java.util.List;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * Packs a mesh: orders triangles by cluster, numbers vertices in the order of their first use,
- * leaves out vertices that no index uses, and writes attributes compactly. Stateless; safe for use
- * by several threads.
+ * Packs a mesh into bytes for the graphics card: orders triangles by cluster, numbers vertices in
+ * the order of their first use, leaves out unused vertices, and writes attributes compactly.
+ * Stateless; safe for use by several threads.
  */
 public final class MeshPacker {
   /**
@@ -20,7 +20,7 @@ public final class MeshPacker {
    */
   static final int CLUSTER_TRIANGLES = 512;
 
-  /** Vertices that an index of two bytes can name. */
+  /** The number of vertices that two-byte indices can address. */
   static final int SHORT_INDEX_VERTICES = 1 << 16;
 
   private MeshPacker() {}
@@ -29,7 +29,7 @@ public final class MeshPacker {
     return pack(StagedMesh.of(mesh));
   }
 
-  /** All stages of a mesh in one pair of buffers, the last one first. */
+  /** Packs all refinement levels of a mesh into one pair of buffers, the finest level first. */
   public static PackedMesh pack(StagedMesh staged) {
     Mesh mesh = staged.mesh();
     Ordered last = order(mesh, mesh.indices());
@@ -46,7 +46,7 @@ public final class MeshPacker {
         coarser.add(new CoarserPart(before.clusters().from(indices.length), stage.undivided()));
         indices = joined(indices, before.indices());
       }
-      // What a stage takes stands together: first the corners of the first.
+      // The vertices of a level stand together: those of the coarsest level come first.
       used = firstUse(joined(staged.coarser().get(0).indices(), indices), numbers);
     }
     VertexLayout layout = VertexLayout.of(mesh);
@@ -63,7 +63,7 @@ public final class MeshPacker {
         coarser);
   }
 
-  /** Indices by cluster. */
+  /** Triangle indices sorted by cluster. */
   private record Ordered(int[] indices, Clusters clusters) {}
 
   private static Ordered order(Mesh mesh, int[] indices) {
@@ -110,7 +110,7 @@ public final class MeshPacker {
 
   private static ByteBuffer vertices(Mesh mesh, VertexLayout layout, int[] used) {
     ByteBuffer out = direct((long) used.length * layout.stride());
-    // By words of four bytes, all at once: written value by value, buffers are several times
+    // Written as one array of four-byte words: writing a buffer value by value is several times
     // slower.
     int[] words = new int[used.length * layout.stride() / 4];
     float[] positions = mesh.positions();
@@ -152,7 +152,7 @@ public final class MeshPacker {
     return out;
   }
 
-  /** A signed normalised short, in the lower half. */
+  /** Returns a signed normalised 16-bit integer in the lower half of an int. */
   private static int normalised(float value) {
     return Math.round(clamp(value, -1) * 32767) & 0xffff;
   }
@@ -183,7 +183,7 @@ public final class MeshPacker {
     return ByteBuffer.allocateDirect(Math.toIntExact(bytes)).order(ByteOrder.nativeOrder());
   }
 
-  /** Whether a vertex colour is not opaque. */
+  /** Returns whether a vertex colour is not opaque. */
   public static boolean translucent(Mesh mesh) {
     float[] colors = mesh.colors();
     for (int i = 3; colors != null && i < colors.length; i += 4) {

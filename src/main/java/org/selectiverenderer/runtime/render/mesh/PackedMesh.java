@@ -5,12 +5,14 @@ import java.util.List;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * A mesh as the bytes of one vertex and one index buffer, both direct and in native order.
+ * A mesh as the bytes of one vertex and one index buffer, both direct and in native byte order.
  *
  * @param wideIndices whether an index takes four bytes, else two
- * @param indexCount number of indices, three, two or one per primitive, those of all stages
- * @param clusters the triangles' clusters; lines and points are one cluster that is never culled
- * @param coarser the stages before, fewest triangles first; they stand behind in the index buffer
+ * @param indexCount the number of indices of all refinement levels: three per triangle, two per
+ *     line, one per point
+ * @param clusters the clusters of the finest level; lines and points are one cluster that is never
+ *     culled
+ * @param coarser the coarser levels, fewest triangles first, which follow in the index buffer
  */
 public record PackedMesh(
     Mesh.Primitive primitive,

@@ -4,28 +4,28 @@ import java.util.List;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * A mesh of triangles that was divided in stages. All stages have the same surface and take their
- * corners from the same vertices; the earlier ones are as good where what they do not divide yet is
- * small in the picture.
+ * A triangle mesh with its refinement levels. All levels have the same surface and share the same
+ * vertices; a coarser level looks the same where the edges that it does not split are short on the
+ * screen.
  *
- * @param mesh the last stage
- * @param coarser the stages before, fewest triangles first; none of a mesh that was not divided
+ * @param mesh the finest level
+ * @param coarser the coarser levels, fewest triangles first; none for a mesh that was not refined
  */
 public record StagedMesh(Mesh mesh, List<Stage> coarser) {
   /**
-   * One of the stages before the last.
+   * One of the coarser levels.
    *
-   * @param indices of its triangles, among the vertices of the mesh
-   * @param undivided the longest edge in it that later stages divide, in the mesh's coordinates
+   * @param indices three per triangle, into the vertices of the mesh
+   * @param undivided the longest of its edges that finer levels split, in the mesh's coordinates
    */
   public record Stage(int[] indices, double undivided) {}
 
-  /** A mesh that was not divided. */
+  /** Returns a mesh that was not refined. */
   public static StagedMesh of(Mesh mesh) {
     return new StagedMesh(mesh, List.of());
   }
 
-  /** Indices of the stage with the fewest triangles. */
+  /** Returns the number of indices of the coarsest level. */
   public int least() {
     return coarser.isEmpty() ? mesh.indices().length : coarser.get(0).indices().length;
   }

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Puts the triangles of a mesh into an order in which neighbours in space stand together, by
- * splitting them at the median of their centres along the longest side again and again.
+ * Divides the triangles of a mesh into clusters of neighbours by recursive median splits of their
+ * centres along the longest axis.
  */
 final class TriangleOrder {
   private final float[] centres;
@@ -22,17 +22,17 @@ final class TriangleOrder {
   }
 
   /**
-   * @param triangles triangle numbers in their new order
-   * @param ends where in it each cluster ends
+   * @param triangles triangle numbers, sorted by cluster
+   * @param ends the end of each cluster in that order
    */
   record Result(int[] triangles, int[] ends) {}
 
   /**
-   * @param most the largest number of triangles in a cluster
+   * @param most the most triangles in a cluster
    */
   static Result of(float[] positions, int[] indices, int most) {
     int count = indices.length / 3;
-    // One cluster keeps the file's order.
+    // A mesh that is one cluster keeps its order.
     float[] centres = count <= most ? new float[0] : centres(positions, indices);
     TriangleOrder work = new TriangleOrder(centres, count, most);
     if (count > 0) {
@@ -95,7 +95,10 @@ final class TriangleOrder {
     return maxZ - minZ > (longest == 1 ? maxY - minY : maxX - minX) ? 2 : longest;
   }
 
-  /** Hoare's selection: what stands before {@code wanted} is not above it on that axis. */
+  /**
+   * Partially sorts by Hoare's selection algorithm: no centre before {@code wanted} is greater on
+   * that axis.
+   */
   private void select(int from, int to, int wanted, int axis) {
     int low = from;
     int high = to;

@@ -4,19 +4,19 @@ import java.util.List;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * Where the attributes of a vertex stand in the vertex buffer, in bytes from the vertex's first; -1
- * for an attribute that the mesh does not have. The position comes first: three floats.
+ * The layout of a vertex in the vertex buffer: the byte offset of each attribute, -1 for one that
+ * the mesh does not have. The position comes first: three floats.
  *
  * @param stride bytes per vertex
  * @param normal four signed normalised shorts, the last unused: ten bits would show in highlights
  * @param color four unsigned normalised bytes r, g, b, a
  * @param texCoord two floats
- * @param more how many floats each of the further texture coordinates has, the last of the vertex
+ * @param more the number of floats of each further texture coordinate, at the end of the vertex
  */
 public record VertexLayout(int stride, int normal, int color, int texCoord, List<Integer> more) {
   private static final int POSITION_BYTES = 12;
 
-  /** The layout of a mesh's attributes. */
+  /** Returns the layout of a mesh's attributes. */
   public static VertexLayout of(Mesh mesh) {
     int stride = POSITION_BYTES;
     int normal = -1;

@@ -3,14 +3,14 @@ package org.selectiverenderer.runtime.render.occlude;
 import java.util.Arrays;
 
 /**
- * The view of an eye in coarse cells, and of each cell how far its contents are hidden from on. A
- * cell is hidden only where outlines cover the whole of it. Depths are 1 / depth: that is linear
- * over the picture of a plane, and larger is nearer; 0 is infinitely far.
+ * A coarse depth buffer of an eye's view for occlusion culling: per cell, the depth beyond which
+ * everything is hidden. A cell is hidden only where outlines cover all of it. It stores 1 / depth,
+ * which is linear over the image of a plane; larger is nearer, 0 is infinitely far.
  *
- * <p>An outline covers a cell when no edge of it comes near the cell and the cell's row, up to the
- * cell, crosses it an odd number of times. Both are sets of bits, a row in two words: one of cells
- * near an edge, one that each crossing inverts from its cell on. Where exactly within its cell an
- * edge crosses does not matter, since that cell is near the edge.
+ * <p>An outline covers a cell when none of its edges comes near the cell and the cell's row crosses
+ * the outline an odd number of times up to the cell. Both conditions are bit sets with two words
+ * per row: one of the cells near an edge, one that each crossing inverts from its cell on. Where
+ * exactly within its cell an edge crosses does not matter, because that cell is near the edge.
  */
 final class DepthGrid {
   static final int COLUMNS = 128;
@@ -18,7 +18,7 @@ final class DepthGrid {
   private static final int TILE = 8;
   private static final int TILE_COLUMNS = COLUMNS / TILE;
 
-  /** Edges that rise less are taken as level, from one end to the other. */
+  /** Edges that rise less than this are treated as horizontal. */
   private static final double LEVEL = 1e-6;
 
   private final float[] hiddenFrom = new float[COLUMNS * ROWS];
@@ -31,10 +31,10 @@ final class DepthGrid {
   private int lastRow;
 
   /**
-   * Empties it.
+   * Clears the buffer.
    *
-   * @param marginX what is kept clear of edges to the left and right, in cells
-   * @param marginY the same below and above
+   * @param marginX the horizontal margin around edges, in cells
+   * @param marginY the vertical margin, in cells
    */
   void clear(double marginX, double marginY) {
     this.marginX = marginX;
@@ -49,7 +49,10 @@ final class DepthGrid {
     lastRow = -1;
   }
 
-  /** Adds an edge to the outline that {@link #fill} ends; in cells, from the lower left corner. */
+  /**
+   * Adds an edge to the outline that {@link #fill} ends; coordinates in cells from the lower left
+   * corner.
+   */
   void edge(double x0, double y0, double x1, double y1) {
     if (y0 > y1) {
       upward(x1, y1, x0, y0);
@@ -79,7 +82,7 @@ final class DepthGrid {
     }
   }
 
-  /** Rows that the outline has not touched yet are emptied when it first does. */
+  /** Clears rows that the outline touches for the first time. */
   private void open(int first, int last) {
     if (first > last) {
       return;
@@ -125,13 +128,13 @@ final class DepthGrid {
   }
 
   /**
-   * Ends an outline: what lies behind its plane is hidden in the cells that it covers. The plane is
-   * given as 1 / depth = a * x + b * y + c, in cells.
+   * Ends an outline: everything behind its plane is hidden in the cells that it covers. The plane
+   * is given as 1 / depth = a * x + b * y + c, in cells.
    *
-   * @return the number of cells it covers
+   * @return the number of cells that it covers
    */
   int fill(double a, double b, double c) {
-    // The farthest point of a cell and its margin.
+    // The farthest point of the plane within a cell and its margin.
     double farthest = c - Math.abs(a) * (0.5 + marginX) - Math.abs(b) * (0.5 + marginY);
     int covered = 0;
     for (int row = firstRow; row <= lastRow; row++) {
@@ -161,7 +164,10 @@ final class DepthGrid {
     }
   }
 
-  /** Makes questions cheap; to be called after the last outline. */
+  /**
+   * Computes the farthest depth of each tile, for quick queries; to be called after the last
+   * outline.
+   */
   void finish() {
     for (int tile = 0; tile < tiles.length; tile++) {
       int corner = tile / TILE_COLUMNS * TILE * COLUMNS + tile % TILE_COLUMNS * TILE;
@@ -178,8 +184,8 @@ final class DepthGrid {
   }
 
   /**
-   * Whether nothing can be seen in a rectangle of what comes so near at most. What lies outside of
-   * the view cannot be seen.
+   * Returns whether an object within a rectangle that comes at most as near as {@code side} is
+   * hidden. Outside of the view everything is hidden.
    */
   boolean hides(double minX, double minY, double maxX, double maxY, NearSide side) {
     int left = (int) Math.max(0, Math.floor(minX));
@@ -222,7 +228,9 @@ final class DepthGrid {
     return true;
   }
 
-  /** How far a cell is hidden from on, as 1 / depth; 0 for never. */
+  /**
+   * Returns the depth beyond which a cell is hidden, as 1 / depth; 0 for a cell that hides nothing.
+   */
   float hiddenFrom(int column, int row) {
     return hiddenFrom[row * COLUMNS + column];
   }

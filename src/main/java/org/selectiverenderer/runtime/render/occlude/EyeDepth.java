@@ -7,14 +7,16 @@ import org.joml.Vector3dc;
 import org.selectiverenderer.runtime.camera.Camera;
 
 /**
- * What hides what from one eye. Only for perspective projections without shear; others hide
- * nothing. Depth is distance along the direction of view.
+ * Occlusion culling for one eye. It works for perspective projections without shear only; with
+ * others nothing is hidden. Depth is the distance along the view direction.
  */
 final class EyeDepth {
-  /** Cells that a patch may cover at best; fewer are not worth drawing. */
+  /** An occluder that can cover fewer cells than this is not rasterised. */
   private static final double FEWEST_CELLS = 48;
 
-  /** What thin triangles of a box may differ from its depths, as a share of its depth. */
+  /**
+   * The depth error of sliver triangles within a bounding box, as a share of the box's depth range.
+   */
   private static final double SLIVERS = 1 / 32.0;
 
   private final DepthGrid grid = new DepthGrid();
@@ -41,7 +43,7 @@ final class EyeDepth {
   private double keep;
   private double lost;
 
-  /** Looks from there; nothing hides anything yet. */
+  /** Begins a frame with a camera; nothing is hidden yet. */
   void look(Camera camera) {
     Matrix4dc p = camera.projection();
     view = camera.view();
@@ -71,7 +73,7 @@ final class EyeDepth {
   }
 
   /**
-   * About how many cells a box shows itself in at most; infinite around the eye.
+   * Estimates the most cells that a box can cover; infinite if the eye is in its bounding sphere.
    *
    * @param box min x, y, z, max x, y, z in the world
    */
@@ -91,7 +93,7 @@ final class EyeDepth {
         : Math.PI * radius2 / (distance2 - radius2) * scaleX * scaleY;
   }
 
-  /** Draws what a mesh hides things with. */
+  /** Rasterises the occluders of a mesh. */
   void cover(Occluders occluders, Matrix4dc world) {
     if (!usable) {
       return;
@@ -119,7 +121,7 @@ final class EyeDepth {
     double farthest = Math.sqrt(centre2) + sphere[3];
     double nearest = Math.max(distance, Math.sqrt(centre2) - sphere[3]);
     double cells = patch.area() * distance / (nearest * nearest * nearest) * scaleX * scaleY;
-    // Edge-on, some of the triangles may face the other way.
+    // If seen edge-on, some of the triangles may face away.
     boolean edgeOn = distance <= 2 * patch.thickness() + (2 * patch.tilt() + 1e-5) * farthest;
     if ((solid && before < 0)
         || edgeOn
@@ -128,7 +130,7 @@ final class EyeDepth {
       return;
     }
     clipper.edges(patch, grid, scaleX, scaleY, originX, originY);
-    // 1 / depth over the plane, which is moved back by its thickness.
+    // The linear function 1 / depth of the plane, which is moved back by its thickness.
     double k = (before > 0 ? -1 : 1) / (distance + patch.thickness());
     Matrix4d m = inverse;
     double a = k * (m.m00() * n[0] + m.m01() * n[1] + m.m02() * n[2]) / scaleX;
@@ -138,7 +140,7 @@ final class EyeDepth {
     grid.fill(a * keep, b * keep, c * keep - Precision.depthLoss(perspective));
   }
 
-  /** After the last {@link #cover}. */
+  /** To be called after the last {@link #cover}. */
   void finish() {
     if (usable) {
       grid.finish();
@@ -146,9 +148,9 @@ final class EyeDepth {
   }
 
   /**
-   * What is asked about from now on.
+   * Sets the mesh and place of the shape that is queried next.
    *
-   * @param reach of the mesh, as {@link Precision#reach}
+   * @param reach the distance from the origin as {@link Precision#reach} returns it for the mesh
    */
   void ask(Matrix4dc world, double reach) {
     if (usable) {
@@ -157,7 +159,7 @@ final class EyeDepth {
     }
   }
 
-  /** The coordinates of spheres that are asked about from now on. */
+  /** Sets the coordinate system of the spheres that are queried next. */
   void enter(Matrix4dc world) {
     if (usable) {
       view.mulAffine(world, toEye);
@@ -166,9 +168,9 @@ final class EyeDepth {
   }
 
   /**
-   * Whether a box of the world is hidden, or lies outside of the view.
+   * Returns whether a box is hidden or lies outside of the view.
    *
-   * @param pixels by which what it holds may reach beyond it in the picture
+   * @param pixels the pixels by which its contents may reach beyond it on the screen
    */
   boolean hides(double[] box, double pixels) {
     if (!usable) {
@@ -210,7 +212,7 @@ final class EyeDepth {
     return hides(minX, minY, maxX, maxY, pixels);
   }
 
-  /** Likewise a sphere in the coordinates that were entered. */
+  /** Returns whether a sphere is hidden, in the coordinates set by {@link #enter}. */
   boolean hides(float[] spheres, int at) {
     if (!usable) {
       return false;
@@ -247,7 +249,7 @@ final class EyeDepth {
         side);
   }
 
-  /** Begins to ask about what lies between two depths. */
+  /** Begins the query of an object that lies between two depths. */
   private void between(double nearest, double farthest) {
     double depth = 1 / nearest;
     keep = 1 + Precision.depthLoss(perspective, terms);
@@ -256,13 +258,13 @@ final class EyeDepth {
   }
 
   /**
-   * Adds a face of the box asked about, behind which all of it lies.
+   * Adds a face of the queried box, behind which all of the box lies.
    *
-   * @param x the axis of the world that the face stands across, in the eye's coordinates
+   * @param x the world axis that is normal to the face, in the eye's coordinates
    * @param before the distance along that axis from the eye to the face
    */
   private void face(double x, double y, double z, double before, double pixels) {
-    // On the face, 1 / depth times that distance is the share of the axis in the line of sight.
+    // On the face, 1 / depth times that distance is the component of the view ray along the axis.
     double a = x / before / scaleX;
     double b = y / before / scaleY;
     double c = -z / before - a * originX - b * originY;

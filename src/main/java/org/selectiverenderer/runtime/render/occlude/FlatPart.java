@@ -3,15 +3,18 @@ package org.selectiverenderer.runtime.render.occlude;
 import java.util.Arrays;
 import org.selectiverenderer.geometry.TriangleMath;
 
-/** Triangles of one plane that face the same way, while they are gathered. */
+/** Collects coplanar triangles that face the same way. */
 final class FlatPart {
-  /** The sine of the angle between plane and triangles that is let pass: thin triangles err. */
+  /**
+   * The largest sine of the angle between plane and triangles, since the normals of thin triangles
+   * are inexact.
+   */
   private static final double MOST_TILT = 1e-3;
 
-  /** Refuses most without taking the sine. */
+  /** Rejects most triangles without computing the sine. */
   private static final double LEAST_COSINE = 0.999;
 
-  /** Distance from the plane that is let pass, as a share of the mesh's size. */
+  /** The largest distance from the plane, as a share of the mesh's size. */
   private static final double FLATNESS = 1e-5;
 
   private final float[] positions;
@@ -26,10 +29,10 @@ final class FlatPart {
   private int count;
 
   /**
-   * Begins without a plane and so holds nothing.
+   * Makes a collection without a plane, which holds nothing.
    *
    * @param indices three per triangle
-   * @param tolerance distance from the plane that is let pass
+   * @param tolerance the largest distance of a vertex from the plane
    */
   FlatPart(float[] positions, int[] indices, double tolerance) {
     this.positions = positions;
@@ -38,20 +41,21 @@ final class FlatPart {
   }
 
   /**
-   * What to let pass.
+   * Returns the largest distance of a vertex from the plane.
    *
    * @param size of the mesh
-   * @param reach of the mesh, as {@link Precision#reach}: its numbers are rounded there
+   * @param reach the distance from the origin as {@link Precision#reach} returns it for the mesh,
+   *     which determines the rounding of coordinates
    */
   static double tolerance(double size, double reach) {
     return FLATNESS * size + 0x1p-22 * reach;
   }
 
   /**
-   * Takes a triangle's plane; of no area yet.
+   * Takes a triangle's plane; the area is 0 at first.
    *
-   * @param i where its indices begin
-   * @param normal across it, of any length
+   * @param i the place of its first index
+   * @param normal its normal, of any length
    */
   void begin(int i, double[] normal, double length) {
     for (int axis = 0; axis < 3; axis++) {
@@ -67,7 +71,7 @@ final class FlatPart {
         + n[2] * positions[3 * vertex + 2];
   }
 
-  /** Whether a triangle lies in the plane; parameters as for {@link #begin}. */
+  /** Returns whether a triangle lies in the plane; parameters as for {@link #begin}. */
   boolean holds(int i, double[] normal, double length) {
     double cosine = n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2];
     return cosine > LEAST_COSINE * length
@@ -88,7 +92,7 @@ final class FlatPart {
         && Math.abs(d - other.d) <= tolerance;
   }
 
-  /** Its triangles' area. */
+  /** Returns the area of its triangles. */
   double area() {
     return area;
   }
@@ -97,12 +101,12 @@ final class FlatPart {
     area += by;
   }
 
-  /** Leaves the plane without triangles. */
+  /** Resets the area, and keeps the plane. */
   void clear() {
     area = 0;
   }
 
-  /** Adds a triangle that it holds. */
+  /** Adds a triangle that lies in the plane. */
   void add(int i, double[] normal, double length) {
     if (count == triangles.length) {
       triangles = Arrays.copyOf(triangles, 2 * count);
@@ -112,7 +116,7 @@ final class FlatPart {
     tilt = Math.max(tilt, sine(normal, length));
   }
 
-  /** What was added. */
+  /** Returns the occluder polygon of the triangles that were added. */
   Patch patch() {
     PatchOutline outline = new PatchOutline(positions);
     double thickness = 0;

@@ -1,9 +1,10 @@
 package org.selectiverenderer.runtime.render.occlude;
 
 /**
- * How near something comes to the eye at most, from cell to cell, as 1 / depth. What stands beside
- * a wall that is seen aslant is nearer in one cell than the wall is in another: so of a box not
- * only its nearest corner counts, but the faces that the eye sees, behind which all of it lies.
+ * An upper bound, per cell, of how near an object comes to the eye, as 1 / depth. An object along a
+ * wall that is seen at a grazing angle may be nearer in one cell than the wall is in another.
+ * Therefore not only the nearest corner of its bounding box counts, but also the planes of the
+ * faces that the eye sees, behind which all of the box lies.
  */
 final class NearSide {
   private static final int MOST_FACES = 3;
@@ -14,17 +15,17 @@ final class NearSide {
   private int faces;
   private double nearest;
 
-  /** Begins with something that comes as near as that everywhere. */
+  /** Begins with a bound that holds everywhere. */
   void begin(double everywhere) {
     nearest = everywhere;
     faces = 0;
   }
 
   /**
-   * Adds a plane behind which it lies: 1 / depth = x * byX + y * byY + atOrigin, in cells.
+   * Adds a plane behind which the object lies: 1 / depth = x * byX + y * byY + atOrigin, in cells.
    *
-   * @param marginX by which what is drawn may stand beside where it is, in cells
-   * @param marginY the same up and down
+   * @param marginX the horizontal rasterisation error, in cells
+   * @param marginY the vertical rasterisation error, in cells
    */
   void face(double byX, double byY, double atOrigin, double marginX, double marginY) {
     a[faces] = byX;
@@ -32,17 +33,17 @@ final class NearSide {
     c[faces++] = atOrigin + Math.abs(byX) * marginX + Math.abs(byY) * marginY;
   }
 
-  /** The most anywhere. */
+  /** Returns the bound that holds everywhere. */
   double nearest() {
     return nearest;
   }
 
-  /** Whether it is anywhere nearer in some cells than in others. */
+  /** Returns whether the bound differs between cells. */
   boolean slopes() {
     return faces > 0;
   }
 
-  /** The most in a square around a point, in cells. */
+  /** Returns the bound in a square around a point, in cells. */
   double nearest(double x, double y, double half) {
     double least = nearest;
     for (int i = 0; i < faces; i++) {

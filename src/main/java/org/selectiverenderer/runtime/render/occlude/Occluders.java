@@ -8,8 +8,9 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.MeshPlacement;
 
 /**
- * What of a mesh can hide other things: its large flat parts. They are looked for when the mesh is
- * first seen large; few of a scene's meshes ever are. Made by any thread, then the renderer's.
+ * The occluders of a mesh: its large flat parts, which can hide other things. They are searched for
+ * when the mesh first appears large on the screen, which few of a scene's meshes ever do. Made by
+ * any thread, then used by the renderer's thread.
  */
 public final class Occluders {
   private final boolean solid;
@@ -25,16 +26,18 @@ public final class Occluders {
     this.mesh = triangles > 0 ? mesh : null;
   }
 
-  /** Of a mesh, which it keeps until it has looked; lines and points hide nothing. */
+  /**
+   * Returns the occluders of a mesh, which is kept until the search; lines and points hide nothing.
+   */
   public static Occluders of(Mesh mesh) {
     return new Occluders(mesh.solid(), Precision.reach(mesh.bounds()), mesh.polygons(), () -> mesh);
   }
 
   /**
-   * Of a mesh that has been placed elsewhere, which is done again when it is looked at: only the
-   * mesh as it was is kept.
+   * Returns the occluders of a mesh that was transformed; only the original mesh is kept and
+   * transformed again for the search.
    *
-   * @param bounds of the placed mesh
+   * @param bounds the bounding box of the placed mesh
    */
   public static Occluders placed(Mesh mesh, Matrix4dc placement, float[] bounds) {
     return new Occluders(
@@ -44,12 +47,12 @@ public final class Occluders {
         () -> MeshPlacement.place(mesh, placement));
   }
 
-  /** Whether there is nothing in it, as far as it was looked. */
+  /** Returns whether it was searched and holds no occluder. */
   boolean none() {
     return mesh == null && patches.isEmpty();
   }
 
-  /** Looks, unless that is done; takes time in proportion to the triangles. */
+  /** Searches for occluders unless that is done; takes time in proportion to the triangles. */
   void find() {
     if (mesh != null) {
       patches = new PatchFinder(mesh.get()).find();
@@ -57,22 +60,22 @@ public final class Occluders {
     }
   }
 
-  /** How many triangles {@link #find} would look at. */
+  /** Returns the number of triangles that {@link #find} would examine. */
   int unseen() {
     return mesh == null ? 0 : triangles;
   }
 
-  /** The largest first; none before {@link #find}. */
+  /** Returns the occluder polygons, largest first; none before {@link #find}. */
   List<Patch> patches() {
     return patches;
   }
 
-  /** Whether only fronts are drawn, and so hide. */
+  /** Returns whether only front faces are drawn, and so occlude. */
   boolean solid() {
     return solid;
   }
 
-  /** The distance from the origin of local coordinates that no vertex exceeds. */
+  /** Returns the largest distance of a vertex from the origin of the local coordinates. */
   double reach() {
     return reach;
   }

@@ -7,25 +7,25 @@ import org.joml.Matrix4dc;
 import org.selectiverenderer.runtime.camera.Camera;
 
 /**
- * What is hidden behind walls and the like in a frame: {@link #begin}, {@link #offer} for
- * everything opaque in view, {@link #cover}, then questions, then {@link #end}. Looks away for a
- * while when it finds little; that changes how much is drawn, never what is seen. Belongs to one
- * thread.
+ * Occlusion culling: finds what is hidden behind walls and other large flat things in a frame. Call
+ * {@link #begin}, {@link #offer} for everything opaque in view, {@link #cover}, then queries, then
+ * {@link #end}. It pauses for some frames when it finds little; that changes how much is drawn,
+ * never what is seen. Belongs to one thread.
  */
 public final class Occlusion {
-  /** Shapes that hide others, per frame: the largest in view. */
+  /** The most occluding shapes per frame: the largest in view. */
   private static final int MOST_OCCLUDERS = 32;
 
-  /** Triangles among which flat parts are looked for, per frame: what is left waits. */
+  /** The most triangles per frame that are searched for occluders; the rest waits. */
   private static final int MOST_UNSEEN = 16_384;
 
-  /** Cells that a shape may show itself in at best; smaller ones hide too little. */
+  /** Shapes that can cover fewer cells than this hide too little. */
   private static final double FEWEST_CELLS = 48;
 
-  /** Frames that are let pass after one that found little, at most. */
+  /** The most frames without occlusion culling after one that found little. */
   private static final int LONGEST_REST = 8;
 
-  /** Indices whose drawing costs more than looking what is hidden. */
+  /** The number of indices whose drawing costs more than occlusion culling. */
   private static final long WORTHWHILE = 6000;
 
   private static final long WORTHWHILE_SHARE = 10;
@@ -56,10 +56,10 @@ public final class Occlusion {
   }
 
   /**
-   * A shape whose every triangle is drawn opaquely and as a whole, or only seen from the front if
-   * its mesh is solid.
+   * Offers a shape as an occluder. All of its triangles must be drawn opaquely and as a whole;
+   * those of a solid mesh from the front only.
    *
-   * @param place from the coordinates of its buffers to the world
+   * @param place the matrix from the coordinates in its buffers to the world
    * @param box min x, y, z, max x, y, z in the world
    */
   public void offer(Occluders occluders, Matrix4dc place, double[] box) {
@@ -83,9 +83,9 @@ public final class Occlusion {
   }
 
   /**
-   * Draws the largest of what was offered.
+   * Rasterises the largest occluders that were offered.
    *
-   * @return whether asking is worth it
+   * @return whether there is any occluder, so that queries make sense
    */
   public boolean cover() {
     on &= !offered.isEmpty();
@@ -98,7 +98,7 @@ public final class Occlusion {
     int used = 0;
     for (int i = 0; i < offered.size() && used < MOST_OCCLUDERS; i++) {
       Occluders occluders = offered.get((int) order[i]);
-      // The first is looked at however large it is.
+      // The first is searched however large it is.
       if (unseen == 0 || unseen + occluders.unseen() <= MOST_UNSEEN) {
         unseen += occluders.unseen();
         occluders.find();
@@ -122,10 +122,10 @@ public final class Occlusion {
   }
 
   /**
-   * The shape that is asked about from now on.
+   * Sets the shape that is queried next.
    *
-   * @param place from the coordinates of its buffers to the world
-   * @param shape its own, whose reach counts
+   * @param place the matrix from the coordinates in its buffers to the world
+   * @param shape the shape's own occluders, whose extent determines the rounding errors
    */
   public void ask(Matrix4dc place, Occluders shape) {
     double reach = shape.reach();
@@ -135,16 +135,16 @@ public final class Occlusion {
   }
 
   /**
-   * Whether an eye cannot see anything of a box, because it is hidden or not in view.
+   * Returns whether an eye cannot see anything of a box, because the box is hidden or not in view.
    *
    * @param box min x, y, z, max x, y, z in the world
-   * @param pixels by which points and lines may reach beyond it; 0 for triangles
+   * @param pixels the pixels by which points and lines may reach beyond it; 0 for triangles
    */
   public boolean hides(int eye, double[] box, double pixels) {
     return depths.get(eye).hides(box, pixels);
   }
 
-  /** Clusters of that shape are asked about from now on. */
+  /** Sets the place of the shape whose triangle clusters are queried next. */
   public void enter(Matrix4dc world) {
     for (int eye = 0; eye < eyes; eye++) {
       depths.get(eye).enter(world);
@@ -152,19 +152,19 @@ public final class Occlusion {
   }
 
   /**
-   * Whether an eye cannot see anything of a sphere in the shape's local coordinates.
+   * Returns whether an eye cannot see anything of a sphere in the shape's local coordinates.
    *
-   * @param at where its centre x, y, z and radius stand
+   * @param at the index of its centre x, y, z and radius
    */
   public boolean hides(int eye, float[] spheres, int at) {
     return depths.get(eye).hides(spheres, at);
   }
 
   /**
-   * Ends a frame in which questions were asked.
+   * Ends a frame with queries, and decides whether to pause.
    *
-   * @param hidden indices that are not drawn because of the answers
-   * @param drawn indices that are drawn
+   * @param hidden the indices that were culled by occlusion
+   * @param drawn the indices that are drawn
    */
   public void end(long hidden, long drawn) {
     if (hidden >= Math.min(WORTHWHILE, drawn / WORTHWHILE_SHARE)) {

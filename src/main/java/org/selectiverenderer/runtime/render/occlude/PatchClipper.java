@@ -2,19 +2,22 @@ package org.selectiverenderer.runtime.render.occlude;
 
 import org.joml.Matrix4dc;
 
-/** Brings an outline before an eye and cuts off what is too near. Keeps its memory. */
+/**
+ * Transforms an occluder's outline to an eye's coordinates and clips it at a near plane. Reuses its
+ * arrays.
+ */
 final class PatchClipper {
-  /** In the eye's coordinates: to the right, up, away. */
+  /** The corners in the eye's coordinates: right, up, away. */
   private double[] points = new double[96];
 
-  /** Where the outline was cut: to the right, up, away. */
+  /** The points where the outline was clipped: right and up at depth 1. */
   private double[] cuts = new double[24];
 
   private int cutCount;
   private double nearest;
 
   /**
-   * @param nearest what is left has this depth or more
+   * @param nearest the depth of the clipping plane; what is left has this depth or more
    * @return whether anything is left
    */
   boolean clip(Patch patch, Matrix4dc toEye, double newNearest) {
@@ -36,7 +39,9 @@ final class PatchClipper {
     return any;
   }
 
-  /** Draws the outline of that patch; a direction maps to cells by scale and origin. */
+  /**
+   * Rasterises the edges of the clipped outline; view directions map to cells by scale and origin.
+   */
   void edges(
       Patch patch, DepthGrid grid, double scaleX, double scaleY, double originX, double originY) {
     cutCount = 0;
@@ -71,7 +76,9 @@ final class PatchClipper {
     close(grid, scaleX, scaleY, originX, originY);
   }
 
-  /** Where an edge that comes nearer is cut; returns where it stands among the cuts. */
+  /**
+   * Clips an edge that crosses the near plane; returns the place of the new point in {@code cuts}.
+   */
   private int cut(int kept, int lost) {
     if (cuts.length < 2 * cutCount + 2) {
       cuts = java.util.Arrays.copyOf(cuts, 2 * cuts.length);
@@ -84,15 +91,16 @@ final class PatchClipper {
   }
 
   /**
-   * The cuts lie on a line, which goes into the flat part and out of it at each: the first to the
-   * second, the third to the fourth, and so on, are edges of what is left.
+   * Closes the clipped outline. The clip points lie on a line that enters or leaves the polygon at
+   * each of them: the first to the second, the third to the fourth and so on are edges of the
+   * clipped polygon.
    */
   private void close(DepthGrid grid, double scaleX, double scaleY, double originX, double originY) {
     if (cutCount == 0) {
       return;
     }
     int axis = wider();
-    // Few: sorted by insertion.
+    // Insertion sort, as there are few.
     for (int i = 2; i < 2 * cutCount; i += 2) {
       for (int j = i; j > 0 && cuts[j - 2 + axis] > cuts[j + axis]; j -= 2) {
         swap(j, j - 2);
@@ -108,7 +116,7 @@ final class PatchClipper {
     }
   }
 
-  /** The axis along which the cuts spread farther. */
+  /** Returns the axis along which the clip points spread farther. */
   private int wider() {
     double[] min = {cuts[0], cuts[1]};
     double[] max = {cuts[0], cuts[1]};

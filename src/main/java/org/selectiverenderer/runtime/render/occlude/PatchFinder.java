@@ -7,16 +7,16 @@ import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * Finds the large flat parts of a mesh. Those begin as runs of triangles that follow each other in
- * one plane, as walls do in files and as tessellators write faces; then every triangle is looked at
- * whether it lies in one of those planes. A mesh without such runs, as curved ones are, costs no
- * more than a look at each triangle.
+ * Finds the large flat parts of a mesh. Candidate planes come from runs of consecutive coplanar
+ * triangles, since files and tessellators write walls and faces so; then every triangle is tested
+ * against these planes. A mesh without such runs, for example a curved one, costs one pass over its
+ * triangles.
  */
 final class PatchFinder {
   private static final int MOST_PATCHES = 16;
   private static final int MOST_EDGES = 400;
 
-  /** The share of the bounding box's surface that makes a run, and a patch, large. */
+  /** The least area of a run, and of an occluder, as a share of the bounding box's surface. */
   private static final double RUN_SHARE = 1 / 1000.0;
 
   private static final double PATCH_SHARE = 1 / 60.0;
@@ -39,7 +39,7 @@ final class PatchFinder {
     tolerance = FlatPart.tolerance(Math.max(x, Math.max(y, z)), Precision.reach(box));
   }
 
-  /** The largest first. */
+  /** Returns the occluders, largest first. */
   List<Patch> find() {
     if (!(surface > 0) || surface == Double.POSITIVE_INFINITY) {
       return List.of();
@@ -74,7 +74,7 @@ final class PatchFinder {
     keep(run);
   }
 
-  /** Keeps a run if it is large; returns what the next one may be written to. */
+  /** Keeps a run if it is large; returns the object for the next run. */
   private FlatPart keep(FlatPart run) {
     if (run.area() < RUN_SHARE * surface) {
       return run;

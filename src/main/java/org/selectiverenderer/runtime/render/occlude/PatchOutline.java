@@ -9,11 +9,12 @@ import java.util.Set;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
- * The edges that an odd number of triangles have. Corners in the same place are one corner,
- * whatever their numbers: OpenGL leaves no gap between triangles whose corners agree to the bit.
+ * Builds the outline of coplanar triangles: the edges that occur an odd number of times. Vertices
+ * of equal position are one corner whatever their indices, because OpenGL leaves no gap between
+ * triangles whose corners agree to the bit.
  */
 final class PatchOutline {
-  /** The sine of the angle by which edges may turn and still be drawn as one. */
+  /** The largest sine of the angle between two edges that are joined into one. */
   private static final double STRAIGHT = 1e-9;
 
   private final float[] positions;
@@ -28,7 +29,7 @@ final class PatchOutline {
     this.positions = positions;
   }
 
-  /** A place; minus zero is zero. */
+  /** A vertex position; minus zero is normalised to zero. */
   private record Place(float x, float y, float z) {}
 
   private record Edge(int low, int high) {
@@ -41,7 +42,7 @@ final class PatchOutline {
     }
   }
 
-  /** Adds an edge of a triangle, or takes it away where it is already. */
+  /** Adds an edge of a triangle, or removes it if it is there already. */
   void toggle(int vertex, int next) {
     toggle(Edge.of(number(vertex), number(next)));
   }
@@ -64,7 +65,7 @@ final class PatchOutline {
     return places.size() - 1;
   }
 
-  /** The outline with straight stretches as one edge each. */
+  /** Returns the outline, with collinear edges joined. */
   Patch patch(double[] plane, double thickness, double tilt, double area) {
     straighten();
     Map<Integer, Integer> used = new HashMap<>();
@@ -86,7 +87,7 @@ final class PatchOutline {
     return new Patch(points, pairs, plane, thickness, tilt, area, sphere(points));
   }
 
-  /** Joins two edges at a corner that has no others where they run straight on. */
+  /** Joins two collinear edges at a corner that has no other edges. */
   private void straighten() {
     Map<Integer, List<Edge>> at = new HashMap<>();
     for (Edge edge : edges) {

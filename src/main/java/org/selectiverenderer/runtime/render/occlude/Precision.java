@@ -4,24 +4,30 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3dc;
 
 /**
- * How far a picture may be from exact arithmetic. OpenGL's vertex shader computes in 24 bits; how
- * much is lost grows with the numbers that it adds up, here called terms.
+ * Bounds of the rounding errors of OpenGL's vertex processing and rasterisation. Vertex shaders
+ * compute with 24-bit mantissas; the error grows with the magnitude of the sums' terms.
  */
 final class Precision {
-  /** Corners go to sub-pixels, at worst 1/32 of a pixel; the rest is for the vertex shader. */
+  /**
+   * The bound in pixels: corners are snapped to sub-pixels, at worst 1/32 of a pixel; the rest is
+   * for the vertex shader.
+   */
   static final double PIXELS = 0.5;
 
-  /** The share of a pixel's size, per term and depth, that the vertex shader may lose. */
+  /** The relative error of the vertex shader's positions. */
   private static final double SHADER = 0x1p-19;
 
-  /** Of the depth buffer, 24 bits of -1..1, and of interpolation over a triangle: 16 steps. */
+  /**
+   * The absolute error of the depth buffer (24 bits of -1..1) and of interpolation over a triangle:
+   * 16 steps.
+   */
   private static final double DEPTH_STEPS = 0x1p-19;
 
   private static final double DEPTH_SHADER = 0x1p-20;
 
   private Precision() {}
 
-  /** The distance from the origin that no point of a box (minima, maxima) exceeds. */
+  /** Returns the largest distance of a point of a box (minima, maxima) from the origin. */
   static double reach(float[] box) {
     double sum = 0;
     for (int axis = 0; axis < 3; axis++) {
@@ -32,23 +38,23 @@ final class Precision {
   }
 
   /**
-   * The terms of a shape: no sum of absolute values on the way from local to the eye's coordinates
-   * exceeds it.
+   * Returns a bound of the sums of absolute values that occur on the way from local to the eye's
+   * coordinates (the terms of a shape).
    *
-   * @param reach of the mesh
+   * @param reach the largest distance of the mesh from its origin
    */
   static double terms(Matrix4dc world, double reach, Vector3dc eye) {
     double x = world.m30() - eye.x();
     double y = world.m31() - eye.y();
     double z = world.m32() - eye.z();
     return Math.sqrt(3) * (norm(world) * reach + Math.sqrt(x * x + y * y + z * z))
-        // Should corners be kept in world coordinates, they are rounded there.
+        // Covers vertices that are stored, and so rounded, in world coordinates.
         + Math.abs(world.m30())
         + Math.abs(world.m31())
         + Math.abs(world.m32());
   }
 
-  /** The Frobenius norm of the linear part. */
+  /** Returns the Frobenius norm of the linear part. */
   private static double norm(Matrix4dc m) {
     return Math.sqrt(
         m.m00() * m.m00()
@@ -63,25 +69,28 @@ final class Precision {
   }
 
   /**
-   * The depth from which on what has these terms is drawn to within half of {@link #PIXELS}.
+   * Returns the depth beyond which a shape with these terms is drawn to within half of {@link
+   * #PIXELS}.
    *
-   * @param focal pixels per unit at depth 1
+   * @param focal the focal length: pixels per unit at depth 1
    */
   static double sharpFrom(double terms, double focal) {
     return terms * SHADER * focal;
   }
 
-  /** What of 1 / depth is lost whatever the depth; {@code perspective} is the matrix's m32. */
+  /** Returns the absolute error of 1 / depth; {@code perspective} is the matrix's m32. */
   static double depthLoss(double perspective) {
     return DEPTH_STEPS / Math.abs(perspective);
   }
 
-  /** What of 1 / depth is lost in proportion to it. */
+  /** Returns the relative error of 1 / depth. */
   static double depthLoss(double perspective, double terms) {
     return DEPTH_SHADER * (1 + terms / Math.abs(perspective));
   }
 
-  /** The largest factor by which a matrix stretches a length, or a little more if it shears. */
+  /**
+   * Returns an upper bound of the factor by which a matrix stretches lengths, exact without shear.
+   */
   static double stretch(Matrix4dc m) {
     double xx = m.m00() * m.m00() + m.m01() * m.m01() + m.m02() * m.m02();
     double yy = m.m10() * m.m10() + m.m11() * m.m11() + m.m12() * m.m12();

@@ -11,12 +11,12 @@ import org.selectiverenderer.runtime.render.draw.RawDraw;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 
 /**
- * How fast the driver draws what costs it least: without light, textures and anti-aliasing, by one
- * call. Scenes are drawn more slowly; but a machine that is slow here is slow with all of them. The
+ * A benchmark of the OpenGL driver: draws unlit triangles without textures and anti-aliasing by one
+ * call. Scenes are drawn more slowly, but a machine that is slow here is slow with all of them. The
  * thread that opens it owns its GL context and makes all calls. It takes about a second.
  */
 public final class DriverSpeed implements AutoCloseable {
-  /** Columns and rows of the sheet of small triangles, two for each cell. */
+  /** Columns and rows of the grid of small triangles, two per cell. */
   private static final int COLUMNS = 400;
 
   private static final int ROWS = 250;
@@ -24,27 +24,30 @@ public final class DriverSpeed implements AutoCloseable {
   private static final int WIDTH = 1024;
   private static final int HEIGHT = 768;
 
-  /** Pixels along each side of the picture that is filled. */
+  /** The side in pixels of the square picture that measures the fill rate. */
   private static final int SIDE = 2048;
 
-  /** A measurement shorter than this says more about its beginning and end. */
+  /** Shorter measurements would be dominated by their start and end. */
   private static final long LEAST_NANOS = 250_000_000;
 
   private static final int MOST_FRAMES = 1 << 14;
 
   private final OffscreenContext context = OffscreenContext.open();
 
-  /** What is measured. */
+  /** Returns the driver that is measured. */
   public GlInfo info() {
     return context.info();
   }
 
-  /** Triangles per second, each of four pixels. */
+  /** Returns the triangle rate: triangles of four pixels each per second. */
   public double triangles() {
     return perSecond(COLUMNS, ROWS, WIDTH, HEIGHT) * 2 * COLUMNS * ROWS;
   }
 
-  /** Pixels per second, in two triangles that fill the picture; its clearing included. */
+  /**
+   * Returns the fill rate: pixels per second of two triangles that fill the picture, including its
+   * clearing.
+   */
   public double pixels() {
     return perSecond(1, 1, SIDE, SIDE) * SIDE * SIDE;
   }
@@ -56,7 +59,7 @@ public final class DriverSpeed implements AutoCloseable {
     RawDraw raw = new RawDraw(gl, MeshPacker.pack(sheet(columns, rows)));
     try {
       target.bind(gl);
-      seconds(1, raw, camera, target); // The driver makes its shader ready.
+      seconds(1, raw, camera, target); // Lets the driver compile its shader.
       for (int frames = 1; ; frames *= 2) {
         double seconds = seconds(frames, raw, camera, target);
         if (seconds * 1e9 >= LEAST_NANOS || frames >= MOST_FRAMES) {
@@ -78,7 +81,7 @@ public final class DriverSpeed implements AutoCloseable {
     return (System.nanoTime() - begun) / 1e9;
   }
 
-  /** A sheet of triangles that fills the picture, in clip coordinates. */
+  /** Returns a grid of triangles that fills the picture, in clip coordinates. */
   private static Mesh sheet(int columns, int rows) {
     int vertices = (columns + 1) * (rows + 1);
     float[] positions = new float[3 * vertices];

@@ -7,8 +7,9 @@ import org.selectiverenderer.runtime.render.context.OffscreenTarget;
 import org.selectiverenderer.runtime.render.context.PictureCopy;
 
 /**
- * A target as wide as two windows: the main window shows its left half, a copy of the right half
- * goes to the other eye's window. Belongs to the render thread.
+ * An offscreen framebuffer as wide as two windows, for stereo on two monitors: the main window
+ * shows its left half, a copy of the right half goes to the right eye's window. Belongs to the
+ * render thread.
  */
 final class EyeTarget {
   private final int samples;
@@ -18,7 +19,7 @@ final class EyeTarget {
     this.samples = samples;
   }
 
-  /** Makes it what is drawn to: twice as wide as an eye's window. */
+  /** Binds the framebuffer for drawing, twice as wide as an eye's window. */
   void bind(GL3 gl, int width, int height) {
     OffscreenTarget known = target;
     if (known == null || known.width() != 2 * width || known.height() != height) {
@@ -29,7 +30,7 @@ final class EyeTarget {
     known.bind(gl);
   }
 
-  /** Shows the left half in the window's own buffer and copies the right half. */
+  /** Copies the left half to the window's own framebuffer and the right half to {@code right}. */
   void split(GL3 gl, int window, PictureCopy right) {
     OffscreenTarget drawn = target;
     if (drawn == null) {
@@ -53,7 +54,7 @@ final class EyeTarget {
     gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, window);
   }
 
-  /** Makes both halves what is read from. */
+  /** Binds both halves for reading. */
   void read(GL3 gl) {
     OffscreenTarget drawn = target;
     if (drawn != null) {

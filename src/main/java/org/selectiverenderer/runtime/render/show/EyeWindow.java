@@ -6,7 +6,7 @@ import org.selectiverenderer.runtime.render.context.PictureCopy;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.SideSource;
 
-/** The other eye's window: shows each picture that was copied for it. */
+/** The content of the right eye's window: shows each picture that was copied for it. */
 final class EyeWindow implements SideSource {
   private final PictureCopy picture;
 
@@ -23,7 +23,7 @@ final class EyeWindow implements SideSource {
   public void draw(GL3 gl, FrameSize size) {
     gl.glClearColor(0, 0, 0, 1);
     gl.glClear(GL.GL_COLOR_BUFFER_BIT);
-    // As large as it fits: the monitors of the two eyes may differ.
+    // As large as possible with its aspect ratio, since the monitors of the two eyes may differ.
     double scale =
         Math.min(
             size.width() / (double) picture.width(), size.height() / (double) picture.height());

@@ -3,8 +3,8 @@ package org.selectiverenderer.runtime.render.show;
 import java.util.Arrays;
 
 /**
- * Times of frames in milliseconds. Counts all of them; of a long run the percentiles are those of
- * the latest that the store holds, the mean and the maximum those of all. Not thread-safe.
+ * Statistics of frame times in milliseconds. Mean and maximum are those of all frames; the
+ * percentiles are those of the latest frames, as many as the store holds. Not thread-safe.
  */
 public final class FrameTimes {
   private final double[] store;
@@ -13,7 +13,7 @@ public final class FrameTimes {
   private double max;
 
   /**
-   * @param capacity number of frames kept, at least 1
+   * @param capacity the number of latest frames kept, at least 1
    */
   public FrameTimes(int capacity) {
     store = new double[capacity];
@@ -26,19 +26,21 @@ public final class FrameTimes {
   }
 
   /**
-   * All in milliseconds; zeros when there was no frame. A percentile is the smallest time kept that
-   * is not exceeded by that share of them (nearest rank).
+   * A summary of frame times in milliseconds; zeros when there was no frame. A percentile is the
+   * smallest time kept that is not exceeded by that share of the times (nearest-rank method).
    *
-   * @param kept the times of which the percentiles are
+   * @param kept the times that the percentiles are computed from
    */
   public record Summary(
       long count, double mean, double p50, double p95, double p99, double max, Sorted kept) {
-    /** Frames per second; 0 when there was no frame. */
+    /** Returns the mean frames per second; 0 when there was no frame. */
     public double framesPerSecond() {
       return mean > 0 ? 1000 / mean : 0;
     }
 
-    /** Which share of the frames kept took longer than so many milliseconds, 0 to 1. */
+    /**
+     * Returns the share of the frames kept, 0 to 1, that took longer than a time in milliseconds.
+     */
     public double shareAbove(double ms) {
       return kept.shareAbove(ms);
     }

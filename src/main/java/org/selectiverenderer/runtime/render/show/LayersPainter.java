@@ -21,9 +21,9 @@ import org.selectiverenderer.runtime.render.draw.Setting;
 import org.selectiverenderer.runtime.render.draw.Visible;
 
 /**
- * Draws the layers of a world over one another, the lowest first (X3D 4.0, 35.2.2). Each has a
- * renderer of its own; the active layer's is the one that worlds without layers use. Belongs to the
- * thread that owns the context.
+ * Draws the layers of a world over one another, the lowest first (X3D 4.0, 35.2.2). Each layer has
+ * a renderer of its own; the active layer has the one that worlds without layers use. Belongs to
+ * the thread that owns the context.
  */
 final class LayersPainter {
   private final SceneRenderer main;
@@ -45,9 +45,9 @@ final class LayersPainter {
   /**
    * Prepares the layers of a frame.
    *
-   * @param whole the cameras of the user's views over the whole picture
+   * @param whole the cameras of the user's views, each over its whole viewport
    * @param scale pixels per pixel of the desktop
-   * @param mono whether these are the viewer's own view
+   * @param mono whether it is a single view from the viewer's own position
    */
   void begin(GL3 gl, World world, List<Camera> whole, boolean mono, double scale) {
     Camera eye = whole.get(0);
@@ -83,10 +83,10 @@ final class LayersPainter {
   }
 
   /**
-   * Draws the layers of a view.
+   * Draws the layers of one view.
    *
-   * @param view its number among the cameras
-   * @param hidden what nobody sees of it
+   * @param view the index of its camera
+   * @param hidden the part of it that a lens hides
    */
   void draw(GL3 gl, int view, HiddenPart hidden) {
     Camera all = views.get(view);
@@ -104,12 +104,12 @@ final class LayersPainter {
     return part.width() == whole.width() && part.height() == whole.height();
   }
 
-  /** Shapes that are drawn for a view. */
+  /** Returns the number of shapes drawn for a view. */
   int shapes() {
     return drawings.stream().mapToInt(drawing -> drawing.seen().shapes()).sum();
   }
 
-  /** Indices that are drawn for a view. */
+  /** Returns the number of indices drawn for a view. */
   long indices() {
     return drawings.stream().mapToLong(drawing -> drawing.seen().indices()).sum();
   }

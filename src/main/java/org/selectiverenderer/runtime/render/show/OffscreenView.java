@@ -14,13 +14,12 @@ import org.selectiverenderer.runtime.render.context.OffscreenTarget;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 
 /**
- * A view of a world without a window. The thread that opens it owns its GL context and makes all
- * calls.
+ * Draws a world without a window. The thread that opens it owns its GL context and makes all calls.
  */
 public final class OffscreenView implements AutoCloseable {
   /**
-   * Triangles of a frame that may still be filled while the next is drawn. A software renderer
-   * keeps the triangles of both in memory, about 350 bytes each.
+   * The most triangles of a frame that may still be rasterised while the next is drawn. A software
+   * renderer keeps the triangles of both in memory, about 350 bytes each.
    */
   private static final long MOST_OVERLAPPED = 120_000;
 
@@ -38,11 +37,11 @@ public final class OffscreenView implements AutoCloseable {
   }
 
   /**
-   * Opens a context and a target.
+   * Opens a context and a framebuffer.
    *
-   * @param layout the views of each frame; none may need a window's buffers
+   * @param layout the views of each frame; none may need a window's stereo buffers
    * @param samples per pixel for anti-aliasing; 0 for none
-   * @param shading where light is computed
+   * @param shading whether lighting is computed per vertex or per pixel
    * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
    *     display or no OpenGL 3.3
    */
@@ -51,7 +50,7 @@ public final class OffscreenView implements AutoCloseable {
     return open(width, height, samples, layout, DrawStyle.of(shading));
   }
 
-  /** The same, drawn in another way than the scene says. */
+  /** Opens a view with further options. */
   public static OffscreenView open(
       int width, int height, int samples, ViewLayout layout, DrawStyle style) {
     OffscreenContext context = OffscreenContext.open();
@@ -78,18 +77,17 @@ public final class OffscreenView implements AutoCloseable {
   }
 
   /**
-   * Waits until the frame before is complete, for whoever wants to step the world as late as
-   * possible before it is drawn; {@link #draw} would wait after that. Nothing overlaps then.
+   * Waits until the previous frame is complete, so that the caller can step the world as late as
+   * possible before drawing it; {@link #draw} would wait after drawing. Frames do not overlap then.
    */
   public void awaitReady() {
     pace.await(context.gl());
   }
 
   /**
-   * Draws a frame. While it does the work that comes before pixels, the rasteriser may still fill
-   * the frame before, unless that has too many triangles. Returns when the frame before this one is
-   * complete, so that at most one is under way. Films are seen as they are at that time, however
-   * long they take to decode.
+   * Draws a frame. While it processes vertices, the previous frame may still be rasterised, unless
+   * that has too many triangles. Returns when the previous frame is complete, so that at most one
+   * is in flight. Movies are waited for, so that the frame shows their picture of its time.
    */
   public Drawn draw(World world) {
     GL3 gl = context.gl();
@@ -109,7 +107,7 @@ public final class OffscreenView implements AutoCloseable {
     target.finish(context.gl());
   }
 
-  /** The picture last drawn. */
+  /** Returns the picture last drawn. */
   public Screenshot screenshot() {
     return target.read(context.gl());
   }

@@ -10,26 +10,26 @@ import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 
 /**
- * What an operator's window paints: a page, and in it a copy of what the participant sees. For the
- * thread that draws the window.
+ * Draws the operator's window: a page with a copy of the participant's picture. For the thread that
+ * draws the window.
  */
 public final class OperatorCanvas {
   private final PictureCopy picture = new PictureCopy();
   private final SketchPainter sketch = new SketchPainter(new TextMesher());
 
-  /** The copy of what the participant sees, which who knows of newer ones brings up to date. */
+  /** Returns the copy of the participant's picture, which the owner of the window updates. */
   public PictureCopy picture() {
     return picture;
   }
 
-  /** Darkens the window, before the first page as behind each. */
+  /** Clears the window to a dark grey. */
   public void clear(GL3 gl) {
     gl.glClearColor(0.11f, 0.12f, 0.14f, 1);
     gl.glClear(GL.GL_COLOR_BUFFER_BIT);
   }
 
   /**
-   * Paints a page over a window that is clear.
+   * Draws a page over the cleared window.
    *
    * @param withPicture whether there is a copy to show
    */
@@ -42,11 +42,11 @@ public final class OperatorCanvas {
   }
 
   /**
-   * Lets go of what it has in the window's context.
+   * Frees its resources in the window's context.
    *
-   * @param size of the window, if it was ever drawn
-   * @param last draws it once more
-   * @return what the window shows then; null when it was never drawn
+   * @param size the size of the window, or null if it was never drawn
+   * @param last draws the window once more
+   * @return a screenshot of the window; null when it was never drawn
    */
   public @Nullable Screenshot end(GL3 gl, @Nullable FrameSize size, Runnable last) {
     Screenshot shot = null;

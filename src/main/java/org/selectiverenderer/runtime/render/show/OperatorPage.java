@@ -4,13 +4,14 @@ import java.util.List;
 import org.selectiverenderer.runtime.camera.Mark;
 
 /**
- * What the operator's window shows: the participant's picture somewhere, and marks about it.
+ * The page that the operator's window shows: the participant's picture at a place, and flat
+ * graphics around it.
  *
- * @param x left of the picture in pixels
- * @param y top of the picture in pixels, from the upper left corner
+ * @param x the left edge of the picture in pixels
+ * @param y the top edge of the picture in pixels, from the top of the window
  * @param width of the picture; 0 for no picture
  * @param height of the picture
- * @param marks drawn over everything
+ * @param marks the flat graphics, drawn over everything
  */
 public record OperatorPage(int x, int y, int width, int height, List<Mark> marks) {
   public OperatorPage {

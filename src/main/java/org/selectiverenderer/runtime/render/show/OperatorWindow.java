@@ -8,8 +8,8 @@ import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.SideSource;
 
 /**
- * The operator's window: a copy of the participant's picture and the host's page about it, ten
- * times a second, so that the participant's frames hardly pay for it.
+ * The content of the operator's window: a copy of the participant's picture and the host's page. It
+ * is updated ten times a second only, so that it hardly slows down the participant's frames.
  */
 final class OperatorWindow implements SideSource {
   private static final long PAUSE = 100_000_000;
@@ -25,12 +25,12 @@ final class OperatorWindow implements SideSource {
     this.host = host;
   }
 
-  /** Whether it is time for a picture. */
+  /** Returns whether it is time for the next copy. */
   boolean due() {
     return System.nanoTime() - last >= PAUSE;
   }
 
-  /** Takes what is bound for reading, in the participant's context. */
+  /** Copies the framebuffer that is bound for reading, in the participant's context. */
   void take(GL3 gl, int width, int height) {
     canvas.picture().take(gl, 0, 0, width, height);
     last = System.nanoTime();
@@ -53,7 +53,7 @@ final class OperatorWindow implements SideSource {
     canvas.paint(gl, frame, page, true);
   }
 
-  /** The window's last picture; null when there was none. */
+  /** Returns the window's last picture; null when there was none. */
   @Nullable Screenshot shot() {
     return shot;
   }

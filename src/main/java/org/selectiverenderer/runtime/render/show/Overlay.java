@@ -16,8 +16,8 @@ import org.selectiverenderer.runtime.render.gpu.Program;
 import org.selectiverenderer.runtime.render.mesh.MeshPacker;
 
 /**
- * Lines of text on a translucent dark panel in the upper left corner. The letters are triangles, so
- * that it needs no fonts of the machine. Belongs to the thread that owns the context.
+ * Draws lines of text on a translucent dark panel in the upper left corner. Letters are triangles,
+ * so that no fonts of the machine are needed. Belongs to the thread that owns the context.
  */
 public final class Overlay {
   private static final float TEXT_SIZE = 15;
@@ -26,7 +26,7 @@ public final class Overlay {
   private static final float[] PANEL = {0, 0, 0, 0.65f};
   private static final float[] TEXT = {1, 1, 1, 1};
 
-  /** What a line looks like; empty lines have no mesh. */
+  /** The mesh of a line of text; empty lines have none. */
   private record Line(@Nullable GpuMesh mesh, float width) {}
 
   private final TextMesher mesher;
@@ -39,11 +39,11 @@ public final class Overlay {
   }
 
   /**
-   * Draws over what is in the frame buffer.
+   * Draws over the framebuffer.
    *
    * @param text the lines from top to bottom; nothing is drawn when there are none
-   * @param width of the target in pixels
-   * @param height of the target in pixels
+   * @param width of the framebuffer in pixels
+   * @param height of the framebuffer in pixels
    * @param scale pixels per unit of the desktop; letters are larger on denser displays
    */
   public void draw(GL3 gl, List<String> text, int width, int height, float scale) {
@@ -80,10 +80,10 @@ public final class Overlay {
     gl.glDisable(GL.GL_BLEND);
   }
 
-  /** The target's plane, measured in the desktop's units from the upper left. */
+  /** The window in the desktop's units, measured from the upper left corner. */
   private record Page(GL3 gl, Program program, int width, int height, float scale) {
     void put(GpuMesh mesh, float[] color, float x, float y, float sizeX, float sizeY) {
-      // Whole pixels keep the letters of all lines alike.
+      // Rounded to whole pixels, so that equal letters look equal in all lines.
       float left = Math.round(x * scale);
       float bottom = Math.round(y * scale);
       gl.glUniform4f(

@@ -7,13 +7,16 @@ import org.selectiverenderer.runtime.World;
 import org.selectiverenderer.runtime.render.window.FrameSize;
 import org.selectiverenderer.runtime.render.window.InputEvent;
 
-/** Hands the mouse on to the world: the direction under the pointer, and whether it is pressed. */
+/**
+ * Forwards the mouse to the world: the view ray under the pointer, and whether the button is
+ * pressed.
+ */
 final class PointerTracker {
   private static final int LEFT = 1;
 
   private boolean pressed;
 
-  /** An event of a window that shows the world over a whole frame of that size. */
+  /** Handles an event of a window that the world's view of that size fills. */
   void input(InputEvent event, World world, FrameSize size) {
     if (event instanceof InputEvent.MotionInput motion) {
       point(world, size, motion.x(), motion.y());

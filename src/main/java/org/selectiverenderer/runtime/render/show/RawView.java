@@ -10,8 +10,8 @@ import org.selectiverenderer.runtime.render.draw.RawDraw;
 import org.selectiverenderer.runtime.render.mesh.PackedMesh;
 
 /**
- * The triangles of a world drawn by one call, without a window: what {@link OffscreenView} is
- * measured by. The thread that opens it owns its GL context and makes all calls.
+ * The baseline that {@link OffscreenView} is compared with: draws the triangles of a world by one
+ * call, without a window. The thread that opens it owns its GL context and makes all calls.
  */
 public final class RawView implements AutoCloseable {
   private final OffscreenContext context = OffscreenContext.open();
@@ -20,9 +20,9 @@ public final class RawView implements AutoCloseable {
   private final RawDraw raw;
 
   /**
-   * Opens a context and a target without anti-aliasing and uploads.
+   * Opens a context and a framebuffer without anti-aliasing, and uploads the triangles.
    *
-   * @param triangles by {@link RawDraw#pack}
+   * @param triangles the triangles, as {@link RawDraw#pack} returns them
    * @throws org.selectiverenderer.runtime.render.context.GlUnavailableException if there is no
    *     display or no OpenGL 3.3
    */
@@ -31,7 +31,7 @@ public final class RawView implements AutoCloseable {
     raw = new RawDraw(context.gl(), triangles);
   }
 
-  /** Draws a frame as the world's viewer sees it; returns when the one before is complete. */
+  /** Draws a frame as the world's viewer sees it; returns when the previous one is complete. */
   public void draw(World world) {
     target.bind(context.gl());
     VisibleRange sight = VisibleRange.of(world);
@@ -51,7 +51,7 @@ public final class RawView implements AutoCloseable {
     target.finish(context.gl());
   }
 
-  /** The picture last drawn. */
+  /** Returns the picture last drawn. */
   public Screenshot screenshot() {
     return target.read(context.gl());
   }

@@ -6,13 +6,13 @@ import org.selectiverenderer.runtime.render.DrawStyle;
 import org.selectiverenderer.runtime.render.window.WindowOptions;
 
 /**
- * The windows of a run.
+ * The windows of a run and the way in which they are drawn.
  *
  * @param main the participant's window, or the left eye's
  * @param layout the views in the main window, or over both eyes' windows side by side
- * @param style how the world is drawn
- * @param rightEye a window for the right eye alone
- * @param operator a window for whoever runs the session
+ * @param style the options for drawing the world
+ * @param rightEye the right eye's own window, if there are two
+ * @param operator the experimenter's window
  */
 public record RunWindows(
     WindowOptions main,

@@ -6,14 +6,14 @@ import org.selectiverenderer.geometry.tessellate.TextMesher;
 import org.selectiverenderer.runtime.camera.Mark;
 import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 
-/** Darkens a picture. Belongs to the thread that owns the context. */
+/** Fades a picture to black. Belongs to the thread that owns the context. */
 public final class Veil {
   private final SketchPainter sketch = new SketchPainter(new TextMesher());
 
   /**
-   * Draws over the whole of what is drawn to.
+   * Darkens the whole framebuffer.
    *
-   * @param darkness 0 for none, 1 for black
+   * @param darkness 0 for no darkening, 1 for black
    */
   public void draw(GL3 gl, double darkness, int width, int height) {
     int alpha = (int) Math.round(255 * Math.max(0, Math.min(1, darkness)));

@@ -17,8 +17,9 @@ import org.selectiverenderer.runtime.render.draw.SceneRenderer;
 import org.selectiverenderer.runtime.render.sketch.SketchPainter;
 
 /**
- * Draws a world as its viewer sees it: the bound NavigationInfo decides about headlight and depth
- * range, the bound Background about what is behind. Belongs to the thread that owns the context.
+ * Draws a world as its viewer sees it: the bound NavigationInfo determines headlight and depth
+ * range, the bound Background what is behind the shapes. Belongs to the thread that owns the
+ * context.
  */
 public final class WorldPainter {
   /** Side of a point of a PointSet in pixels. */
@@ -30,7 +31,7 @@ public final class WorldPainter {
   private final ViewLayout layout;
   private Drawn drawn = new Drawn(0, 0);
 
-  /** Draws all frames in that layout. */
+  /** Makes a renderer that draws all frames in that layout. */
   public WorldPainter(ViewLayout layout, DrawStyle style) {
     this.layout = layout;
     Supplier<SceneRenderer> renderers =
@@ -48,14 +49,14 @@ public final class WorldPainter {
     world.hold(() -> renderer.prepare(gl, world.instances()));
   }
 
-  /** Meshes and textures sent to the graphics card since the start. */
+  /** Returns the number of meshes and textures uploaded since the start. */
   long uploads() {
     return renderer.uploads();
   }
 
   /**
-   * Draws over a whole target of that size while no other thread changes the world; returns what
-   * was drawn.
+   * Draws into the whole framebuffer of that size while no other thread changes the world; returns
+   * the counts of what was drawn.
    *
    * @param scale pixels per pixel of the desktop
    */
@@ -86,7 +87,7 @@ public final class WorldPainter {
     return new Drawn(layers.shapes(), views.size() * layers.indices() / 3);
   }
 
-  /** Whether some view or all of them together fill the target; else the rest is to be cleared. */
+  /** Returns whether the views fill the framebuffer; otherwise the rest is to be cleared. */
   private static boolean covered(List<EyeView> views, int width, int height) {
     long area = 0;
     for (EyeView view : views) {

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.selectiverenderer.runtime.render.context.GlInfo;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 
-/** What shows a world until its host is finished: windows, or a headset with a mirror. */
+/** Shows a world until its host is finished: in windows, or in a headset with a mirror window. */
 public interface WorldScreen {
   /**
    * Shows the world until the user closes a window or the host is finished. Called once.
@@ -15,15 +15,15 @@ public interface WorldScreen {
    */
   void run() throws InterruptedException;
 
-  /** What draws; empty before anything opened. */
+  /** Returns the OpenGL driver that draws; empty before anything was opened. */
   Optional<GlInfo> info();
 
   /**
-   * The last picture of the world, without the overlay, both eyes' where there are two; empty when
-   * it was never drawn.
+   * Returns the last picture of the world without the overlay, both eyes' in stereo; empty when it
+   * was never drawn.
    */
   Optional<Screenshot> lastPicture();
 
-  /** The last picture of the operator's window. */
+  /** Returns the last picture of the operator's window. */
   Optional<Screenshot> lastOperatorPicture();
 }

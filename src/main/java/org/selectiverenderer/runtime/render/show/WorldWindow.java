@@ -19,7 +19,7 @@ import org.selectiverenderer.runtime.render.window.InputEvent;
 import org.selectiverenderer.runtime.render.window.RenderWindow;
 import org.selectiverenderer.runtime.render.window.SideWindow;
 
-/** The windows onto a world. Their render thread is the one that steps the world. */
+/** Shows a world in windows. Their render thread is the one that steps the world. */
 public final class WorldWindow implements WorldScreen {
   private final WorldHost host;
   private final RunWindows stage;
@@ -66,7 +66,7 @@ public final class WorldWindow implements WorldScreen {
     return operator == null ? Optional.empty() : Optional.ofNullable(operator.shot());
   }
 
-  /** Meshes and textures that were sent to the graphics card up to the last frame. */
+  /** Returns the number of meshes and textures uploaded up to the last frame. */
   long uploads() {
     return uploads;
   }
@@ -89,7 +89,7 @@ public final class WorldWindow implements WorldScreen {
 
     void input(InputEvent event) {
       host.input(event);
-      // Of two pictures neither is the one that the pointer is on.
+      // In stereo the pointer has no defined position in the scene.
       if (world.isPresent() && size != null && stage.layout() == ViewLayout.MONO) {
         pointer.input(event, world.get(), size);
       }
@@ -142,7 +142,7 @@ public final class WorldWindow implements WorldScreen {
       host.drawn(drawn);
     }
 
-    /** Nothing, for both eyes and in the operator's copy. */
+    /** Draws black for both eyes and the operator's copy. */
     private void black(GL3 gl, FrameSize frame) {
       int[] bound = new int[1];
       gl.glGetIntegerv(GL.GL_FRAMEBUFFER_BINDING, bound, 0);

@@ -20,14 +20,17 @@ import org.selectiverenderer.runtime.camera.Panel;
 import org.selectiverenderer.runtime.camera.Pixels;
 import org.selectiverenderer.runtime.render.gpu.Program;
 
-/** Draws marks, later ones over earlier ones. Belongs to the thread that owns the context. */
+/**
+ * Draws flat graphics (lines, polygons, text, images) over a framebuffer, later ones over earlier
+ * ones. Belongs to the thread that owns the context.
+ */
 public final class SketchPainter {
   private static final int FLOATS = 6;
 
-  /** Of the two triangles of a picture. */
+  /** The vertices of an image's two triangles. */
   private static final int CORNERS = 6;
 
-  /** Letters kept; a page has fewer. */
+  /** The most cached text meshes; a page has fewer. */
   private static final int KEPT = 2000;
 
   private final TextMesher mesher;
@@ -41,7 +44,7 @@ public final class SketchPainter {
   private int buffer;
   private FloatBuffer vertices = Buffers.newDirectFloatBuffer(FLOATS * 3 * 4096);
 
-  /** A picture, and the first of its vertices among all. */
+  /** An image and the index of its first vertex. */
   private record Placed(Pixels pixels, int first) {}
 
   public SketchPainter(TextMesher mesher) {
@@ -49,10 +52,10 @@ public final class SketchPainter {
   }
 
   /**
-   * Draws over what is in a part of the frame buffer.
+   * Draws over a part of the framebuffer.
    *
-   * @param x left of the part in pixels
-   * @param y bottom of the part in pixels
+   * @param x the left edge of the part in pixels
+   * @param y the bottom edge of the part in pixels
    * @param width of the part, and of the page
    * @param height of the part, and of the page
    */
@@ -66,9 +69,9 @@ public final class SketchPainter {
   }
 
   /**
-   * Draws a page that stands in the world, over what is in the frame buffer.
+   * Draws a page that stands in the world over the framebuffer.
    *
-   * @param camera that looks at it
+   * @param camera the camera that sees it
    */
   public void draw(GL3 gl, Panel panel, Camera camera) {
     if (panel.marks().isEmpty()) {
@@ -100,10 +103,10 @@ public final class SketchPainter {
   }
 
   /**
-   * Draws what was filled in.
+   * Draws the vertices that {@code fill} has collected.
    *
-   * @param kind of the program
-   * @param page tells a program in use where the page is
+   * @param kind the defines of the shader program
+   * @param page sets the uniforms that place the page
    */
   private void show(GL3 gl, List<String> kind, Consumer<Program> page) {
     gl.glDisable(GL.GL_DEPTH_TEST);
@@ -184,7 +187,7 @@ public final class SketchPainter {
     }
   }
 
-  /** Its corners, with the place in the picture instead of a colour. */
+  /** Adds an image's corners, with texture coordinates in place of the colour. */
   private void place(Mark.Picture picture) {
     placed.add(new Placed(picture.pixels(), vertices.position() / FLOATS));
     for (int corner : new int[] {0, 1, 3, 0, 3, 2}) {
@@ -233,7 +236,7 @@ public final class SketchPainter {
     vertices.put((color & 255) / 255f).put((color >>> 24) / 255f);
   }
 
-  /** Frees what it has on the graphics card. */
+  /** Frees its resources on the graphics card. */
   public void dispose(GL3 gl) {
     programs.values().forEach(known -> known.dispose(gl));
     programs.clear();

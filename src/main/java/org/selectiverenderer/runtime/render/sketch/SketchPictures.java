@@ -8,14 +8,14 @@ import java.util.HashMap;
 import java.util.Map;
 import org.selectiverenderer.runtime.camera.Pixels;
 
-/** Pictures of pages on the graphics card. Belongs to the thread that owns the context. */
+/** The textures of the images on pages. Belongs to the thread that owns the context. */
 final class SketchPictures {
-  /** Pictures kept; a page has one. */
+  /** The most cached textures; a page has one image. */
   private static final int KEPT = 8;
 
   private final Map<Pixels, Integer> textures = new HashMap<>();
 
-  /** Makes one the texture that is drawn with, smooth at every distance. */
+  /** Binds an image as a mipmapped texture, uploading it if needed. */
   void bind(GL3 gl, Pixels picture) {
     Integer known = textures.get(picture);
     if (known != null) {

@@ -2,41 +2,46 @@ package org.selectiverenderer.runtime.render.window;
 
 import com.jogamp.opengl.GL3;
 
-/** What a window shows. All calls come from the render thread. */
+/**
+ * The content of a window: what its render loop calls in each frame. All calls come from the render
+ * thread.
+ */
 public interface FrameSource {
-  /** Once, with the context current, before the first frame. */
+  /** Called once, with the context current, before the first frame. */
   void start(GL3 gl);
 
   /**
-   * Before each frame, after the input that came since the last: steps the world.
+   * Steps the world; called before each frame, after the input since the last frame.
    *
    * @return whether to go on; false closes the window
    */
   boolean step();
 
   /**
-   * The user closes a window. Called by the window system's thread.
+   * Called by the window system's thread when the user closes a window.
    *
-   * @return whether it closes; else the source ends by {@link #step} once it wants to
+   * @return whether it closes; otherwise the content ends the loop by {@link #step} when it wants
+   *     to
    */
   default boolean closing() {
     return true;
   }
 
   /**
-   * Whether the pointer is to stay in the main window, unseen, so that nobody presses anything
-   * elsewhere. Asked in every frame; the window system lets go of it when the program is gone.
+   * Returns whether the pointer is to be confined to the main window and hidden, so that nobody
+   * clicks elsewhere. Asked in every frame; the window system releases the pointer when the program
+   * ends.
    */
   default boolean pointerKept() {
     return false;
   }
 
-  /** Draws a frame into the frame buffer that is bound. */
+  /** Draws a frame into the framebuffer that is bound. */
   void draw(GL3 gl, FrameSize size);
 
-  /** The frame last drawn was handed to the display, in all windows. */
+  /** Called when the frame last drawn has been handed to the display, in all windows. */
   default void submitted() {}
 
-  /** Once, with the context current, after the last frame; also when a frame failed. */
+  /** Called once, with the context current, after the last frame; also when a frame failed. */
   void stop(GL3 gl);
 }

@@ -1,13 +1,13 @@
 package org.selectiverenderer.runtime.render.window;
 
-/** Something that the user did. Positions are in pixels from the upper left, y downwards. */
+/** A keyboard or mouse event. Positions are in pixels from the upper left corner, y downwards. */
 public sealed interface InputEvent {
 
   /**
-   * A key went down, again and again while it is held, or up.
+   * A key was pressed (repeatedly while it is held) or released.
    *
-   * @param character that it produced when it went down, with line feed for Enter and backspace for
-   *     Backspace; empty for keys that produce none
+   * @param character the character that it produced when it was pressed, with line feed for Enter
+   *     and backspace for Backspace; empty for keys that produce none
    */
   record KeyInput(KeyboardKey key, boolean pressed, String character) implements InputEvent {
     /** A key that produces no character. */
@@ -17,7 +17,7 @@ public sealed interface InputEvent {
   }
 
   /**
-   * A mouse button went down or up.
+   * A mouse button was pressed or released.
    *
    * @param button 1 left, 2 middle, 3 right
    */
@@ -26,8 +26,8 @@ public sealed interface InputEvent {
   /**
    * The mouse moved.
    *
-   * @param dx since the last motion, in the desktop's units, so that a hand's movement means the
-   *     same on a display of double density; 0 when the pointer has just entered
+   * @param dx the movement since the last event, in the desktop's units, so that a hand's movement
+   *     means the same on a display of double density; 0 when the pointer has just entered
    * @param dy likewise, downwards
    */
   record MotionInput(int x, int y, double dx, double dy) implements InputEvent {}
@@ -35,10 +35,10 @@ public sealed interface InputEvent {
   /**
    * The wheel turned.
    *
-   * @param notches positive away from the user
+   * @param notches the notches, positive away from the user
    */
   record WheelInput(float notches) implements InputEvent {}
 
-  /** The window lost the keyboard: keys that were down will not be heard going up. */
+  /** The window lost the keyboard focus: keys that are down will send no release events. */
   record FocusLost() implements InputEvent {}
 }

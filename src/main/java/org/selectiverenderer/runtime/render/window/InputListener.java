@@ -1,6 +1,6 @@
 package org.selectiverenderer.runtime.render.window;
 
-/** Hears the user's input in the order in which it came, on the render thread, before a step. */
+/** Receives the user's input in the order in which it came, on the render thread, before a step. */
 @FunctionalInterface
 public interface InputListener {
   void input(InputEvent event);

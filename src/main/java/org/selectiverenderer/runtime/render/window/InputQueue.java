@@ -11,7 +11,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedQueue;
 
-/** Takes NEWT's events on NEWT's thread and keeps them for the render thread. */
+/** Queues NEWT's input events, which come on NEWT's thread, for the render thread. */
 final class InputQueue extends WindowAdapter implements KeyListener, MouseListener {
   private final ConcurrentLinkedQueue<InputEvent> events = new ConcurrentLinkedQueue<>();
   private final Map<Short, String> characters = new HashMap<>();
@@ -19,7 +19,7 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
   private int lastX;
   private int lastY;
 
-  /** Hands over what came since the last call; render thread. */
+  /** Delivers the events since the last call; render thread. */
   void drain(InputListener listener) {
     for (InputEvent event = events.poll(); event != null; event = events.poll()) {
       listener.input(event);
@@ -33,7 +33,7 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
 
   @Override
   public void keyReleased(KeyEvent event) {
-    // A held key is reported as released and pressed again and again.
+    // NEWT reports a held key as repeatedly released and pressed.
     if (!event.isAutoRepeat()) {
       key(event, false);
     }
@@ -45,7 +45,7 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
     String character =
         pressed ? KeyCharacters.of(key, event.getKeyChar()) : characters.getOrDefault(code, "");
     if (pressed) {
-      characters.put(code, character); // Shift may go up before it does.
+      characters.put(code, character); // Shift may be released first.
     } else {
       characters.remove(code);
     }
@@ -101,7 +101,7 @@ final class InputQueue extends WindowAdapter implements KeyListener, MouseListen
 
   @Override
   public void mouseClicked(MouseEvent event) {
-    // Press and release say it all.
+    // Press and release are reported instead.
   }
 
   @Override

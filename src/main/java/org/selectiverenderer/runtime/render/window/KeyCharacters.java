@@ -1,13 +1,14 @@
 package org.selectiverenderer.runtime.render.window;
 
-/** The characters that keys produce, as sensors of a scene are told them. */
+/** The characters that keys produce, as KeySensor and StringSensor need them. */
 final class KeyCharacters {
   private KeyCharacters() {}
 
   /**
-   * The character of a key that goes down; empty where it produces none.
+   * Returns the character of a key that is pressed; empty where it produces none.
    *
-   * @param typed what the window system says, which with Control held is a control character
+   * @param typed the character that the window system reports, a control character while Control is
+   *     held
    */
   static String of(KeyboardKey key, char typed) {
     return switch (key) {

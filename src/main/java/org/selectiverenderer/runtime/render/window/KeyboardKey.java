@@ -3,7 +3,7 @@ package org.selectiverenderer.runtime.render.window;
 import com.jogamp.newt.event.KeyEvent;
 import java.util.Locale;
 
-/** Keys by what stands on them. */
+/** The keys of a keyboard by their labels. */
 public enum KeyboardKey {
   A,
   B,
@@ -75,7 +75,7 @@ public enum KeyboardKey {
   MINUS,
   OTHER;
 
-  /** Whether it never produces a character. */
+  /** Returns whether the key never produces a character. */
   boolean special() {
     return compareTo(F1) >= 0 && compareTo(ESCAPE) <= 0 && this != DELETE
         || this == SHIFT
@@ -83,7 +83,7 @@ public enum KeyboardKey {
         || this == ALT;
   }
 
-  /** The small letter or digit that stands on it; empty for other keys. */
+  /** Returns the lower-case letter or digit of the key; empty for other keys. */
   String letter() {
     if (compareTo(Z) <= 0) {
       return name().toLowerCase(Locale.ROOT);

@@ -4,10 +4,10 @@ package org.selectiverenderer.runtime.render.window;
  * A monitor that a window can fill.
  *
  * @param screen the screen of the window system that it belongs to: 0, except where an X server has
- *     several screens that share nothing ({@code :0.0}, {@code :0.1})
- * @param id by which that screen knows it
- * @param x its left side on the screen, in the desktop's units
- * @param y its upper side on the screen
+ *     several separate screens ({@code :0.0}, {@code :0.1})
+ * @param id its identifier on that screen
+ * @param x its left edge on the screen, in the desktop's units
+ * @param y its upper edge on the screen
  */
 public record Monitor(int screen, int id, String name, int x, int y, int width, int height) {
   @Override

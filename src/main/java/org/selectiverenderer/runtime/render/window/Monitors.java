@@ -13,16 +13,16 @@ import java.util.List;
 import jogamp.nativewindow.x11.X11Lib;
 import org.selectiverenderer.runtime.render.context.JoglLibraries;
 
-/** The monitors of the desktop. GL must be available ({@code GlAvailability}). */
+/** Lists the monitors of the desktop. GL must be available ({@code GlAvailability}). */
 public final class Monitors {
   private Monitors() {}
 
-  /** All monitors, in the order of their screens, from left to right, from top to bottom. */
+  /** Returns all monitors, sorted by screen, from left to right and from top to bottom. */
   public static List<Monitor> all() {
     return modes().stream().map(MonitorMode::monitor).toList();
   }
 
-  /** How each of them is driven, in the same order. */
+  /** Returns all monitors with refresh rate and scale, in the same order. */
   public static List<MonitorMode> modes() {
     JoglLibraries.use();
     List<MonitorMode> monitors = new ArrayList<>();
@@ -35,7 +35,7 @@ public final class Monitors {
         if (index == 0) {
           screens = screens(display);
         } else if (screen.getIndex() != index) {
-          break; // Screens joined into one (Xinerama) all answer as the first.
+          break; // Xinerama joins all screens into the first.
         }
         for (MonitorDevice device : screen.getMonitorDevices()) {
           RectangleImmutable at = device.getViewportInWindowUnits();
@@ -68,7 +68,10 @@ public final class Monitors {
     return device.getPixelScale(new float[2])[0];
   }
 
-  /** NEWT asks for no number of screens, and of one that is not there it answers nonsense. */
+  /**
+   * Returns the number of screens, which NEWT does not tell; for a screen that does not exist NEWT
+   * gives wrong answers.
+   */
   private static int screens(Display display) {
     return NativeWindowFactory.TYPE_X11.equals(NativeWindowFactory.getNativeWindowType(true))
         ? X11Lib.ScreenCount(display.getHandle())
@@ -76,8 +79,8 @@ public final class Monitors {
   }
 
   /**
-   * Lets go of a screen that was referred to. With the last reference its display ends, which must
-   * happen on the thread that asks the display for events: else that asks one that has just gone.
+   * Releases a reference to a screen. The last reference closes its display, which must happen on
+   * the thread that polls the display for events: otherwise that thread polls a closed display.
    */
   static void letGo(Screen screen) {
     Display display = screen.getDisplay();
@@ -92,12 +95,15 @@ public final class Monitors {
     }
   }
 
-  /** The screen that a monitor belongs to. */
+  /** Returns the screen that a monitor belongs to. */
   static Screen screen(Monitor monitor) {
     return NewtFactory.createScreen(NewtFactory.createDisplay(null), monitor.screen());
   }
 
-  /** The monitor as NEWT knows it; its screen must be open. */
+  /**
+   * Returns NEWT's device of a monitor, or all devices of the screen if it is unknown; the screen
+   * must be open.
+   */
   static List<MonitorDevice> device(Screen screen, Monitor monitor) {
     MonitorDevice device = screen.getMonitorById(monitor.id());
     return device == null ? screen.getMonitorDevices() : List.of(device);

@@ -12,11 +12,11 @@ import com.jogamp.opengl.GLEventListener;
 import com.jogamp.opengl.GLException;
 import org.selectiverenderer.runtime.render.context.GlProfiles;
 
-/** Opens windows that the calling thread draws. */
+/** Opens and closes NEWT windows that the calling thread draws. */
 final class NativeWindows {
   private NativeWindows() {}
 
-  /** What a window of these options asks of the driver. */
+  /** Returns the GL capabilities that a window of these options needs. */
   static GLCapabilities capabilities(WindowOptions options) {
     GLCapabilities wanted = new GLCapabilities(GlProfiles.core());
     wanted.setDepthBits(24);
@@ -29,7 +29,7 @@ final class NativeWindows {
   }
 
   /**
-   * Makes a window visible whose input goes to a queue.
+   * Opens a window whose input goes to a queue.
    *
    * @param onClose called on a thread of NEWT when the user closes it
    */
@@ -59,7 +59,7 @@ final class NativeWindows {
     window.addMouseListener(queue);
     window.addKeyListener(queue);
     window.addGLEventListener(drawing);
-    // Else NEWT's own thread would draw too, whenever the window system asks for a repaint.
+    // Otherwise NEWT's own thread would draw too, whenever the window system asks for a repaint.
     window.setExclusiveContextThread(Thread.currentThread());
     // All windows are drawn before any is shown, so that both eyes change together.
     window.setAutoSwapBufferMode(false);
@@ -75,13 +75,13 @@ final class NativeWindows {
     return window;
   }
 
-  /** Fills its monitor; returns whether it does. */
+  /** Makes a window fill its monitor; returns whether it does. */
   static boolean fill(GLWindow window, WindowOptions options) {
     if (options.monitor().isEmpty()) {
       return window.setFullscreen(true);
     }
     Screen screen = window.getScreen();
-    screen.addReference(); // Its monitors are known only while it is open.
+    screen.addReference(); // The screen lists its monitors only while open.
     try {
       return window.setFullscreen(Monitors.device(screen, options.monitor().get()));
     } finally {
@@ -89,14 +89,14 @@ final class NativeWindows {
     }
   }
 
-  /** Pixels per unit of the desktop. */
+  /** Returns the pixels per unit of the desktop. */
   static float scale(GLWindow window) {
     return Math.max(1, window.getCurrentSurfaceScale(new float[2])[1]);
   }
 
   /**
-   * Shows what was drawn, complete: with another window's context current Mesa's software renderer
-   * shows a picture that is still being filled.
+   * Swaps the buffers of a window with its own context current: with another window's context
+   * Mesa's software renderer shows a picture that is still being rasterised.
    */
   static void swap(GLWindow window) {
     GLContext context = window.getContext();
@@ -110,9 +110,9 @@ final class NativeWindows {
     }
   }
 
-  /** Draws a last time, for the drawing to free what it has, and closes the window. */
+  /** Calls the drawing a last time, so that it can free its resources, and closes the window. */
   static void close(GLWindow window) {
-    // This last call frees what the source has, here and not on NEWT's thread.
+    // The last display call frees the content's resources on this thread instead of NEWT's.
     window.setExclusiveContextThread(null);
     window.display();
     window.destroy();

@@ -6,7 +6,7 @@ import com.jogamp.opengl.GLAutoDrawable;
 import com.jogamp.opengl.GLEventListener;
 import java.util.Optional;
 
-/** A side window that is open. Belongs to the render thread. */
+/** An open side window. Belongs to the render thread. */
 final class OpenSide {
   private final SideSource source;
   private final GLWindow window;
@@ -17,7 +17,7 @@ final class OpenSide {
   private boolean drawn;
 
   /**
-   * @param shared the main window's queue, for a side whose input is no other
+   * @param shared the main window's queue, for a side window without a listener of its own
    */
   OpenSide(SideWindow side, InputQueue shared, Runnable onClose) {
     source = side.source();
@@ -32,12 +32,12 @@ final class OpenSide {
             new Drawing());
   }
 
-  /** Hands over what was done in it alone. */
+  /** Delivers the input of this window to its own listener, if it has one. */
   void drain() {
     listener.ifPresent(queue::drain);
   }
 
-  /** Draws what is new, without showing it yet. */
+  /** Draws new content without swapping the buffers yet. */
   void draw() {
     drawn = false;
     if (source.wanted()) {
@@ -45,7 +45,7 @@ final class OpenSide {
     }
   }
 
-  /** Shows what was drawn. */
+  /** Swaps the buffers if something was drawn. */
   void swap() {
     if (drawn) {
       NativeWindows.swap(window);
@@ -60,7 +60,8 @@ final class OpenSide {
   private final class Drawing implements GLEventListener {
     @Override
     public void init(GLAutoDrawable drawable) {
-      // The main window waits for its display; waiting for another too would halve the rate.
+      // The main window waits for vertical synchronisation; waiting for a second display would
+      // halve the frame rate.
       drawable.getGL().setSwapInterval(0);
     }
 

@@ -3,12 +3,12 @@ package org.selectiverenderer.runtime.render.window;
 import com.jogamp.newt.opengl.GLWindow;
 
 /**
- * Keeps the pointer in a window, unseen, while that is wanted. The window system may refuse, as
- * while the window is not yet on the screen or another program has the pointer; it is asked again.
- * Belongs to the render thread.
+ * Confines the pointer to a window and hides it while that is wanted. The window system may refuse,
+ * for example while the window is not mapped yet or another program has grabbed the pointer; then
+ * it is asked again. Belongs to the render thread.
  */
 final class PointerKeeper {
-  /** Frames between two tries. */
+  /** Frames between two attempts. */
   private static final int PATIENCE = 15;
 
   private final GLWindow window;
@@ -19,7 +19,7 @@ final class PointerKeeper {
     this.window = window;
   }
 
-  /** Has it kept, or lets go of it. */
+  /** Confines or releases the pointer. */
   void keep(boolean wanted) {
     if (wanted == kept) {
       return;
@@ -32,7 +32,7 @@ final class PointerKeeper {
     kept = window.isPointerConfined();
     window.setPointerVisible(!kept);
     if (kept) {
-      window.requestFocus(false); // The keys that the experimenter is told of are heard here.
+      window.requestFocus(false); // This window hears the experimenter's keys.
     }
     waiting = PATIENCE;
   }

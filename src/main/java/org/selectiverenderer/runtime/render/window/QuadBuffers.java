@@ -7,12 +7,12 @@ import com.jogamp.opengl.GLProfile;
 import org.selectiverenderer.runtime.render.context.GlProfiles;
 import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 
-/** Whether windows have a left and a right buffer each. */
+/** Tests whether the driver supports quad-buffered stereo: a left and a right buffer per window. */
 public final class QuadBuffers {
   private QuadBuffers() {}
 
   /**
-   * Asks the driver.
+   * Returns whether the driver offers quad-buffered windows.
    *
    * @throws GlUnavailableException if there is no display or no OpenGL 3.3
    */

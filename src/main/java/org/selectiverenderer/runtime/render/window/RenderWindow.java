@@ -19,8 +19,8 @@ import org.selectiverenderer.runtime.render.context.GlUnavailableException;
 
 /**
  * A window with its render loop. One thread, named {@code render}, opens the window, owns its
- * context, steps and draws frames at the display's rate, and closes it. F11 changes between window
- * and full screen.
+ * context, steps and draws frames at the display's refresh rate, and closes it. F11 toggles full
+ * screen.
  */
 public final class RenderWindow {
   private static final long IDLE_NANOS = 20_000_000;
@@ -37,9 +37,10 @@ public final class RenderWindow {
   private volatile boolean stopping;
 
   /**
-   * A window with others beside it, whose input is heard too.
+   * Makes a window with side windows, whose input is heard too.
    *
-   * @param sides opened after it and closed with it; closing one closes all, if the source lets it
+   * @param sides windows opened after it and closed with it; closing one closes all, if the source
+   *     allows it
    */
   public RenderWindow(
       WindowOptions options, FrameSource source, InputListener listener, List<SideWindow> sides) {
@@ -50,13 +51,13 @@ public final class RenderWindow {
   }
 
   private void closeAsked() {
-    // NEWT says the same when the program closes them.
+    // NEWT sends the same event when the program closes the windows.
     if (!stopping && source.closing()) {
       close();
     }
   }
 
-  /** Ends the loop after the present frame; any thread. */
+  /** Ends the loop after the current frame; any thread. */
   public void close() {
     closing.set(true);
   }
@@ -67,7 +68,7 @@ public final class RenderWindow {
    * Called once.
    *
    * @throws GlUnavailableException if there is no display or no OpenGL 3.3
-   * @throws RuntimeException what the source or the listener threw
+   * @throws RuntimeException the exception of the source or the listener
    * @throws InterruptedException if the waiting thread is interrupted; the window is closed
    */
   public void run() throws InterruptedException {
@@ -115,12 +116,13 @@ public final class RenderWindow {
     try {
       return open();
     } catch (RuntimeException | LinkageError | AWTError e) {
-      // JOGL asks AWT for the display's state unless Java runs headless.
-      throw new GlUnavailableException("no window with OpenGL 3.3 opens: " + e.getMessage(), e);
+      // JOGL asks AWT for the display's state unless Java runs headless, hence AWTError.
+      throw new GlUnavailableException(
+          "no window with OpenGL 3.3 can be opened: " + e.getMessage(), e);
     }
   }
 
-  /** The first failure is the one that matters; later ones are its consequences. */
+  /** Keeps the first failure, because later ones are its consequences. */
   private void fail(Throwable e) {
     if (failure == null) {
       failure = e;
@@ -187,19 +189,20 @@ public final class RenderWindow {
         }
         source.submitted();
       } else {
-        // Hidden or minimised: nothing waits for the display's rate then.
+        // A hidden or minimised window does not wait for the display's refresh.
         LockSupport.parkNanos(IDLE_NANOS);
       }
     }
   }
 
-  /** Called by NEWT from {@code display()} and {@code destroy()}. */
+  /** Draws frames when NEWT calls from {@code display()} and {@code destroy()}. */
   private final class Drawing implements GLEventListener {
     private boolean started;
 
     @Override
     public void init(GLAutoDrawable drawable) {
-      // It may also be called while the window becomes visible; starting waits for a frame.
+      // NEWT may also call while the window becomes visible; the source is started with the first
+      // frame.
       drawable.getGL().setSwapInterval(1);
     }
 
@@ -252,7 +255,7 @@ public final class RenderWindow {
 
     @Override
     public void dispose(GLAutoDrawable drawable) {
-      // Where the window went away before the last frame could be; the render thread waits.
+      // For a window that was destroyed before the last frame; the render thread waits.
       stop(drawable.getGL().getGL3());
     }
   }

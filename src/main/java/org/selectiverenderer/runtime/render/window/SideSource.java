@@ -2,14 +2,14 @@ package org.selectiverenderer.runtime.render.window;
 
 import com.jogamp.opengl.GL3;
 
-/** What a window beside the main one shows. All calls come from the render thread. */
+/** The content of a window beside the main one. All calls come from the render thread. */
 public interface SideSource {
-  /** Whether there is something new to show; asked after each frame of the main window. */
+  /** Returns whether there is something new to show; asked after each frame of the main window. */
   boolean wanted();
 
-  /** Draws into the frame buffer that is bound, in this window's own context. */
+  /** Draws into the framebuffer that is bound, in this window's own context. */
   void draw(GL3 gl, FrameSize size);
 
-  /** Once, with this window's context current, after the last frame. */
+  /** Called once, with this window's context current, after the last frame. */
   void stop(GL3 gl);
 }

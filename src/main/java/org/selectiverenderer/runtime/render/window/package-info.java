@@ -1,5 +1,5 @@
 /**
- * The window: its render loop, which owns the context, and its input.
+ * Windows with their render loop, which owns the GL context, and their input.
  *
  * <p>In: NEWT's events, from NEWT's own threads. Out: calls of a {@link
  * org.selectiverenderer.runtime.render.window.FrameSource} and of an {@link

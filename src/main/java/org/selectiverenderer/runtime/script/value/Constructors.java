@@ -11,9 +11,12 @@ import org.mozilla.javascript.ScriptableObject;
 import org.mozilla.javascript.Undefined;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** Defines {@code SFVec3f}, {@code MFString} ... in a scope (ISO/IEC 19777-1, 7; VRML97, C.6). */
+/**
+ * Defines the constructors {@code SFVec3f}, {@code MFString} ... in a scope (ISO/IEC 19777-1, 7;
+ * VRML97, C.6).
+ */
 public final class Constructors {
-  /** Names that VRML97 and older scripts use. */
+  /** Aliases that VRML97 and older scripts use. */
   private static final Map<String, FieldType> OTHER_NAMES =
       Map.of(
           "VrmlMatrix", FieldType.SFMatrix4f,
@@ -28,7 +31,7 @@ public final class Constructors {
     this.values = values;
   }
 
-  /** Defines all of them. */
+  /** Defines all constructors. */
   public static void define(ScriptableObject scope, FieldValues values) {
     Constructors constructors = new Constructors(scope, values);
     for (FieldType type : FieldType.values()) {
@@ -62,7 +65,8 @@ public final class Constructors {
         new LambdaConstructor(scope, type.name(), 0, (cx, from, args) -> array(type, args));
     Scriptable prototype = (Scriptable) constructor.getPrototypeProperty();
     publish(into, type, constructor);
-    // push, slice, map ... work on all that has a length; toString is the own one.
+    // Array methods such as push, slice and map work on all objects with a length; toString is its
+    // own.
     prototype.setPrototype(ScriptableObject.getArrayPrototype(scope));
   }
 
@@ -100,7 +104,7 @@ public final class Constructors {
             }));
   }
 
-  /** {@code new SFNode(text)}: the first node of a scene that is written in the text. */
+  /** Defines {@code new SFNode(text)}, which returns the first node of a scene given as text. */
   private void node(ScriptableObject into) {
     publish(
         into,
@@ -152,7 +156,9 @@ public final class Constructors {
     return components;
   }
 
-  /** What a value without arguments is: zero, no rotation, a matrix that changes nothing. */
+  /**
+   * Returns the value of a constructor without arguments: zero, no rotation, the identity matrix.
+   */
   private static double[] identity(FieldType type) {
     double[] components = new double[type.components()];
     int size =
@@ -172,11 +178,11 @@ public final class Constructors {
     return components;
   }
 
-  /** An argument that must be a tuple. */
+  /** Casts an argument to a tuple, or throws a TypeError. */
   static Tuple tuple(@Nullable Object argument) {
     if (argument instanceof Tuple tuple) {
       return tuple;
     }
-    throw ScriptRuntime.typeError("a vector, colour, rotation or matrix is needed here");
+    throw ScriptRuntime.typeError("an argument must be a vector, colour, rotation or matrix");
   }
 }

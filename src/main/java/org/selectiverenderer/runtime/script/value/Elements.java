@@ -7,11 +7,11 @@ import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** The elements of MF values as {@link FieldType} represents them, one by one. */
+/** Accesses the elements of MF values as {@link FieldType} represents them. */
 final class Elements {
   private Elements() {}
 
-  /** The type of one element: SFVec3f for MFVec3f. */
+  /** Returns the type of one element: SFVec3f for MFVec3f. */
   static FieldType single(FieldType type) {
     return FieldType.valueOf("S" + type.name().substring(1));
   }
@@ -27,7 +27,7 @@ final class Elements {
     };
   }
 
-  /** One element as the type of elements is represented. */
+  /** Returns one element in the representation of the element type. */
   static @Nullable Object at(FieldType type, Object value, int index) {
     int from = index * type.components();
     int to = from + type.components();
@@ -45,7 +45,7 @@ final class Elements {
     };
   }
 
-  /** Cuts an MFImage; each has its size in front. */
+  /** Splits an MFImage into its images, each of which begins with its size. */
   private static List<int[]> images(int[] all) {
     List<int[]> images = new ArrayList<>();
     for (int at = 0; at + 3 <= all.length; ) {
@@ -57,7 +57,7 @@ final class Elements {
     return images;
   }
 
-  /** A whole value of its elements; NULL is left out of an MFNode. */
+  /** Builds an MF value from its elements; NULL is left out of an MFNode. */
   static Object gather(FieldType type, int count, IntFunction<@Nullable Object> element) {
     int width = type.components();
     return switch (type.kind()) {

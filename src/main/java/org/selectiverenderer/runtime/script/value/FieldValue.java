@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.mozilla.javascript.ScriptableObject;
 import org.selectiverenderer.x3d.field.FieldType;
 
-/** The value of a field as an object of a script, which changes in place. */
+/** The value of a field as a mutable object of a script. */
 @SuppressWarnings("serial") // Rhino's objects may be written to files; these never are.
 abstract class FieldValue extends ScriptableObject {
   private final FieldType type;
@@ -18,22 +18,22 @@ abstract class FieldValue extends ScriptableObject {
     return type;
   }
 
-  /** Whoever hears that it was changed in place; nobody with null. */
+  /** Sets the listener that is told of changes in place; null for none. */
   void heldBy(@Nullable Runnable hearer) {
     holder = hearer;
   }
 
-  /** Tells the holder. */
+  /** Tells the listener of a change. */
   final void changed() {
     if (holder != null) {
       holder.run();
     }
   }
 
-  /** The value as {@link FieldType} represents it. */
+  /** Returns the value as {@link FieldType} represents it. */
   public abstract Object toField();
 
-  /** As scripts print it. */
+  /** Returns the value as scripts print it. */
   abstract String text();
 
   @Override

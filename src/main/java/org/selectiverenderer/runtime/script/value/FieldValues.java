@@ -16,8 +16,8 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * Between the values of {@link FieldType} and those of scripts: booleans, numbers, strings, {@link
- * FieldValue} and {@link NodeValue}. What is neither becomes a TypeError of the script.
+ * Converts between the values of {@link FieldType} and those of scripts: booleans, numbers,
+ * strings, {@link FieldValue} and {@link NodeValue}. Other script values cause a TypeError.
  */
 public final class FieldValues {
   private final Map<FieldType, Scriptable> prototypes = new EnumMap<>(FieldType.class);
@@ -25,13 +25,13 @@ public final class FieldValues {
   private @Nullable NodeAccess access;
 
   /**
-   * @param scope that the objects' constructors are part of
+   * @param scope the scope of the objects' constructors
    */
   public FieldValues(Scriptable scope) {
     this.scope = scope;
   }
 
-  /** How nodes are read and written from now on: in the name of the script that is running. */
+  /** Sets the running script, on whose behalf nodes are read and written from now on. */
   public void accessBy(@Nullable NodeAccess running) {
     access = running;
   }
@@ -47,10 +47,10 @@ public final class FieldValues {
   }
 
   /**
-   * A value as scripts see it.
+   * Converts a field's value to a script value.
    *
    * @param value as {@link FieldType} represents it
-   * @param holder hears when a script changes the object in place, or null
+   * @param holder called when a script changes the object in place, or null
    */
   public @Nullable Object toScript(
       FieldType type, @Nullable Object value, @Nullable Runnable holder) {
@@ -73,9 +73,9 @@ public final class FieldValues {
   }
 
   /**
-   * A value that a script may change in place.
+   * Converts a field's value to a script value whose changes in place are reported.
    *
-   * @param changed takes the new value as {@link FieldType} represents it
+   * @param changed receives the new value as {@link FieldType} represents it
    */
   public @Nullable Object held(
       FieldType type, @Nullable Object value, Consumer<@Nullable Object> changed) {
@@ -104,9 +104,9 @@ public final class FieldValues {
   }
 
   /**
-   * A new tuple that nobody holds.
+   * Returns a new tuple without a holder.
    *
-   * @param components is kept
+   * @param components the components; the array is not copied
    */
   Tuple tuple(FieldType type, double... components) {
     return placed(type, new Tuple(type, components));
@@ -123,7 +123,10 @@ public final class FieldValues {
     return placed(FieldType.SFImage, new Image(width, height, comp, array));
   }
 
-  /** A node, for the script that is running: as it sees it. */
+  /**
+   * Returns the object of a node as the running script sees it: of a prototype instance, the
+   * interface.
+   */
   public NodeValue node(Node node) {
     return exactly(access().seen(node));
   }
@@ -135,17 +138,17 @@ public final class FieldValues {
     return access;
   }
 
-  /** A node itself, as it is within the body of a prototype. */
+  /** Returns the object of the node itself, as seen within the body of a prototype. */
   public NodeValue exactly(Node node) {
     return placed(FieldType.SFNode, new NodeValue(node, this, access()));
   }
 
-  /** A copy of a script's value as an object or number of that type, with a holder of its own. */
+  /** Converts a script's value to a copy of that type with a holder of its own. */
   public @Nullable Object adopt(FieldType type, @Nullable Object value, @Nullable Runnable holder) {
     return toScript(type, toField(type, value), holder);
   }
 
-  /** A script's value as {@link FieldType} represents it. */
+  /** Converts a script's value to the representation of {@link FieldType}. */
   public @Nullable Object toField(FieldType type, @Nullable Object value) {
     if (value instanceof FieldValue own && fits(type, own.type())) {
       return type == own.type() ? own.toField() : converted(type, own);
@@ -186,7 +189,7 @@ public final class FieldValues {
     };
   }
 
-  /** Whether values of one type can stand for those of another: precision may differ. */
+  /** Returns whether values of one type can be used for another: the precision may differ. */
   private static boolean fits(FieldType type, FieldType given) {
     return type == given
         || !type.multiple() && !given.multiple() && alike(type, given)
@@ -262,7 +265,7 @@ public final class FieldValues {
     return ScriptRuntime.typeError("a value of type %s is needed, not %s".formatted(type, given));
   }
 
-  /** A value of a script as it is printed in a list. */
+  /** Formats a script's value as an element of a printed array. */
   String text(FieldType type, @Nullable Object value) {
     if (value instanceof String string) {
       return '"' + string.replace("\\", "\\\\").replace("\"", "\\\"") + '"';

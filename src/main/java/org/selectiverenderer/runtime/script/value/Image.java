@@ -6,12 +6,12 @@ import org.mozilla.javascript.Scriptable;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * An SFImage: {@code width} and {@code height} (in VRML97 {@code x} and {@code y}), {@code comp},
- * and the pixels, {@code array}, from the lower left.
+ * An SFImage object with the properties {@code width} and {@code height} (in VRML97 {@code x} and
+ * {@code y}), {@code comp}, and {@code array}, the pixels from the lower left.
  */
 @SuppressWarnings("serial") // See FieldValue.
 final class Image extends FieldValue {
-  /** Pixels, far more than textures have. */
+  /** The most pixels, far more than textures have. */
   private static final int MAX_PIXELS = 1 << 26;
 
   private int width;
@@ -20,7 +20,7 @@ final class Image extends FieldValue {
   private final Multiple pixels;
 
   /**
-   * @param pixels an MFInt32 that is the image's own
+   * @param pixels an MFInt32 that belongs to the image
    */
   Image(int width, int height, int comp, Multiple pixels) {
     super(FieldType.SFImage);

@@ -9,9 +9,9 @@ import org.mozilla.javascript.Undefined;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * What the methods of matrices calculate. Components stand row by row, and vectors are rows: a
- * translation is the last row (ISO/IEC 19777-1, SFMatrix4). JOML writes columns and multiplies from
- * the other side, so that the same sixteen numbers mean the same transformation.
+ * The computations of matrix methods. Components are in row-major order, and vectors are rows: a
+ * translation is the last row (ISO/IEC 19777-1, SFMatrix4). JOML uses column-major order and column
+ * vectors, so that the same sixteen numbers mean the same transformation.
  */
 final class MatrixMethods {
   private final int size;
@@ -52,7 +52,10 @@ final class MatrixMethods {
     return result;
   }
 
-  /** A row vector times a matrix; one that is a component short is a point. */
+  /**
+   * Multiplies a row vector by a matrix; a vector with one component less than the matrix is a
+   * point.
+   */
   double[] rowTimes(double[] vector, double[] m) {
     double[] row = new double[size];
     for (int column = 0; column < size; column++) {
@@ -75,9 +78,10 @@ final class MatrixMethods {
   }
 
   /**
-   * {@code setTransform(translation, rotation, scale, scaleOrientation, center)}, any left out. Of
-   * a plane's (SFMatrix3) the vectors are SFVec2 and the rotations SFVec3, of which the standard
-   * does not say what they hold: the last is taken as the angle. A number is one, too.
+   * Computes {@code setTransform(translation, rotation, scale, scaleOrientation, center)}; all
+   * arguments are optional. For SFMatrix3 the vectors are SFVec2 and the rotations SFVec3, whose
+   * meaning the standard does not define: the last component is taken as the angle. A number is
+   * taken as the angle, too.
    */
   double[] transform(Object[] args) {
     Vector3d translation = vector(argument(args, 0), 0);
@@ -116,7 +120,9 @@ final class MatrixMethods {
             : Spatial.quaternion(given);
   }
 
-  /** {@code getTransform}: writes translation, rotation and scale into the objects given. */
+  /**
+   * Computes {@code getTransform}: writes translation, rotation and scale into the objects given.
+   */
   void taken(double[] m, Object[] args) {
     Matrix4d matrix = size == 4 ? new Matrix4d().set(m) : ofPlane(m);
     if (argument(args, 0) != null) {

@@ -8,12 +8,15 @@ import org.mozilla.javascript.Undefined;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * An MF value: an array of one type, which grows as a script assigns behind its end and has the
- * methods of ECMAScript's arrays. Elements become objects when they are first asked for.
+ * An MF value: a typed array that grows when a script assigns beyond its end and has the methods of
+ * ECMAScript arrays. Elements are converted to objects when they are first accessed.
  */
 @SuppressWarnings("serial") // See FieldValue.
 final class Multiple extends FieldValue {
-  /** Elements, far more than scenes have; a larger index is an error, not a need of memory. */
+  /**
+   * The most elements, far more than scenes have; a larger index is an error instead of a large
+   * allocation.
+   */
   private static final int MAX_LENGTH = 1 << 24;
 
   private final transient FieldValues values;
@@ -24,7 +27,7 @@ final class Multiple extends FieldValue {
   private int length;
 
   /**
-   * @param given the value as {@link FieldType} represents it; not written into
+   * @param given the value as {@link FieldType} represents it; not modified
    */
   Multiple(FieldValues values, FieldType type, Object given) {
     super(type);
@@ -36,7 +39,7 @@ final class Multiple extends FieldValue {
     known = new boolean[length];
   }
 
-  /** Takes over the elements of another value or of a script's array. */
+  /** Replaces the elements by those of another value or of a script's array. */
   void assign(@Nullable Object value) {
     Object taken = values.toField(type(), value);
     given = taken;

@@ -4,16 +4,17 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
-/** How a script reads and writes fields of nodes. */
+/** Reads and writes fields of nodes on behalf of a script. */
 public interface NodeAccess {
-  /** What the script sees of a node: of an instance of a prototype, the interface. */
+  /** Returns the node as the script sees it: of a prototype instance, the interface. */
   Node seen(Node node);
 
-  /** The value as {@link org.selectiverenderer.x3d.field.FieldType} represents it. */
+  /** Returns a field's value as {@link org.selectiverenderer.x3d.field.FieldType} represents it. */
   @Nullable Object read(Node node, FieldDefinition field);
 
   /**
-   * Gives a field a value; routes and behaviours hear of it when the script's function has ended.
+   * Writes a field; routes and node behaviours receive the value when the script's function has
+   * ended.
    */
   void write(Node node, FieldDefinition field, @Nullable Object value);
 }

@@ -14,8 +14,8 @@ import org.selectiverenderer.x3d.catalogue.FieldAccess;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
 /**
- * An SFNode: a node whose fields are properties, under the names that events have, too. Two objects
- * of one node are equal in scripts.
+ * An SFNode object: a node whose fields are properties, under the names of their events too. Two
+ * objects of one node are equal in scripts.
  */
 @SuppressWarnings("serial") // See FieldValue.
 public final class NodeValue extends ScriptableObject implements Wrapper {
@@ -59,7 +59,7 @@ public final class NodeValue extends ScriptableObject implements Wrapper {
         .or(() -> set(name));
   }
 
-  /** The field whose value a name such as set_coordIndex gives. */
+  /** Returns the field whose value is read by a name such as set_coordIndex. */
   private Optional<FieldDefinition> set(String name) {
     return name.startsWith(SET)
         ? node.type().field(name.substring(SET.length())).filter(f -> f.access().initialisable())

@@ -5,7 +5,7 @@ import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 
-/** What the methods of vectors, rotations and colours calculate, on their components. */
+/** The computations of vector, rotation and colour methods on their components. */
 final class Spatial {
   private Spatial() {}
 
@@ -21,7 +21,7 @@ final class Spatial {
     return Math.sqrt(dot(a, a));
   }
 
-  /** Of length one; one without length stays as it is. */
+  /** Returns the unit vector; a zero vector stays as it is. */
   static double[] normalized(double[] a) {
     double length = length(a);
     double[] result = a.clone();
@@ -49,7 +49,7 @@ final class Spatial {
     return append(three, angle);
   }
 
-  /** Axis and angle as a quaternion; none for an axis without length. */
+  /** Converts axis and angle to a quaternion; the identity for a zero axis. */
   static Quaterniond quaternion(double[] r) {
     double length = Math.sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
     return length > 0
@@ -57,7 +57,9 @@ final class Spatial {
         : new Quaterniond();
   }
 
-  /** Axis and angle, the angle from 0 to pi; no rotation is about Z. */
+  /**
+   * Converts a quaternion to axis and angle, the angle from 0 to pi; the identity has the Z axis.
+   */
   static double[] axisAngle(Quaterniondc q) {
     double sign = q.w() < 0 ? -1 : 1;
     double sine = Math.sqrt(q.x() * q.x() + q.y() * q.y() + q.z() * q.z());
@@ -72,7 +74,7 @@ final class Spatial {
     };
   }
 
-  /** The rotation that takes one direction to another. */
+  /** Returns the rotation that takes one direction to another. */
   static double[] between(double[] from, double[] to) {
     double[] a = normalized(Arrays.copyOf(from, 3));
     double[] b = normalized(Arrays.copyOf(to, 3));
@@ -83,7 +85,7 @@ final class Spatial {
     return new double[] {r[0], r[1], r[2], -r[3]};
   }
 
-  /** The product of two rotations as quaternions: the second one turns first. */
+  /** Returns the product of two rotations as quaternions: the second one is applied first. */
   static double[] product(double[] a, double[] b) {
     return axisAngle(quaternion(a).mul(quaternion(b)));
   }
@@ -97,7 +99,7 @@ final class Spatial {
     return axisAngle(quaternion(from).slerp(quaternion(to), t));
   }
 
-  /** Hue 0..360, saturation and value 0..1, to red, green and blue. */
+  /** Converts hue 0..360, saturation and value 0..1 to red, green and blue. */
   static double[] rgb(double hue, double saturation, double value) {
     double sector = ((hue % 360 + 360) % 360) / 60;
     int i = (int) sector;
@@ -115,7 +117,7 @@ final class Spatial {
     };
   }
 
-  /** Hue 0..360, saturation and value 0..1 of a colour; grey has hue 0. */
+  /** Returns hue 0..360, saturation and value 0..1 of a colour; grey has hue 0. */
   static double[] hsv(double r, double g, double b) {
     double max = Math.max(r, Math.max(g, b));
     double delta = max - Math.min(r, Math.min(g, b));

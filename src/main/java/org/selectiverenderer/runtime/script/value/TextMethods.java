@@ -6,7 +6,10 @@ import org.mozilla.javascript.Scriptable;
 import org.mozilla.javascript.SerializableCallable;
 import org.mozilla.javascript.SymbolKey;
 
-/** The methods of all values: {@code toString}, {@code valueOf} and {@code getType}. */
+/**
+ * The methods that all values have: {@code toString}, {@code getTypeName}, {@code equals} and
+ * conversion to a primitive.
+ */
 final class TextMethods {
   private TextMethods() {}
 
@@ -28,7 +31,7 @@ final class TextMethods {
     return self instanceof NodeValue node ? node.getDefaultValue(null) : Context.toString(self);
   }
 
-  /** {@code getTypeName}: of a node its node type, of other values their type. */
+  /** Returns {@code getTypeName}: for a node its node type, for other values their field type. */
   private static Object typeName(Object self) {
     return self instanceof NodeValue node
         ? node.node().type().name()

@@ -7,22 +7,22 @@ import org.mozilla.javascript.Undefined;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
- * A vector, colour, rotation or matrix. Its components have indices and, but for matrices, names.
- * Single precision comes about when it becomes the value of a field.
+ * A vector, colour, rotation or matrix. Its components have indices and, except for matrices,
+ * names. They are rounded to single precision when they become the value of a field.
  */
 @SuppressWarnings("serial") // See FieldValue.
 final class Tuple extends FieldValue {
   private final double[] components;
 
   /**
-   * @param components is kept
+   * @param components the components; the array is not copied
    */
   Tuple(FieldType type, double[] components) {
     super(type);
     this.components = components;
   }
 
-  /** A copy of its components. */
+  /** Returns a copy of its components. */
   double[] components() {
     return components.clone();
   }
@@ -31,13 +31,13 @@ final class Tuple extends FieldValue {
     return components[index];
   }
 
-  /** Gives it other components. */
+  /** Replaces the components. */
   void set(double... values) {
     System.arraycopy(values, 0, components, 0, components.length);
     changed();
   }
 
-  /** The names of the components in their order; empty for matrices. */
+  /** Returns the one-letter names of the components in order; empty for matrices. */
   private static String names(FieldType type) {
     return switch (type) {
       case SFColor, SFColorRGBA -> "rgba";
@@ -90,7 +90,8 @@ final class Tuple extends FieldValue {
   public void put(int index, Scriptable start, Object value) {
     if (!has(index, start)) {
       throw ScriptRuntime.rangeError(
-          "%s has %s components, not one of index %s".formatted(type(), components.length, index));
+          "%s has %s components; index %s is out of range"
+              .formatted(type(), components.length, index));
     }
     components[index] = ScriptRuntime.toNumber(value);
     changed();
@@ -119,7 +120,7 @@ final class Tuple extends FieldValue {
     return text.toString();
   }
 
-  /** As scripts write numbers; one of single precision with no more digits than it has. */
+  /** Formats a number as scripts do; one of single precision with no more digits than it has. */
   static String number(double value, boolean single) {
     float near = (float) value;
     boolean finite = single && !Float.isInfinite(near) && !Float.isNaN(near);

@@ -9,7 +9,7 @@ import org.selectiverenderer.x3d.field.FieldType;
 
 /** The methods of vectors, colours, rotations and matrices (ISO/IEC 19777-1, 7.3). */
 final class TupleMethods {
-  /** What a method does, given the object that it is called on and the arguments, none missing. */
+  /** The body of a method, given its object and at least the required arguments. */
   @FunctionalInterface
   private interface Body {
     Object call(Tuple self, Object[] args);
@@ -105,7 +105,7 @@ final class TupleMethods {
     return each(self.components(), to, (x, y) -> x + (y - x) * t);
   }
 
-  /** By a number, or by another vector component by component. */
+  /** Multiplies by a number, or component-wise by another vector. */
   private Tuple multiplied(Tuple self, Object by) {
     return by instanceof Tuple other
         ? same(each(self.components(), other.components(), (x, y) -> x * y))

@@ -95,8 +95,13 @@ class QuestionnaireReaderTest {
         .extracting(Problem::toString)
         .satisfiesExactly(
             must ->
-                assertThat(must).startsWith("all.json:5:").contains("'Yes'; it is one of yes, no"),
-            when -> assertThat(when).startsWith("all.json:13:").contains("'B'; it is one of a, b"));
+                assertThat(must)
+                    .startsWith("all.json:5:")
+                    .contains("'Yes' is not a possible answer; possible are yes, no"),
+            when ->
+                assertThat(when)
+                    .startsWith("all.json:13:")
+                    .contains("'B' is not a possible answer; possible are a, b"));
   }
 
   @Test
@@ -142,20 +147,20 @@ class QuestionnaireReaderTest {
         "\"to\": 3 | \"to\": 1 | a scale must have 2 to 11 steps; this one goes from 1 to 1",
         "\"to\": 3 | \"to\": 4 | there are 3 names for the 4 steps",
         "\"left\": | \"lft\": | a question needs \"left\"",
-        "\"id\": \"poles\" | \"id\": \"scale\" | the question scale is there twice",
+        "\"id\": \"poles\" | \"id\": \"scale\" | the question scale is defined twice",
         "\"id\": \"poles\" | \"id\": \"my poles\" | a question's id must consist of letters",
         "\"lines\": 3 | \"lins\": 3 | a question has no \"lins\"; did you mean \"lines\"?",
         "\"question\": \"single\" | \"question\": \"singl\" | no earlier question 'singl'; did "
             + "you mean 'single'?",
         "\"max\": 9 | \"max\": 1 | \"max\" must be above \"min\"",
-        "{\"value\": \"b\", \"text\": | {\"value\": \"a\", \"text\": | the value a is there twice",
+        "{\"value\": \"b\", \"text\": | {\"value\": \"a\", \"text\": | the value a occurs twice",
         "\"text\": \"Thank you.\" | \"order\": \"fixed\" | a page needs a \"text\"",
         "\"optional\": true | \"optional\": 1 | \"optional\" must be true or false",
         "{\"en\": \"All\", | {\"fr\": \"Tout\", | has no text in the study's language 'en', only "
             + "in fr, el",
         "\"reversed\": [\"poles\"] | \"reversed\": [\"text\"] | \"reversed\" names 'text'",
         "\"questions\": [\"scale\", \"poles\"] | \"questions\": [\"scal\", \"poles\"] | names "
-            + "'scal', which is not there; did you mean 'scale'?",
+            + "'scal', which does not exist; did you mean 'scale'?",
       })
   void whatCannotBeIsAnErrorWithItsPlace(String old, String other, String message) {
     assertThat(TEXT).contains(old);

@@ -157,7 +157,7 @@ class MpegVideoTest {
   @Test
   void otherVideoIsTold() {
     assertThatThrownBy(() -> MpegVideo.of(file("two-red.m2v")))
-        .hasMessage("is MPEG-2 video, of which this program knows MPEG-1 only");
+        .hasMessage("is MPEG-2 video; only MPEG-1 video is supported");
     assertThatThrownBy(() -> MpegVideo.of(new byte[] {0, 0, 1, (byte) 0xba, 0, 0, 0, 0}))
         .hasMessage("holds no video");
   }

@@ -40,7 +40,7 @@ class GlAvailabilityTest {
   void aServerThatNobodyRunsIsNamed() throws IOException {
     Map<String, String> environment = Map.of("DISPLAY", ":5.0");
     assertThat(GlAvailability.check(environment, "Linux", sockets, ONCE))
-        .hasValueSatisfying(reason -> assertThat(reason).contains(":5.0", "has gone"));
+        .hasValueSatisfying(reason -> assertThat(reason).contains(":5.0", "start one"));
     Files.createFile(sockets.resolve("X5")); // What a server that was killed may leave behind.
     assertThat(GlAvailability.check(environment, "Linux", sockets, ONCE)).isPresent();
   }

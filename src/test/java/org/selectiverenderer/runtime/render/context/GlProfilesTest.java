@@ -19,7 +19,7 @@ class GlProfilesTest {
                       throw waited;
                     }))
         .isInstanceOf(GlUnavailableException.class)
-        .hasMessageContaining("has not begun in time")
+        .hasMessageContaining("did not start in time")
         .hasMessageContaining("try again")
         .hasMessageNotContaining("lock")
         .hasCause(waited);

@@ -53,7 +53,6 @@ class GlStartsTest {
 
   @Test
   void aDisplayThatNobodyServesIsTold() throws Exception {
-    assertThat(draws(Map.of("DISPLAY", ":7654")))
-        .contains("no X server answers at the display :7654");
+    assertThat(draws(Map.of("DISPLAY", ":7654"))).contains("no X server answers at DISPLAY=:7654");
   }
 }

@@ -30,12 +30,13 @@ import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Rounding;
 
 /**
- * All of the apartment in memory.
+ * The generated files of the whole apartment, in memory.
  *
- * @param placed the objects where they stand, as version 1
+ * @param placed the objects at their positions, as version 1
  * @param models the files of the objects and of the rooms
- * @param texts the scenes, the models and the walk: path below the project's folder to text
- * @param pictures what they show as textures: path below the project's folder to picture
+ * @param texts the scenes, the models and the recorded walk: path below the project's folder to
+ *     text
+ * @param pictures the textures: path below the project's folder to image
  */
 record Apartment(
     List<PlacedObject> placed,
@@ -81,21 +82,22 @@ record Apartment(
     return new Apartment(placed, inlineNodes, texts, pictures);
   }
 
-  /** What the room's frame has to be brought to, so that the thesis's totals come out. */
+  /** Returns a room's frame refined so that the room's polygons add up to the thesis's total. */
   private static ParametricModel frame(Room room, int polygonsOfOthers) {
     return ExactCount.refine(
         Rounding.toGrid(RoomModels.of(room)), room.fixedPolygons() - polygonsOfOthers);
   }
 
   /**
-   * A room's frame with no more polygons than it needs: radiosity puts the others where light is.
+   * Returns a room's frame with no more polygons than it needs; radiosity adds the others where
+   * light changes.
    */
   private static ParametricModel bare(Room room) {
     return Rounding.toGrid(RoomModels.bare(room))
         .named(room.title().toLowerCase(Locale.ROOT) + "Bare");
   }
 
-  /** Polygons of the objects with one version and of the shadows, by room. */
+  /** Counts the polygons of the objects with one version and of the shadows, by room. */
   private static Map<Room, Integer> single(
       List<PlacedObject> shadows, List<PlacedObject> placed, PolygonCounts counts) {
     Map<Room, Integer> polygons = new EnumMap<>(Room.class);

@@ -21,11 +21,11 @@ import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.modelling.ParametricModel;
 
 /**
- * Writes the apartment: the same bytes every time, all files or none. Files that are there already
- * and differ are somebody's work, and replaced only if that is wanted.
+ * Writes the apartment's files: the same bytes every time, all files or none. Existing files that
+ * differ may hold somebody's work and are replaced only on request.
  */
 public final class ApartmentGenerator {
-  /** Files that a message names before it counts the others. */
+  /** Number of files that a message names before it counts the others. */
   private static final int NAMED = 5;
 
   private static final String FOLDER = "inlineNodes/";
@@ -36,15 +36,15 @@ public final class ApartmentGenerator {
   private final ObjectFiles files = new ObjectFiles(recipes, counts);
 
   /**
-   * What has been written.
+   * The result of writing.
    *
-   * @param polygons file name to polygons, if objects were asked for
-   * @param files how many there are, those included that were the same before
+   * @param polygons polygons by file name, if objects were asked for
+   * @param files number of files, unchanged ones included
    * @param left see {@link FileTransaction#commit}
    */
   public record Written(Map<String, Integer> polygons, int files, List<Path> left) {}
 
-  /** The objects that there are recipes for. */
+  /** Returns the names of the objects that have recipes. */
   public Set<String> objects() {
     return Set.copyOf(recipes.keySet());
   }
@@ -56,7 +56,8 @@ public final class ApartmentGenerator {
    * @param replace whether files that differ are replaced
    * @return what has been written
    * @throws IOException if a file cannot be written or differs, with one line that names it
-   * @throws IllegalArgumentException if there is no such object, or its polygons cannot be had
+   * @throws IllegalArgumentException if there is no such object, or its polygon count cannot be
+   *     reached
    */
   public Written writeObjects(Path folder, Collection<String> names, boolean replace)
       throws IOException {

@@ -2,7 +2,7 @@ package org.selectiverenderer.apartment;
 
 import java.io.IOException;
 
-/** Files are there already and are not what would be written; the message names them. */
+/** Thrown when existing files differ from those that would be written; the message names them. */
 public final class DifferingFilesException extends IOException {
   private static final long serialVersionUID = 1L;
 

@@ -9,7 +9,7 @@ import org.selectiverenderer.apartment.versions.MadeObject;
 import org.selectiverenderer.apartment.versions.RecipeVersions;
 import org.selectiverenderer.modelling.ParametricModel;
 
-/** Makes the files of objects from their recipes, several at a time. */
+/** Generates the files of objects from their recipes, in parallel. */
 final class ObjectFiles {
   private final Map<String, Supplier<ParametricModel>> recipes;
   private final PolygonCounts counts;
@@ -21,7 +21,8 @@ final class ObjectFiles {
   }
 
   /**
-   * Listed objects with two files, others with one; in the order of the names.
+   * Generates the files of objects, in the order of the names: two for objects listed in the
+   * thesis's tables, one for others.
    *
    * @throws IllegalArgumentException if a recipe has more polygons than version 1 may have, or
    *     cannot be reduced to those of version 2
@@ -30,12 +31,12 @@ final class ObjectFiles {
     try {
       return names.parallelStream().map(this::make).toList();
     } catch (IllegalArgumentException e) {
-      // Another thread's exception comes wrapped in one of the same kind.
+      // A parallel stream wraps another thread's exception in one of the same type.
       throw e.getCause() instanceof IllegalArgumentException cause ? cause : e;
     }
   }
 
-  /** The file of a model that has one version. */
+  /** Generates the file of a model that has one version. */
   MadeObject single(ParametricModel model) {
     return maker.single(model);
   }

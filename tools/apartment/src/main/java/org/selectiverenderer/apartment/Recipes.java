@@ -9,7 +9,7 @@ import org.selectiverenderer.apartment.lounge.LoungeObjects;
 import org.selectiverenderer.apartment.office.OfficeObjects;
 import org.selectiverenderer.modelling.ParametricModel;
 
-/** The recipes of all rooms by object name. */
+/** The registry of all recipes by object name. */
 final class Recipes {
 
   private Recipes() {}

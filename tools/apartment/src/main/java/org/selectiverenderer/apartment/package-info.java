@@ -1,6 +1,6 @@
 /**
- * The apartment of the thesis (chapter 5): a kitchen, a lounge with a sofa sub-area, an office with
- * a desk and a bookcase sub-area, as files that a generator writes.
+ * The generator of the thesis's apartment (chapter 5): a kitchen, a lounge with a sofa sub-area, an
+ * office with a desk and a bookcase sub-area, as X3D files.
  *
  * <p>In: recipes ({@code kitchen}, {@code lounge}, {@code office}, {@code furniture}), the rooms
  * ({@code frame}), what covers them and is outside ({@code pictures}), a floor plan ({@code plan})

@@ -7,26 +7,27 @@ import org.selectiverenderer.geometry.Degrees;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
 
-/** Boxes that stand on y = 0, centred on x and z. */
+/** Builds boxes that stand on y = 0, centred on x and z. */
 public final class Boxes {
 
   private Boxes() {}
 
-  /** Sharp edges, 12 triangles. */
+  /** Returns a box with sharp edges, 12 triangles. */
   public static TriangleMesh plain(double width, double height, double depth) {
     return Prism.plain(depth, Outline.rectangle(width, height)).move(0, height / 2, -depth / 2);
   }
 
   /**
-   * All edges and corners rounded: {@code 8 (steps+1) (2 steps+1) + 4 - 8 steps} triangles, that is
-   * 44, 108, 204, 332 for 1 (a chamfer), 2, 3, 4 steps.
+   * Returns a box with all edges and corners rounded: {@code 8 (steps+1) (2 steps+1) + 4 - 8 steps}
+   * triangles, that is 44, 108, 204, 332 for 1 (a chamfer), 2, 3, 4 steps.
    *
-   * @param radius of the rounding, at most half the shortest side
+   * @param radius bevel radius, metres; at most half the shortest side
    */
   public static TriangleMesh bevelled(
       double width, double height, double depth, double radius, int steps) {
     if (2 * radius > Math.min(width, Math.min(height, depth)) + 1e-9) {
-      throw new IllegalArgumentException("a box's rounding is at most half its shortest side");
+      throw new IllegalArgumentException(
+          "the bevel radius of a box must be at most half its shortest side");
     }
     List<Vector3d[]> rows = new ArrayList<>();
     for (int half = 0; half < 2; half++) {
@@ -49,7 +50,10 @@ public final class Boxes {
     return Welding.weld(sides.append(ends.mesh())).outward();
   }
 
-  /** One level of the box: four quarter circles about the corners of the flat rectangle. */
+  /**
+   * Returns the points of one level of the box: four quarter circles about the corners of the flat
+   * rectangle.
+   */
   private static Vector3d[] row(double x, double z, double radius, double y, int steps) {
     Vector3d[] row = new Vector3d[4 * (steps + 1)];
     for (int corner = 0; corner < 4; corner++) {

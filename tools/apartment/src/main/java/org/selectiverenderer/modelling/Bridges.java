@@ -5,7 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import org.selectiverenderer.geometry.TriangleMath;
 
-/** Makes one ring of an outline and its holes, by walking to each hole and back on one line. */
+/**
+ * Joins an outline and its holes to one ring by bridge edges: the ring runs along a bridge to each
+ * hole and back along the same line, as ear clipping needs it.
+ */
 final class Bridges {
   private final double[] xy;
   private List<Integer> ring = new ArrayList<>();
@@ -25,7 +28,7 @@ final class Bridges {
     ring.addAll(holes.remove(0));
   }
 
-  /** Point indices of one ring that touches itself along the bridges. */
+  /** Returns the point indices of the joined ring, which touches itself along the bridges. */
   static int[] join(double[][] rings, double[] xy) {
     Bridges bridges = new Bridges(rings, xy);
     bridges.holes.sort(Comparator.comparingDouble(hole -> -bridges.right(hole)));
@@ -72,7 +75,7 @@ final class Bridges {
     boolean convex = TriangleMath.turn(xy, before, from, after) > 0;
     boolean left = TriangleMath.turn(xy, before, from, to) > 0;
     boolean right = TriangleMath.turn(xy, from, after, to) > 0;
-    // The bridge leaves into the inside of the corner.
+    // The bridge must leave the corner towards the inside of the polygon.
     if (convex ? !(left && right) : !(left || right)) {
       return false;
     }
@@ -96,7 +99,7 @@ final class Bridges {
     return false;
   }
 
-  /** The square of the distance of two points, x, y each. */
+  /** Returns the squared distance of two points, x, y each. */
   static double square(double[] xy, int a, int b) {
     double x = xy[2 * b] - xy[2 * a];
     double y = xy[2 * b + 1] - xy[2 * a + 1];

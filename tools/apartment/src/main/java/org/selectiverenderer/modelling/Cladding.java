@@ -3,40 +3,42 @@ package org.selectiverenderer.modelling;
 import org.joml.Vector3d;
 
 /**
- * A picture that covers a surface, and how it is laid. Places of the picture follow from places of
- * the surface, so that dividing triangles or moving their corners within the surface leaves the
- * picture where it was.
+ * A texture image that covers a surface, with its projection onto the surface. Texture coordinates
+ * are computed from positions on the surface, so that dividing triangles or moving their corners
+ * within the surface leaves the image in place.
  *
- * @param file the picture's URL as the model's file names it
- * @param laying which place of the picture is seen where
- * @param repeats whether the picture goes on beyond its edges, else its edges' colours do
- * @param slanted whether it is mostly seen at a slant, as a floor is: then it is sampled so that it
- *     neither shimmers nor blurs as one walks, which costs time without a graphics card
+ * @param file the image's URL as the model's file names it
+ * @param laying the projection from positions to texture coordinates
+ * @param repeats whether the image repeats beyond its edges; otherwise the colours of its edges
+ *     continue
+ * @param slanted whether the surface is mostly seen at a grazing angle, as a floor is: then the
+ *     image is filtered between mipmap levels so that it neither shimmers nor blurs as one walks,
+ *     which costs time without a graphics card
  */
 public record Cladding(String file, Laying laying, boolean repeats, boolean slanted) {
 
-  /** From a place of a surface to a place of a picture. */
+  /** Maps positions on a surface to texture coordinates. */
   @FunctionalInterface
   public interface Laying {
     /**
-     * @param place metres
-     * @param normal of the triangle, of any length
-     * @return s and t: 0 to 1 is the picture, which repeats beyond
+     * @param place position on the surface, metres
+     * @param normal normal of the triangle, of any length
+     * @return texture coordinates s and t; 0 to 1 is the image
      */
     double[] at(Vector3d place, Vector3d normal);
   }
 
   /**
-   * Repeats at a width and height in metres, for walls, upright; a face takes it from whichever of
-   * the six directions it looks most into.
+   * Returns an upright box projection for walls that repeats at a width and height in metres: each
+   * face is projected along the axis closest to its normal.
    */
   public static Cladding metric(String file, double width, double height) {
     return new Cladding(file, repeating(0, 0, width, height), true, false);
   }
 
   /**
-   * Likewise, for a floor: the place of this x and z shows the picture's lower left corner, and
-   * north, -z, is up.
+   * Returns a projection for a floor that repeats at a width and height in metres: the image's
+   * lower left corner lies at this x and z, and north, -z, is up.
    */
   public static Cladding floor(double x, double z, String file, double width, double height) {
     return new Cladding(file, repeating(x, z, width, height), true, true);
@@ -50,8 +52,9 @@ public record Cladding(String file, Laying laying, boolean repeats, boolean slan
   }
 
   /**
-   * A quarter of a pattern that is symmetrical to the planes x = 0 and z = 0, seen from above: the
-   * picture's lower left corner is the middle. The mesh has edges along these planes.
+   * Returns a projection from above of a quarter of a pattern that is symmetrical about the planes
+   * x = 0 and z = 0: the image's lower left corner is the pattern's middle. The mesh must have
+   * edges along these planes.
    */
   public static Cladding quarter(String file, double width, double height) {
     return new Cladding(
@@ -61,7 +64,10 @@ public record Cladding(String file, Laying laying, boolean repeats, boolean slan
         true);
   }
 
-  /** To the right and up, metres, for someone who looks at the face. */
+  /**
+   * Returns the coordinates on a face, metres to the right and up as seen by a viewer in front of
+   * it.
+   */
   private static double[] across(Vector3d place, Vector3d normal) {
     double x = Math.abs(normal.x);
     double y = Math.abs(normal.y);

@@ -8,12 +8,12 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.x3d.write.TupleLines;
 
 /**
- * Texture coordinates of a mesh as X3D writes them: each pair once, and for every corner of a
- * triangle the number of its pair. Corners at one point have different ones where faces of a box
+ * Indexed texture coordinates of a mesh as X3D writes them: each pair once, and for every corner of
+ * a triangle the number of its pair. Corners at one point have different pairs where faces of a box
  * meet.
  */
 final class CladdingText {
-  /** A fifth of a millimetre where a picture is two metres wide. */
+  /** Decimals of texture coordinates: a fifth of a millimetre where an image is two metres wide. */
   private static final int DECIMALS = 4;
 
   private final Map<String, Integer> pairs = new LinkedHashMap<>();
@@ -35,12 +35,12 @@ final class CladdingText {
     }
   }
 
-  /** Three numbers of pairs for each triangle. */
+  /** Returns the numbers of the pairs, three for each triangle. */
   int[] corners() {
     return corners;
   }
 
-  /** The pairs. */
+  /** Appends the pairs to {@code out} and returns it. */
   TupleLines points(TupleLines out) {
     pairs.keySet().forEach(pair -> out.next().append(pair));
     return out;

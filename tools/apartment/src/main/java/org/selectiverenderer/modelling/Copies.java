@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
-/** Repetitions of a mesh. */
+/** Repeats a mesh in a linear, circular or mirrored pattern. */
 public final class Copies {
 
   private Copies() {}
 
-  /** {@code count} of them, each moved on from the one before. */
+  /** Returns {@code count} copies in a row, each moved by the vector from the one before. */
   public static TriangleMesh row(TriangleMesh mesh, int count, double x, double y, double z) {
     List<TriangleMesh> all = new ArrayList<>();
     for (int i = 0; i < count; i++) {
@@ -18,7 +18,7 @@ public final class Copies {
     return TriangleMesh.of(all);
   }
 
-  /** {@code count} of them in equal steps about the y axis. */
+  /** Returns {@code count} copies rotated in equal steps about the y axis. */
   public static TriangleMesh around(TriangleMesh mesh, int count) {
     List<TriangleMesh> all = new ArrayList<>();
     for (int i = 0; i < count; i++) {
@@ -27,12 +27,14 @@ public final class Copies {
     return TriangleMesh.of(all);
   }
 
-  /** The mesh and its mirror image at x = 0. */
+  /** Returns the mesh and its mirror image in the plane x = 0. */
   public static TriangleMesh bothSides(TriangleMesh mesh) {
     return mesh.append(mesh.mirrorX());
   }
 
-  /** Four of them: at (x, z), (-x, z), (x, -z), (-x, -z), mirrored, as legs are. */
+  /**
+   * Returns four mirrored copies at (x, z), (-x, z), (x, -z), (-x, -z), as the legs of a table are.
+   */
   public static TriangleMesh corners(TriangleMesh mesh, double x, double z) {
     TriangleMesh right = mesh.move(x, 0, z);
     return bothSides(right.append(right.mirrorZ()));

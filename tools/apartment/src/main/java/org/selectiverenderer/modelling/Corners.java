@@ -5,17 +5,17 @@ import java.util.Arrays;
 import java.util.List;
 import org.selectiverenderer.geometry.Degrees;
 
-/** Rounds the corners of lines in the plane. */
+/** Rounds the corners of polylines in the plane (fillets). */
 final class Corners {
 
   private Corners() {}
 
   /**
-   * Puts an arc in place of each corner; the first and last point of an open line stay.
+   * Replaces each corner by an arc; the first and last point of an open line stay.
    *
    * @param xy x, y per point
-   * @param radius of the arcs; where an edge is too short for it, smaller
-   * @param steps straight pieces per arc
+   * @param radius radius of the arcs, metres; smaller where an edge is too short for it
+   * @param steps number of segments per arc
    */
   static double[] round(double[] xy, boolean closed, double radius, int steps) {
     int n = xy.length / 2;
@@ -64,7 +64,9 @@ final class Corners {
     }
   }
 
-  /** Two arcs that use up the edge between them would otherwise repeat the point they share. */
+  /**
+   * Adds a point unless it repeats the last one, as where two arcs use up the edge between them.
+   */
   private static void add(List<double[]> out, double x, double y) {
     double[] last = out.isEmpty() ? null : out.get(out.size() - 1);
     if (last == null || Math.abs(last[0] - x) + Math.abs(last[1] - y) > 1e-9) {

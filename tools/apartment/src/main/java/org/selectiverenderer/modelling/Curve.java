@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.selectiverenderer.geometry.Degrees;
 
 /**
- * An open line in the plane, drawn piece by piece: the profile of a lathe (x is the radius, y the
- * height) or, closed, an {@link Outline}. A value; every piece returns a longer curve.
+ * An open curve in the plane, built segment by segment: the profile of a lathe (x is the radius, y
+ * the height) or, closed, an {@link Outline}. Immutable; every method that adds a segment returns a
+ * longer curve.
  */
 public final class Curve {
   private final double[] xy;
@@ -18,7 +19,7 @@ public final class Curve {
     return new Curve(new double[] {x, y});
   }
 
-  /** The straight line through the points, x, y each. */
+  /** Returns the polyline through the points, x, y each. */
   public static Curve of(double... xy) {
     if (xy.length < 2 || xy.length % 2 != 0) {
       throw new IllegalArgumentException("a curve has x and y of each of its points");
@@ -30,7 +31,7 @@ public final class Curve {
     return plus(x, y);
   }
 
-  /** Goes round a centre, counter-clockwise if positive, in straight steps. */
+  /** Appends an arc about a centre, counter-clockwise for positive degrees, of so many segments. */
   public Curve arc(double centreX, double centreY, double degrees, int steps) {
     double dx = xy[xy.length - 2] - centreX;
     double dy = xy[xy.length - 1] - centreY;
@@ -44,7 +45,7 @@ public final class Curve {
     return plus(more);
   }
 
-  /** A cubic Bezier curve to (x, y) with two control points. */
+  /** Appends a cubic Bezier curve to (x, y) with two control points. */
   public Curve bezier(double x1, double y1, double x2, double y2, double x, double y, int steps) {
     double x0 = xy[xy.length - 2];
     double y0 = xy[xy.length - 1];
@@ -62,7 +63,10 @@ public final class Curve {
     return plus(more);
   }
 
-  /** A smooth line (Catmull-Rom) on through the points, x, y each, {@code steps} between two. */
+  /**
+   * Appends a Catmull-Rom spline through the points, x, y each, with {@code steps} segments between
+   * two points.
+   */
   public Curve spline(int steps, double... through) {
     double[] points = new double[through.length + 2];
     points[0] = xy[xy.length - 2];
@@ -72,12 +76,12 @@ public final class Curve {
     return plus(Arrays.copyOfRange(smooth, 2, smooth.length));
   }
 
-  /** Goes on with the other curve's points. */
+  /** Appends the other curve's points. */
   public Curve then(Curve other) {
     return plus(other.xy);
   }
 
-  /** The same points, starting at the end. */
+  /** Returns the curve with its points in reverse order. */
   public Curve reversed() {
     double[] turned = new double[xy.length];
     for (int i = 0; i < xy.length; i += 2) {
@@ -87,7 +91,10 @@ public final class Curve {
     return new Curve(turned);
   }
 
-  /** Joined to its mirror image in the y axis; drawn upwards or downwards on one side. */
+  /**
+   * Returns the outline of the curve and its mirror image in the y axis; the curve must be drawn
+   * upwards or downwards on one side of the axis.
+   */
   public Outline closedWithMirrorX() {
     double[] mirrored = reversed().xy;
     for (int i = 0; i < mirrored.length; i += 2) {
@@ -96,7 +103,7 @@ public final class Curve {
     return Outline.of(plus(mirrored).xy);
   }
 
-  /** Joined from its last point to its first. */
+  /** Returns the outline that joins the last point to the first. */
   public Outline closed() {
     return Outline.of(xy);
   }

@@ -6,16 +6,17 @@ import org.selectiverenderer.geometry.mesh.EdgeSplitter;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 /**
- * Brings a model to an exact number of triangles without changing its form: the longest edge of all
- * is split in its middle, with the triangles on both sides of it, again and again. An edge inside a
- * surface adds two triangles, one on a border adds one; there are no T-junctions. Deterministic.
+ * Refines a model to an exact number of triangles without changing its shape: the longest edge of
+ * all is split in its middle, with the triangles on both sides of it, again and again. An edge
+ * inside a surface adds two triangles, an edge on a border adds one; there are no T-junctions.
+ * Deterministic.
  */
 public final class ExactCount {
 
   private ExactCount() {}
 
   /**
-   * @param polygons at least as many as the model has
+   * @param polygons the number of triangles to reach, at least as many as the model has
    * @throws IllegalArgumentException if it has more, or if the difference is odd and no part has a
    *     border: the count of a closed surface is even
    */

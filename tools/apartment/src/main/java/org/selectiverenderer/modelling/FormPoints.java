@@ -5,7 +5,7 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.mesh.EdgeSplitter;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
-/** The points of a mesh whose edges are split: each has its own place. */
+/** The vertices of a mesh whose edges are split, with a growing list of positions. */
 final class FormPoints implements EdgeSplitter.Vertices {
   private float[] positions;
   private int count;

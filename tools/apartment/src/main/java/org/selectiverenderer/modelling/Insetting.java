@@ -1,20 +1,23 @@
 package org.selectiverenderer.modelling;
 
-/** Moves closed lines to their left, corner by corner. */
+/** Polygon offsetting: moves closed lines to their left, corner by corner. */
 final class Insetting {
-  /** How far a sharp corner may run ahead of its edges, as a multiple of the distance. */
+  /** Mitre limit: largest distance that a sharp corner is moved, as a multiple of the offset. */
   private static final double MITRE = 4;
 
   private Insetting() {}
 
-  /** Inwards for counter-clockwise lines; a hole, which goes clockwise, grows. */
+  /**
+   * Returns the line moved inwards if it is counter-clockwise; a hole, which is clockwise, grows.
+   */
   static double[] inset(double[] xy, double distance) {
     int n = xy.length;
     double[] out = new double[n];
     for (int i = 0; i < n; i += 2) {
       double[] u = unit(xy, (i + n - 2) % n, i);
       double[] v = unit(xy, i, (i + 2) % n);
-      // The bisector of the two edges' left normals, as long as both edges' distance asks for.
+      // The bisector of the two edges' left normals, with the length that gives both edges their
+      // offset.
       double bx = -u[1] - v[1];
       double by = u[0] + v[0];
       double cosine = (1 + u[0] * v[0] + u[1] * v[1]) / 2;
@@ -27,7 +30,7 @@ final class Insetting {
       double before = (xy[j] - xy[i]) * (out[j] - out[i]);
       if (before + (xy[j + 1] - xy[i + 1]) * (out[j + 1] - out[i + 1]) <= 0) {
         throw new IllegalArgumentException(
-            "an inset of " + distance + " m is more than the outline has room for");
+            "an inset of " + distance + " m is larger than the outline allows");
       }
     }
     return out;

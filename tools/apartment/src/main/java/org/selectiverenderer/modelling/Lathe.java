@@ -6,14 +6,16 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.Degrees;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
-/** Surfaces of revolution about +y: a profile (x the radius, y the height) turned in steps. */
+/**
+ * Builds surfaces of revolution about +y: a profile (x the radius, y the height) rotated in steps.
+ */
 public final class Lathe {
 
   private Lathe() {}
 
   /**
-   * A closed solid: an end of the profile that is off the axis is closed by a disc. A pair of
-   * neighbouring points gives {@code 2 * segments} triangles, {@code segments} if one is on the
+   * Returns a closed solid: an end of the profile that is off the axis is closed by a disc. A pair
+   * of neighbouring points gives {@code 2 * segments} triangles, {@code segments} if one is on the
    * axis; a disc gives {@code segments}.
    *
    * @param profile e.g. from the middle of the underside up the outer wall, over the rim, down the
@@ -24,21 +26,28 @@ public final class Lathe {
     return Skin.over(rows(profile, segments, 360, segments), Skin.Form.CAPPED);
   }
 
-  /** As {@link #solid}, but open where the profile ends; drawn up the outside. */
+  /**
+   * Returns a surface as {@link #solid} does, but open where the profile ends; the profile must run
+   * up the outside.
+   */
   public static TriangleMesh surface(Curve profile, int segments) {
     return Skin.over(rows(profile, segments, 360, segments), Skin.Form.PIPE);
   }
 
   /**
-   * A ring: an outline beside the axis turned round it, {@code 2 * size * segments} triangles.
+   * Returns a ring: an outline beside the axis rotated about it, {@code 2 * size * segments}
+   * triangles.
    *
-   * @param section all of it at positive x
+   * @param section the outline, all of it at positive x
    */
   public static TriangleMesh ring(Outline section, int segments) {
     return Skin.over(rows(Curve.of(section.points()), segments, 360, segments), Skin.Form.RING);
   }
 
-  /** A surface over a part of a turn, from the +x axis counter-clockwise seen from above; open. */
+  /**
+   * Returns an open surface over a part of a turn, from the +x axis counter-clockwise seen from
+   * above.
+   */
   public static TriangleMesh sector(Curve profile, double degrees, int segments) {
     return Skin.over(rows(profile, segments, degrees, segments + 1), Skin.Form.SHEET);
   }
@@ -48,7 +57,8 @@ public final class Lathe {
     for (int i = 0; i < profile.size(); i++) {
       double radius = profile.x(i);
       if (radius < -1e-9) {
-        throw new IllegalArgumentException("point " + i + " of a lathe's profile is left of x = 0");
+        throw new IllegalArgumentException(
+            "point " + i + " of a lathe's profile has a negative radius");
       }
       Vector3d[] row = new Vector3d[columns];
       for (int c = 0; c < columns; c++) {

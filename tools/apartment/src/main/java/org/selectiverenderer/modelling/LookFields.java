@@ -4,12 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import org.selectiverenderer.base.decimal.DecimalText;
 
-/** A look as the fields of a Material, its defaults (X3D 3.3, 12.4.4) left out. */
+/**
+ * Converts a material to the fields of an X3D Material, with default values (X3D 3.3, 12.4.4) left
+ * out.
+ */
 final class LookFields {
 
   private LookFields() {}
 
-  /** Names and values in turn. */
+  /** Returns field names and values in turn. */
   static String[] fields(Look look) {
     List<String> fields = new ArrayList<>();
     field(fields, "diffuseColor", colour(look.diffuse()), "0.8 0.8 0.8");

@@ -2,7 +2,7 @@ package org.selectiverenderer.modelling;
 
 import org.selectiverenderer.base.decimal.Rounded;
 
-/** Red, green and blue, 0 to 1 each. */
+/** A display colour: red, green and blue, 0 to 1 each. */
 public record ModelColour(double red, double green, double blue) {
 
   public ModelColour {
@@ -23,7 +23,7 @@ public record ModelColour(double red, double green, double blue) {
     return new ModelColour(value, value, value);
   }
 
-  /** As in {@code 0xC8A064}. */
+  /** Returns the colour of a hexadecimal number such as {@code 0xC8A064}. */
   public static ModelColour hex(int rgb) {
     return new ModelColour(part(rgb >> 16), part(rgb >> 8), part(rgb));
   }

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.selectiverenderer.geometry.Degrees;
 
 /**
- * A closed line in the plane that does not cross itself, counter-clockwise; concave ones are
- * welcome. A value. Points that repeat their predecessor are left out.
+ * A simple polygon in the plane, convex or concave, counter-clockwise. Immutable. Points that
+ * repeat their predecessor are left out.
  */
 public final class Outline {
   private final double[] xy;
@@ -14,7 +14,7 @@ public final class Outline {
     this.xy = xy;
   }
 
-  /** The polygon with these corners, x, y each, in either direction. */
+  /** Returns the polygon with these corners, x, y each, given in either direction. */
   public static Outline of(double... xy) {
     double[] distinct = new double[xy.length];
     int n = 0;
@@ -38,14 +38,14 @@ public final class Outline {
     return ellipse(radius, radius, points);
   }
 
-  /** An ellipse about the origin; its first point is on the x axis. */
+  /** Returns an ellipse about the origin; its first point is on the x axis. */
   public static Outline ellipse(double radiusX, double radiusY, int points) {
     return superellipse(radiusX, radiusY, 2, points);
   }
 
   /**
-   * A superellipse (Lame curve): exponent 2 is an ellipse, 4 a squarish pillow, above 10 nearly a
-   * rectangle, 1 a rhombus.
+   * Returns a superellipse (Lame curve): exponent 2 gives an ellipse, 4 a squarish pillow, above 10
+   * nearly a rectangle, 1 a rhombus.
    */
   public static Outline superellipse(double radiusX, double radiusY, double exponent, int points) {
     double[] xy = new double[2 * points];
@@ -62,24 +62,30 @@ public final class Outline {
     return power == 1 ? value : Math.copySign(Degrees.power(Math.abs(value), power), value);
   }
 
-  /** A rectangle about the origin. */
+  /** Returns a rectangle about the origin. */
   public static Outline rectangle(double width, double height) {
     double x = width / 2;
     double y = height / 2;
     return of(-x, -y, x, -y, x, y, -x, y);
   }
 
-  /** A rectangle about the origin with round corners, {@code steps} pieces each. */
+  /** Returns a rectangle about the origin with round corners of {@code steps} segments each. */
   public static Outline roundedRectangle(double width, double height, double radius, int steps) {
     return rectangle(width, height).rounded(radius, steps);
   }
 
-  /** A smooth closed line (Catmull-Rom) through the points, {@code steps} pieces between two. */
+  /**
+   * Returns a closed Catmull-Rom spline through the points, with {@code steps} segments between two
+   * points.
+   */
   public static Outline spline(int steps, double... xy) {
     return of(Splines.through(xy, 2, true, steps));
   }
 
-  /** Every corner an arc; where an edge is too short for the radius, a smaller one. */
+  /**
+   * Returns the outline with every corner replaced by an arc, of a smaller radius where an edge is
+   * too short.
+   */
   public Outline rounded(double radius, int steps) {
     return of(Corners.round(xy, true, radius, steps));
   }
@@ -92,7 +98,7 @@ public final class Outline {
     return affine(x, 0, 0, y, 0, 0);
   }
 
-  /** Turns about the origin, counter-clockwise if positive. */
+  /** Returns the outline rotated about the origin, counter-clockwise for positive degrees. */
   public Outline turn(double degrees) {
     double s = Degrees.sin(degrees);
     double c = Degrees.cos(degrees);
@@ -111,16 +117,16 @@ public final class Outline {
   }
 
   /**
-   * The outline moved inwards, corner by corner, with as many corners as before.
+   * Returns the outline offset inwards, with the same number of corners.
    *
    * @param distance metres; negative moves outwards
-   * @throws IllegalArgumentException if an edge would turn round: the distance is too large
+   * @throws IllegalArgumentException if the distance is so large that an edge would be reversed
    */
   public Outline inset(double distance) {
     return new Outline(Insetting.inset(xy, distance));
   }
 
-  /** The enclosed area, square metres. */
+  /** Returns the enclosed area, square metres. */
   public double area() {
     double sum = 0;
     for (int i = 0, j = xy.length - 2; i < xy.length; j = i, i += 2) {
@@ -145,7 +151,7 @@ public final class Outline {
     return xy;
   }
 
-  /** The points the other way round, as holes have them. */
+  /** Returns the points in clockwise order, as holes have them. */
   double[] clockwise() {
     double[] turned = new double[xy.length];
     for (int i = 0; i < xy.length; i += 2) {

@@ -11,7 +11,7 @@ import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 /**
- * An object of several parts, in metres; it stands on y = 0 with its front towards +z.
+ * The model of an object: several parts, in metres; it stands on y = 0 with its front towards +z.
  *
  * @param name as in the thesis's tables: {@code trashCan}
  */
@@ -31,12 +31,12 @@ public record ParametricModel(String name, List<Part> parts) {
     return new ParametricModel(name, List.of(parts));
   }
 
-  /** The number of triangles of all parts. */
+  /** Returns the number of triangles of all parts. */
   public int polygons() {
     return parts.stream().mapToInt(p -> p.mesh().triangleCount()).sum();
   }
 
-  /** Files of the pictures that cover parts of it. */
+  /** Returns the files of the textures that cover its parts. */
   public SortedSet<String> pictures() {
     SortedSet<String> files = new TreeSet<>();
     for (Part part : parts) {
@@ -48,17 +48,17 @@ public record ParametricModel(String name, List<Part> parts) {
     return files;
   }
 
-  /** All parts' triangles as one mesh. */
+  /** Returns the triangles of all parts as one mesh. */
   public TriangleMesh mesh() {
     return TriangleMesh.of(parts.stream().map(Part::mesh).toList());
   }
 
-  /** The box around all points; the model has some. */
+  /** Returns the bounding box; the model must not be empty. */
   public Bounds bounds() {
     return parts.stream().map(p -> p.mesh().bounds()).reduce(Bounds::union).orElseThrow();
   }
 
-  /** The same with every part's mesh changed: moved, turned, scaled. */
+  /** Returns the model with a transformation applied to every part's mesh. */
   public ParametricModel map(UnaryOperator<TriangleMesh> change) {
     return new ParametricModel(
         name, parts.stream().map(p -> p.with(change.apply(p.mesh()))).toList());
@@ -68,7 +68,7 @@ public record ParametricModel(String name, List<Part> parts) {
     return new ParametricModel(other, parts);
   }
 
-  /** With the other model's parts after its own. */
+  /** Returns the model with another model's parts appended. */
   public ParametricModel plus(ParametricModel other) {
     List<Part> all = new ArrayList<>(parts);
     all.addAll(other.parts);

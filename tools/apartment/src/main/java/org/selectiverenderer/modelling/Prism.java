@@ -5,27 +5,28 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
 
 /**
- * Solids with a flat front and back: an outline in the xy plane, with holes or without, drawn out
- * along z. The back is at z = 0 and the front, which shows the outline as drawn, at z = depth.
+ * Builds extruded solids with a flat front and back: an outline in the xy plane, with or without
+ * holes, extruded along z. The back is at z = 0 and the front, which shows the outline as drawn, at
+ * z = depth.
  *
- * <p>An outline of n points in all with h holes gives {@code 2 (n - 2 + 2 h)} triangles in the flat
- * ends and {@code 2 n} per band of the walls.
+ * <p>An outline of n points in all with h holes gives {@code 2 (n - 2 + 2 h)} triangles in the caps
+ * and {@code 2 n} per band of the walls.
  */
 public final class Prism {
 
   private Prism() {}
 
-  /** With sharp edges. */
+  /** Returns an extrusion with sharp edges. */
   public static TriangleMesh plain(double depth, Outline outline, Outline... holes) {
     return build(depth, 0, 0, outline, holes);
   }
 
   /**
-   * With rounded edges at front and back.
+   * Returns an extrusion with rounded edges at front and back.
    *
-   * @param bevel the rounding's radius, metres; at most half the depth, and less than what the
-   *     narrowest place of the outline has room for
-   * @param steps straight pieces of the rounding, 1 is a chamfer; each is one more band at front
+   * @param bevel bevel radius, metres; at most half the depth, and smaller than the narrowest part
+   *     of the outline allows
+   * @param steps number of segments of the bevel, 1 is a chamfer; each is one more band at front
    *     and back
    */
   public static TriangleMesh bevelled(
@@ -34,8 +35,8 @@ public final class Prism {
   }
 
   /**
-   * A lying plate with rounded edges: the outline seen from above (y away from the viewer, towards
-   * -z), from y = 0 to y = thickness.
+   * Returns a horizontal plate with rounded edges: the outline seen from above (y away from the
+   * viewer, towards -z), from y = 0 to y = thickness.
    */
   public static TriangleMesh plate(
       double thickness, double bevel, int steps, Outline outline, Outline... holes) {
@@ -43,8 +44,8 @@ public final class Prism {
   }
 
   /**
-   * The front alone: a flat piece in the plane z = 0 that shows the outline as drawn; {@code n - 2
-   * + 2 h} triangles, with a border.
+   * Returns the front cap alone: a flat surface in the plane z = 0 that shows the outline as drawn;
+   * {@code n - 2 + 2 h} triangles, with a border.
    */
   public static TriangleMesh face(Outline outline, Outline... holes) {
     double[][] rings = rings(outline, holes);
@@ -70,7 +71,7 @@ public final class Prism {
   private static TriangleMesh build(
       double depth, double bevel, int steps, Outline outline, Outline... holes) {
     if (2 * bevel > depth + 1e-9) {
-      throw new IllegalArgumentException("a bevel is at most half as wide as the depth");
+      throw new IllegalArgumentException("the bevel radius must be at most half the depth");
     }
     double[][] rings = rings(outline, holes);
     TriangleMeshBuilder mesh = new TriangleMeshBuilder();
@@ -126,7 +127,7 @@ public final class Prism {
     }
   }
 
-  /** Front and back; the back's points are the mesh's first. */
+  /** Triangulates the front and back caps; the back's points are the mesh's first. */
   private static void fill(TriangleMeshBuilder mesh, double[][] end, int front) {
     TriangleMeshBuilder flat = new TriangleMeshBuilder();
     RoundestEars.fill(end, 0, flat);

@@ -7,7 +7,7 @@ import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.geometry.tessellate.TextMesher;
 
-/** Letters as triangles: keys, labels, book backs. Keeps the glyphs it has made. */
+/** Builds flat letters from triangles for keys, labels and book spines. Caches the glyphs. */
 public final class RaisedLetters {
   private final TextMesher mesher = new TextMesher();
   private final FontFamily family;
@@ -18,16 +18,16 @@ public final class RaisedLetters {
     this.style = style;
   }
 
-  /** Bold letters without serifs. */
+  /** Returns a builder of bold sans-serif letters. */
   public static RaisedLetters bold() {
     return new RaisedLetters(FontFamily.SANS, FontStyle.BOLD);
   }
 
   /**
-   * A line of flat letters that faces +z at z = 0, centred on x and y. Put it half a millimetre
-   * before the surface that it is written on.
+   * Returns a line of flat letters that faces +z at z = 0, centred on x and y. Place it half a
+   * millimetre in front of the surface that it is written on.
    *
-   * @param size length of an em, metres; capitals are about 0.73 of it
+   * @param size length of an em, metres; capitals are about 0.73 em high
    */
   public TriangleMesh flat(String line, double size) {
     Mesh mesh = mesher.mesh(line, family, style, (float) size);

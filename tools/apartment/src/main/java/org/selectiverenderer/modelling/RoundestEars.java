@@ -5,9 +5,9 @@ import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
 
 /**
- * Cuts a polygon with holes into triangles that use every one of its points, those on straight
- * edges too, so that walls built on the outline meet the cap without T-junctions. Of all ears the
- * roundest goes first. Quadratic to cubic in the number of points, which is small.
+ * Triangulates a polygon with holes by ear clipping. The triangles use every point, those on
+ * straight edges too, so that walls built on the outline meet the cap without T-junctions. The ear
+ * with the best shape is clipped first. Quadratic to cubic in the number of points, which is small.
  */
 final class RoundestEars {
   private final double[] xy;
@@ -83,7 +83,10 @@ final class RoundestEars {
     return best;
   }
 
-  /** Area over the square of the longest side; 0 for what is no ear. */
+  /**
+   * Returns the quality of an ear, its area over the square of its longest side; 0 for a corner
+   * that is not an ear.
+   */
   private double quality(int i) {
     int a = ring[(i + size - 1) % size];
     int b = ring[i];

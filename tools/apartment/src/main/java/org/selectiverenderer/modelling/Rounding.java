@@ -7,14 +7,15 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 /**
- * Brings models to the grid on which {@link X3dModelWriter} writes them, so that what is counted is
- * what the file holds: points that fall together become one, triangles that fall into a line go.
+ * Snaps models to the grid on which {@link X3dModelWriter} writes them, so that the counted
+ * triangles are those in the file: points in one grid cell are merged and triangles that become
+ * degenerate are removed.
  */
 public final class Rounding {
 
   private Rounding() {}
 
-  /** The model as its file will have it; parts that vanish are left out. */
+  /** Returns the model as its file will hold it; parts that vanish are left out. */
   public static ParametricModel toGrid(ParametricModel model) {
     int decimals = X3dModelWriter.decimals(model.bounds());
     double unit = DecimalText.unit(decimals);
@@ -50,7 +51,8 @@ public final class Rounding {
   }
 
   /**
-   * The grid's cell of a coordinate, half away from zero, so that mirrored models stay mirrored.
+   * Returns the grid cell of a coordinate, rounded half away from zero so that mirrored models stay
+   * mirrored.
    */
   static long cell(double coordinate, double unit) {
     long cell = Math.round(Math.abs(coordinate) * unit);

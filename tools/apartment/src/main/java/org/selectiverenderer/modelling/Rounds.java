@@ -6,12 +6,18 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.Degrees;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
-/** Round solids. Cylinders and cones stand on y = 0; balls and rings are about the origin. */
+/**
+ * Builds round solids. Cylinders and cones stand on y = 0; spheres and rings are centred on the
+ * origin.
+ */
 public final class Rounds {
 
   private Rounds() {}
 
-  /** {@code 2 segments (rings - 1)} triangles: rings are the bands from pole to pole. */
+  /**
+   * Returns a sphere of {@code 2 segments (rings - 1)} triangles; rings are the bands from pole to
+   * pole.
+   */
   public static TriangleMesh sphere(double radius, int rings, int segments) {
     return ellipsoid(radius, radius, radius, rings, segments);
   }
@@ -22,7 +28,7 @@ public final class Rounds {
   }
 
   /**
-   * A superellipsoid (Barr, 1981): cushions, stones, soap.
+   * Returns a superellipsoid (Barr, 1981), for cushions, stones, soap.
    *
    * @param upright exponent of the outline seen from the side: 2 round, 4 squarish, 1 a double cone
    * @param level exponent of the outline seen from above
@@ -50,21 +56,21 @@ public final class Rounds {
     return Skin.over(rows, Skin.Form.PIPE);
   }
 
-  /** {@code 4 segments} triangles. */
+  /** Returns a cylinder of {@code 4 segments} triangles. */
   public static TriangleMesh cylinder(double radius, double height, int segments) {
     return cone(radius, radius, height, segments);
   }
 
-  /** From one radius below to another above; 0 is a tip. */
+  /** Returns a cone from one radius below to another above; a radius of 0 gives a tip. */
   public static TriangleMesh cone(double below, double above, double height, int segments) {
     return Lathe.solid(Curve.of(below, 0, above, height), segments);
   }
 
   /**
-   * A cylinder with rounded edges: {@code 4 segments (steps + 1)} triangles, {@code 4 segments
-   * steps} less two if the rounding meets in the middle of its height.
+   * Returns a cylinder with rounded edges: {@code 4 segments (steps + 1)} triangles, or {@code 4
+   * segments steps} less two if the roundings meet in the middle of its height.
    *
-   * @param edge the rounding's radius, at most the cylinder's own and half its height
+   * @param edge radius of the rounding, at most the cylinder's own and half its height
    */
   public static TriangleMesh roundedCylinder(
       double radius, double height, double edge, int steps, int segments) {
@@ -76,17 +82,17 @@ public final class Rounds {
     return Welding.weld(Lathe.solid(profile, segments));
   }
 
-  /** A cylinder with half balls at both ends, {@code height} in all. */
+  /** Returns a cylinder with hemispheres at both ends, {@code height} in all. */
   public static TriangleMesh capsule(double radius, double height, int steps, int segments) {
     return roundedCylinder(radius, height, radius, steps, segments);
   }
 
-  /** A ring about the y axis, {@code 2 segments around} triangles. */
+  /** Returns a torus about the y axis, {@code 2 segments around} triangles. */
   public static TriangleMesh torus(double radius, double thickness, int segments, int around) {
     return Lathe.ring(Outline.circle(thickness, around).move(radius, 0), segments);
   }
 
-  /** A pipe that stands on y = 0, {@code 8 segments} triangles. */
+  /** Returns a pipe that stands on y = 0, {@code 8 segments} triangles. */
   public static TriangleMesh pipe(double outer, double inner, double height, int segments) {
     return Lathe.ring(Outline.of(inner, 0, outer, 0, outer, height, inner, height), segments);
   }

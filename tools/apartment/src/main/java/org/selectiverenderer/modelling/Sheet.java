@@ -7,12 +7,12 @@ import org.selectiverenderer.geometry.mesh.MeshMeasures;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
 
-/** Surfaces given by a function, {@code 2 columns rows} triangles, with a border. */
+/** Builds surfaces given by a function: {@code 2 columns rows} triangles, with a border. */
 public final class Sheet {
 
   private Sheet() {}
 
-  /** Height over a place. */
+  /** The height of a height field at x and z. */
   @FunctionalInterface
   public interface Height {
     double at(double x, double z);
@@ -24,7 +24,7 @@ public final class Sheet {
     Vector3d at(double u, double v);
   }
 
-  /** A height field about the origin that faces up. */
+  /** Returns a height field about the origin that faces up. */
   public static TriangleMesh field(
       double width, double depth, int columns, int rows, Height height) {
     return of(
@@ -37,7 +37,7 @@ public final class Sheet {
         });
   }
 
-  /** A surface that faces where u goes right and v goes up. */
+  /** Returns a parametric surface; it faces the viewer for whom u goes right and v goes up. */
   public static TriangleMesh of(int columns, int rows, Place place) {
     List<Vector3d[]> points = new ArrayList<>();
     for (int r = 0; r <= rows; r++) {
@@ -51,8 +51,8 @@ public final class Sheet {
   }
 
   /**
-   * A closed solid of a sheet and its copy moved by a vector, with walls along the border: {@code 2
-   * t + 2 b} triangles for t of the sheet and b edges of its border.
+   * Returns a closed solid of a sheet and its copy moved by a vector, with walls along the border:
+   * {@code 2 t + 2 b} triangles for t triangles of the sheet and b edges of its border.
    */
   public static TriangleMesh thicken(TriangleMesh sheet, double x, double y, double z) {
     int points = sheet.pointCount();

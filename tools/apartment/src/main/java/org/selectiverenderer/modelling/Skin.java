@@ -6,27 +6,31 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
 
 /**
- * A surface stretched over rows of points: row to row, point to point. A row of one point, or whose
- * points all coincide, is a pole.
+ * Builds lofted surfaces over rows of points, joined row to row and point to point. A row of one
+ * point, or whose points all coincide, is a pole.
  */
 public final class Skin {
-  /** How the rows' own points and the first and last row join. */
+  /** The topology: how the points of a row, and the first and last row, are joined. */
   public enum Form {
-    /** Open on all sides: {@code 2 (rows-1) (columns-1)} triangles. */
+    /** Rows are open, and so are both ends: {@code 2 (rows-1) (columns-1)} triangles. */
     SHEET,
-    /** Each row closed, open at both ends: {@code 2 (rows-1) columns} triangles. */
+    /** Each row is closed, both ends are open: {@code 2 (rows-1) columns} triangles. */
     PIPE,
-    /** As a pipe, and the last row joins the first: {@code 2 rows columns} triangles. */
+    /** Each row is closed, and the last row joins the first: {@code 2 rows columns} triangles. */
     RING,
-    /** As a pipe, each end closed to its middle: {@code columns} triangles more at each. */
+    /**
+     * Each row is closed, and so is each end by a fan to its middle: {@code columns} triangles more
+     * at each end.
+     */
     CAPPED
   }
 
   private Skin() {}
 
   /**
-   * @param rows as many points each, except for poles; the outside lies to the right of a row when
-   *     the next row is up, seen from outside. A closed form is turned outwards in any case.
+   * @param rows the rows, with the same number of points except for poles; the points of a row run
+   *     to the right if the next row is up, seen from outside. A closed surface is oriented
+   *     outwards in any case.
    */
   public static TriangleMesh over(List<Vector3d[]> rows, Form form) {
     TriangleMeshBuilder mesh = new TriangleMeshBuilder();
@@ -57,7 +61,8 @@ public final class Skin {
     int[] indices = new int[columns];
     boolean pole = isPole(row);
     if (!pole && row.length != columns) {
-      throw new IllegalArgumentException("rows have as many points each, or one");
+      throw new IllegalArgumentException(
+          "each row needs the same number of points, or one point for a pole");
     }
     for (int c = 0; c < columns; c++) {
       indices[c] = pole && c > 0 ? indices[0] : mesh.point(row[pole ? 0 : c]);

@@ -6,10 +6,10 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.Degrees;
 
 /**
- * A line in space, along which a section is swept.
+ * A path in space along which a section is swept, like the spine of X3D's Extrusion.
  *
- * @param points two at least, no two neighbours the same
- * @param closed whether it goes on from the last point to the first
+ * @param points at least two points, no two neighbours equal
+ * @param closed whether the last point joins the first
  */
 public record Spine(List<Vector3d> points, boolean closed) {
 
@@ -20,27 +20,30 @@ public record Spine(List<Vector3d> points, boolean closed) {
     }
   }
 
-  /** Straight from point to point, x, y, z each. */
+  /** Returns the polyline through the points, x, y, z each. */
   public static Spine of(double... xyz) {
     return from(xyz, false);
   }
 
-  /** Straight from point to point and back to the first. */
+  /** Returns the closed polyline through the points. */
   public static Spine loop(double... xyz) {
     return from(xyz, true);
   }
 
-  /** Smooth (Catmull-Rom) through the points, {@code steps} pieces between two. */
+  /**
+   * Returns a Catmull-Rom spline through the points, with {@code steps} segments between two
+   * points.
+   */
   public static Spine smooth(int steps, double... xyz) {
     return from(Splines.through(xyz, 3, false, steps), false);
   }
 
-  /** Smooth and closed through the points. */
+  /** Returns a closed Catmull-Rom spline through the points. */
   public static Spine smoothLoop(int steps, double... xyz) {
     return from(Splines.through(xyz, 3, true, steps), true);
   }
 
-  /** A screw line about the y axis from y = 0 upwards: a spring, a telephone's cord. */
+  /** Returns a helix about the y axis from y = 0 upwards, for a spring or a telephone's cord. */
   public static Spine helix(double radius, double rise, double turns, int stepsPerTurn) {
     return new Spine(turns(radius, rise, turns, (int) Math.round(turns * stepsPerTurn)), false);
   }
@@ -56,7 +59,7 @@ public record Spine(List<Vector3d> points, boolean closed) {
     return points;
   }
 
-  /** A curve of the plane as a line in space at z = 0. */
+  /** Returns a plane curve as a path at z = 0. */
   public static Spine of(Curve curve) {
     List<Vector3d> points = new ArrayList<>();
     for (int i = 0; i < curve.size(); i++) {
@@ -65,7 +68,7 @@ public record Spine(List<Vector3d> points, boolean closed) {
     return new Spine(points, false);
   }
 
-  /** An outline of the plane as a closed line in space at z = 0: a picture's frame. */
+  /** Returns an outline as a closed path at z = 0, for a picture's frame. */
   public static Spine of(Outline outline) {
     return new Spine(of(Curve.of(outline.points())).points, true);
   }

@@ -1,16 +1,16 @@
 package org.selectiverenderer.modelling;
 
-/** Smooth lines through points, of any dimension. */
+/** Computes Catmull-Rom splines in any dimension. */
 final class Splines {
 
   private Splines() {}
 
   /**
-   * A Catmull-Rom spline (Catmull and Rom, 1974) through all points.
+   * Returns a Catmull-Rom spline (Catmull and Rom, 1974) through all points.
    *
    * @param points {@code dimension} coordinates each
-   * @param closed whether it goes on from the last to the first
-   * @param steps straight pieces between two neighbouring points
+   * @param closed whether the last point joins the first
+   * @param steps number of segments between two neighbouring points
    * @return the points on the spline; a closed one does not repeat its first
    */
   static double[] through(double[] points, int dimension, boolean closed, int steps) {
@@ -36,7 +36,9 @@ final class Splines {
     return out;
   }
 
-  /** Beyond the ends of an open line, the line goes on straight. */
+  /**
+   * Returns a coordinate of a point; beyond the ends of an open spline it is extrapolated linearly.
+   */
   private static double at(double[] points, int dimension, boolean closed, int i, int k) {
     int n = points.length / dimension;
     if (closed) {

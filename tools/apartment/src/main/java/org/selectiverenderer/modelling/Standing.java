@@ -2,12 +2,16 @@ package org.selectiverenderer.modelling;
 
 import org.selectiverenderer.geometry.Bounds;
 
-/** Puts models where a plan expects them, and measures from the y axis. */
+/**
+ * Moves models to the position that a floor plan expects, and measures distances from the y axis.
+ */
 public final class Standing {
 
   private Standing() {}
 
-  /** The model moved so that it stands on y = 0, its box centred on x and z. */
+  /**
+   * Returns the model moved so that it stands on y = 0 with its bounding box centred on x and z.
+   */
   public static ParametricModel centred(ParametricModel model) {
     Bounds b = model.bounds();
     double x = (b.minX() + b.maxX()) / 2;
@@ -15,12 +19,17 @@ public final class Standing {
     return model.map(mesh -> mesh.move(-x, -b.minY(), -z));
   }
 
-  /** Likewise, the model of these parts. */
+  /**
+   * Returns the model of these parts, moved so that it stands on y = 0 with its bounding box
+   * centred on x and z.
+   */
   public static ParametricModel centred(String name, Part... parts) {
     return centred(ParametricModel.of(name, parts));
   }
 
-  /** The distance from the y axis; {@link Math#hypot} need not be the same on every machine. */
+  /**
+   * Returns the distance from the y axis; {@link Math#hypot} need not be the same on every machine.
+   */
   public static double fromAxis(double x, double z) {
     return Math.sqrt(x * x + z * z);
   }

@@ -7,23 +7,23 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 /**
- * Sections swept along a {@link Spine}: handles, rails, cables, frames. At an open spine's start
- * the section's y is up (towards -z where the spine itself goes up or down) and the viewer looks
- * along the spine. Corners are mitred. An open spine of n points gives {@code 2 (n - 1) size}
- * triangles and {@code size} for each end; a closed one {@code 2 n size}.
+ * Builds sections swept along a {@link Spine}: handles, rails, cables, frames. At an open spine's
+ * start the section's y is up (towards -z where the spine itself goes up or down), seen by a viewer
+ * who looks along the spine. Corners are mitred. An open spine of n points gives {@code 2 (n - 1)
+ * size} triangles and {@code size} for each end; a closed one {@code 2 n size}.
  */
 public final class Sweep {
 
   private Sweep() {}
 
-  /** The same section everywhere; the ends of an open spine are closed. */
+  /** Returns a sweep with a constant section; the ends of an open spine are closed. */
   public static TriangleMesh of(Outline section, Spine spine) {
     return of(section, spine, t -> 1);
   }
 
   /**
-   * @param scale of the section, by the part of the spine's points passed, 0 to 1; 0 at an end
-   *     makes a tip
+   * @param scale scale of the section as a function of the share of the spine's points passed, 0 to
+   *     1; 0 at an end makes a tip
    */
   public static TriangleMesh of(Outline section, Spine spine, DoubleUnaryOperator scale) {
     List<Vector3d[]> rows = new ArrayList<>();
@@ -40,12 +40,12 @@ public final class Sweep {
     return Skin.over(rows, spine.closed() ? Skin.Form.RING : Skin.Form.CAPPED);
   }
 
-  /** A round tube with closed ends. */
+  /** Returns a round tube with closed ends. */
   public static TriangleMesh tube(Spine spine, double radius, int segments) {
     return of(Outline.circle(radius, segments), spine);
   }
 
-  /** A round tube whose radius changes from point to point of the spine. */
+  /** Returns a round tube whose radius changes from point to point of the spine. */
   public static TriangleMesh tube(Spine spine, int segments, DoubleUnaryOperator radius) {
     return of(Outline.circle(1, segments), spine, radius);
   }

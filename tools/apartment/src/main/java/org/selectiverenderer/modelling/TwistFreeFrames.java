@@ -6,11 +6,11 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.Degrees;
 
 /**
- * A frame per point of a spine that turns as little as possible from one to the next (Wang et al.,
- * Computation of Rotation Minimizing Frames, 2008: the double reflection).
+ * Rotation minimizing frames along a spine, one per point, by double reflection (Wang et al.,
+ * Computation of Rotation Minimizing Frames, 2008).
  */
 final class TwistFreeFrames {
-  /** Corners sharper than this ratio of the section's stretch are cut. */
+  /** Mitre limit: largest factor by which the section is stretched at a corner. */
   private static final double MITRE = 3;
 
   private final List<Vector3d> points;
@@ -35,7 +35,7 @@ final class TwistFreeFrames {
     }
   }
 
-  /** Where the section's point (x, y) goes at point {@code i}. */
+  /** Returns the position of the section's point (x, y) at point {@code i} of the spine. */
   Vector3d place(int i, double x, double y) {
     Vector3d up = ups.get(i);
     Vector3d right = tangents.get(i).cross(up, new Vector3d());
@@ -82,7 +82,10 @@ final class TwistFreeFrames {
     return across(up, tangents.get(to));
   }
 
-  /** Spreads the angle by which a closed line comes back turned over all of its points. */
+  /**
+   * Distributes the closing angle, by which the frame of a closed spine returns rotated, over all
+   * points.
+   */
   private void untwist() {
     int n = points.size();
     Vector3d back = reflected(n - 1, 0);

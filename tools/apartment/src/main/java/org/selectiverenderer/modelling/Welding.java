@@ -5,7 +5,7 @@ import java.util.Map;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.geometry.mesh.TriangleMeshBuilder;
 
-/** Joins points that lie at the same place. */
+/** Welds vertices at the same position. */
 public final class Welding {
 
   private Welding() {}
@@ -13,16 +13,15 @@ public final class Welding {
   private record Cell(long x, long y, long z) {}
 
   /**
-   * Joins points that agree to a tenth of a micrometre, and drops the triangles that thereby lose
-   * their area.
+   * Welds points that agree to a tenth of a micrometre, and drops the triangles that become
+   * degenerate.
    */
   public static TriangleMesh weld(TriangleMesh mesh) {
     return weld(mesh, 1e-7);
   }
 
   /**
-   * Joins points that fall into one cell of a grid, and drops the triangles that thereby lose their
-   * area.
+   * Welds points that fall into one cell of a grid, and drops the triangles that become degenerate.
    *
    * @param cell size of the grid's cells, metres
    */

@@ -8,7 +8,7 @@ import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * A model as the text of an X3D 3.3 file of the Interchange profile: a Shape per part with an
+ * Writes a model as an X3D 3.3 file of the Interchange profile: a Shape per part with an
  * IndexedFaceSet of triangles. The same model gives the same bytes on every machine, in every
  * locale; lines end in LF.
  *
@@ -24,7 +24,7 @@ public final class X3dModelWriter {
   private final String generator;
 
   /**
-   * @param generator what made the models, for the files' heads
+   * @param generator the program that made the models, for the meta element of the files
    */
   public X3dModelWriter(String generator) {
     this.generator = generator;
@@ -102,7 +102,7 @@ public final class X3dModelWriter {
         .close();
   }
 
-  /** So many decimals that the largest coordinate has five digits. */
+  /** Returns the number of decimals with which the largest coordinate has five digits. */
   static int decimals(Bounds b) {
     double largest = 0;
     for (double value : new double[] {b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()}) {

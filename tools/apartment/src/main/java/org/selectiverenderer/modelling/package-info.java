@@ -1,6 +1,6 @@
 /**
- * A toolkit for parametric models: forms (lathe, sweep, bevels, subdivision) as functions to closed
- * triangle meshes, looks, exact polygon counts, and one X3D file per model.
+ * A toolkit for parametric solid modelling: solids (lathe, sweep, loft, extrusion with bevels) as
+ * functions to closed triangle meshes, materials, exact polygon counts, and one X3D file per model.
  *
  * <p>Frame: metres, y up. Boxes, cylinders, lathes and plates stand on y = 0 and are centred on x
  * and z; balls and rings are centred on the origin. Triangles go counter-clockwise seen from
@@ -9,8 +9,8 @@
  * <p>The same call gives the same bits on every machine: sines and cosines come from {@link
  * org.selectiverenderer.geometry.Degrees}, never from {@link java.lang.Math}.
  *
- * <p>In: numbers. Out: {@link org.selectiverenderer.modelling.ParametricModel}s and X3D text. Uses
- * {@code geometry}, with its fonts for the outlines of letters, {@code x3d.write} and {@code
+ * <p>In: dimensions. Out: {@link org.selectiverenderer.modelling.ParametricModel}s and X3D text.
+ * Uses {@code geometry}, with its fonts for the outlines of letters, {@code x3d.write} and {@code
  * base.decimal}; no AWT and no GL.
  */
 @NullMarked

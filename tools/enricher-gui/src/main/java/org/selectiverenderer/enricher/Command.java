@@ -7,15 +7,15 @@ import javax.swing.Action;
 import javax.swing.KeyStroke;
 import org.selectiverenderer.enricher.text.MenuTitle;
 
-/** Something the author can do from a menu or by a key. */
+/** A menu action with a mnemonic letter and an accelerator key. */
 final class Command extends AbstractAction {
   private static final long serialVersionUID = 1L;
 
   private final transient Runnable work;
 
   /**
-   * @param name as the menu shows it; {@code &} before the letter that chooses it
-   * @param key as {@link KeyStroke#getKeyStroke(String)} reads it; empty for none
+   * @param name the text of the menu item, with {@code &} before its mnemonic letter
+   * @param key the accelerator as {@link KeyStroke#getKeyStroke(String)} reads it; empty for none
    */
   Command(String name, String key, Runnable work) {
     this.work = work;
@@ -34,7 +34,7 @@ final class Command extends AbstractAction {
     work.run();
   }
 
-  /** Shows another name. */
+  /** Gives the menu item another name. */
   void rename(String name) {
     putValue(Action.NAME, MenuTitle.of(name).words());
   }

@@ -15,9 +15,12 @@ import org.selectiverenderer.enricher.task.Tasks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
-/** Offers to convert a scene that is no XML, as only XML is edited. On the window's thread. */
+/**
+ * Offers to convert a scene in another encoding to X3D XML, as only XML is edited. For the event
+ * dispatch thread.
+ */
 final class ConversionOffer {
-  /** What a conversion has left out, as far as one dialog can say it. */
+  /** The number of conversion problems that one dialog lists; the rest is counted. */
   private static final int TOLD = 5;
 
   private final NodeCatalogue catalogue;
@@ -26,7 +29,7 @@ final class ConversionOffer {
   private final Consumer<Path> opening;
 
   /**
-   * @param opening opens a scene in XML
+   * @param opening opens a scene that is XML
    */
   ConversionOffer(
       NodeCatalogue catalogue, Tasks tasks, Questions questions, Consumer<Path> opening) {
@@ -37,10 +40,10 @@ final class ConversionOffer {
   }
 
   /**
-   * Opens a scene, converted if that is needed and wanted.
+   * Opens a scene, after converting it if it is not XML and the author agrees.
    *
-   * @param asItIs opens it as it is, and says why that fails if it does
-   * @param nothing hears that nothing is opened
+   * @param asItIs opens an XML scene unconverted, and tells the author if that fails
+   * @param nothing called when nothing is opened
    */
   void open(Path path, Runnable asItIs, Runnable nothing) {
     tasks.run(

@@ -7,13 +7,14 @@ import java.nio.file.Path;
 import java.util.function.Consumer;
 
 /**
- * What macOS asks of a program that runs: to open a file, which it does not name on the command
- * line, and to quit, which closes the window as the author does. Other systems ask nothing.
+ * Handles the requests of macOS to a running program: to open a file, which is not named on the
+ * command line there, and to quit, which closes the window as the author does. Other systems send
+ * no such requests.
  */
 final class DesktopRequests {
   private DesktopRequests() {}
 
-  /** For the event dispatch thread, on which files come too. */
+  /** Installs the handlers; files arrive on the event dispatch thread. */
   static void hear(Consumer<Path> open) {
     if (!Desktop.isDesktopSupported()) {
       return;

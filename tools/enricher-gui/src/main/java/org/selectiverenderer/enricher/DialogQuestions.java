@@ -18,7 +18,7 @@ import org.selectiverenderer.enricher.diff.MergeDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Asks by dialogs. */
+/** Asks the author by modal dialogs over the window. */
 final class DialogQuestions implements Questions {
 
   private final Window owner;
@@ -122,7 +122,10 @@ final class DialogQuestions implements Questions {
     return chooser;
   }
 
-  /** What scenes are called; these two only where somebody says that a file is one. */
+  /**
+   * The file extensions of scenes; .json and .xml count only where the author says that a file is a
+   * scene.
+   */
   private static String[] endings() {
     return Stream.concat(FileFinder.SCENES.endings().stream(), Stream.of(".json", ".xml"))
         .map(ending -> ending.substring(ending.lastIndexOf('.') + 1))

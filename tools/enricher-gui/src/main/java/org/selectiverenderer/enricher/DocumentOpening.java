@@ -15,18 +15,18 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /**
- * Reads documents in the background, in place of the one that is open. For the event dispatch
+ * Opens documents in place of the open one; reads them in the background. For the event dispatch
  * thread.
  */
 final class DocumentOpening {
   /**
-   * The window that a document is opened in.
+   * The callbacks to the window that a document is opened in.
    *
-   * @param bench with the document that is open
-   * @param saves asks before that one goes
-   * @param adopt takes over what was read
-   * @param announce says what is going on; an empty text for nothing
-   * @param say says something in the status bar
+   * @param bench the views of the open document; empty for none
+   * @param saves asks about unsaved changes before the open document is replaced
+   * @param adopt shows the document that was read
+   * @param announce shows what is being read; an empty text when reading has ended
+   * @param say shows a message in the status bar
    */
   record Place(
       Supplier<Optional<Workbench>> bench,
@@ -35,7 +35,7 @@ final class DocumentOpening {
       Consumer<String> announce,
       Consumer<String> say) {}
 
-  /** The scene asked for last, and what hears that it is there. */
+  /** The scene that was asked for last, and what to run when it is open. */
   private record Awaited(Path path, Runnable opened) {}
 
   private final Place place;
@@ -56,7 +56,7 @@ final class DocumentOpening {
     kept = new KeptWork(recovery, questions, place.say());
   }
 
-  /** With a scene, and with the question what is to become of changes that a crash has left. */
+  /** Starts with a scene, after asking what to do with the unsaved changes of a crashed session. */
   void begin(Optional<Path> scene) {
     Optional<Questions.Left> answer = kept.offer(this::restore);
     if (!answer.equals(Optional.of(Questions.Left.RESTORE))) {
@@ -64,7 +64,7 @@ final class DocumentOpening {
     }
   }
 
-  /** Asks again what is to become of changes that a crash has left. */
+  /** Asks again what to do with the unsaved changes of crashed sessions. */
   void askAboutKept() {
     if (kept.offer(this::restore).isEmpty()) {
       questions.tell(Texts.of("window.nokept"));
@@ -88,9 +88,9 @@ final class DocumentOpening {
   }
 
   /**
-   * Opens a scene in place of the one that is open, which the author may save first.
+   * Opens a scene in place of the open one, which the author may save first.
    *
-   * @param opened hears that the scene is there
+   * @param opened runs when the scene is open
    */
   void open(Path path, Runnable opened) {
     awaited = new Awaited(path, opened);
@@ -103,7 +103,7 @@ final class DocumentOpening {
             });
   }
 
-  /** A document is open: whoever waits for it hears so. */
+  /** Runs what waits for this document, which is open now. */
   void opened(Path path) {
     place.announce().accept("");
     if (awaited != null && awaited.path().equals(path)) {
@@ -112,7 +112,7 @@ final class DocumentOpening {
     }
   }
 
-  /** Opens a file of which a problem is, such as an Inline's, in place of the scene. */
+  /** Opens the file in which a problem is, such as an inlined one, in place of the scene. */
   void openElsewhere(Location where) {
     Path other = Path.of(where.file());
     if (Files.isRegularFile(other)) {
@@ -122,7 +122,7 @@ final class DocumentOpening {
     }
   }
 
-  /** Reads the document that is open anew. */
+  /** Reads the open document again from its file. */
   void reload(Path path) {
     load(Texts.of("window.reloading", path.getFileName()), () -> DocumentFile.open(path));
   }
@@ -142,7 +142,7 @@ final class DocumentOpening {
           if (before.isPresent()
               && before.equals(place.bench().get())
               && revision(before) != agreed) {
-            // Changed while the other was read.
+            // The author has edited the open document while the other one was read.
             place.saves().leaving(() -> place.adopt().accept(file));
           } else {
             place.adopt().accept(file);

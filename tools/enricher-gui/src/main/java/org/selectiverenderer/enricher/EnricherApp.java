@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
-/** The enricher as a program: a window until the author closes it. */
+/** Runs the enricher: opens its window and waits until the author closes it. */
 public final class EnricherApp {
   private EnricherApp() {}
 
@@ -17,7 +17,7 @@ public final class EnricherApp {
    * Opens the window and waits until it is closed.
    *
    * @param scene to open; empty for none
-   * @param access what scenes may name besides their own files, beside what the settings allow
+   * @param access folders and hosts that scenes may read from, in addition to those of the settings
    * @param settings folder of the user's settings
    * @throws IOException with one line if there is no display
    * @throws InterruptedException if the waiting thread is interrupted
@@ -45,7 +45,7 @@ public final class EnricherApp {
       return !GraphicsEnvironment.isHeadless()
           && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
     } catch (AWTError e) {
-      return false; // one is named that cannot be reached
+      return false; // DISPLAY names an X server that does not answer
     }
   }
 }

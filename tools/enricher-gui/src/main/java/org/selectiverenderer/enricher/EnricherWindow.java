@@ -28,7 +28,7 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
-/** The window with one document at a time. For the event dispatch thread. */
+/** The main window, with one open document at a time. For the event dispatch thread. */
 final class EnricherWindow {
   private static final String NAME = "Enricher";
 
@@ -52,14 +52,14 @@ final class EnricherWindow {
   private final SaveCommands saves;
   private final WindowMenus menus;
 
-  /** Later, when the step is in the history. */
+  /** Refreshes title and menus after the edit, when its step is in the undo history. */
   private final DocumentListener titles = change -> EventQueue.invokeLater(this::refresh);
 
   private @Nullable Workbench bench;
 
   /**
    * @param folder of the user's settings
-   * @param closed hears when the window is gone
+   * @param closed runs when the window is closed
    */
   public EnricherWindow(Path folder, Runnable closed) {
     this(folder, ContentAccess.none(), closed);
@@ -67,8 +67,8 @@ final class EnricherWindow {
 
   /**
    * @param folder of the user's settings
-   * @param access what scenes may name besides their own files, beside what the settings allow
-   * @param closed hears when the window is gone
+   * @param access folders and hosts that scenes may read from, in addition to those of the settings
+   * @param closed runs when the window is closed
    */
   public EnricherWindow(Path folder, ContentAccess access, Runnable closed) {
     this(WindowLook.remembered(folder, access), folder, closed);
@@ -133,12 +133,12 @@ final class EnricherWindow {
     return Optional.ofNullable(bench);
   }
 
-  /** Colours, letters and language. */
+  /** Theme, text size and language. */
   WindowLook look() {
     return look;
   }
 
-  /** What saves, and what asks before something is lost. */
+  /** The save commands, which also ask before unsaved work is lost. */
   SaveCommands saves() {
     return saves;
   }
@@ -153,28 +153,29 @@ final class EnricherWindow {
   }
 
   /**
-   * Begins the author's work: with a scene, and with the question what is to become of changes that
-   * a crash has left.
+   * Starts the author's work with a scene, after asking what to do with the unsaved changes of a
+   * crashed session.
    */
   public void begin(Optional<Path> scene) {
     scene.ifPresent(recent::add);
     opening.begin(scene);
   }
 
-  /** Opens a scene in place of the one that is open, which the author may save first. */
+  /** Opens a scene in place of the open one, which the author may save first. */
   public void open(Path path) {
     opening.open(path, () -> {});
   }
 
-  /** What opens scenes. */
+  /** The part that opens scenes. */
   DocumentOpening opening() {
     return opening;
   }
 
   /**
-   * Says at once what is going on, where there is nothing else to look at in its middle too.
+   * Shows what is being done in the status bar, and in the middle of the window while no scene is
+   * open.
    *
-   * @param work empty when nothing is
+   * @param work a sentence; empty when nothing is being done
    */
   private void announce(String work) {
     status.say(work);
@@ -205,7 +206,7 @@ final class EnricherWindow {
   }
 
   /**
-   * @param done whether what is unsaved is not wanted any more
+   * @param done whether the unsaved changes may be forgotten
    */
   private void letGo(boolean done) {
     if (bench != null) {
@@ -240,7 +241,10 @@ final class EnricherWindow {
     }
   }
 
-  /** A table is one of ratings, all else a scene. Later, when the drop has ended. */
+  /**
+   * Imports a dropped .csv file as ratings and opens any other file as a scene, after the drop has
+   * ended.
+   */
   private void dropped(Path file) {
     boolean table = file.toString().toLowerCase(Locale.ROOT).endsWith(".csv");
     EventQueue.invokeLater(
@@ -253,7 +257,7 @@ final class EnricherWindow {
         });
   }
 
-  /** Says in the status bar. */
+  /** Shows a message in the status bar. */
   void say(String sentence) {
     status.say(sentence);
   }
@@ -266,7 +270,7 @@ final class EnricherWindow {
     help.about(bench().flatMap(Workbench::drawnBy));
   }
 
-  /** Closes the window, if the author has no unsaved work or does not want it. */
+  /** Closes the window, unless the author wants to keep working on unsaved changes. */
   void close() {
     saves.leaving(
         () -> {
@@ -281,7 +285,9 @@ final class EnricherWindow {
         });
   }
 
-  /** Closes the window whatever is unsaved; that stays kept for the next start. */
+  /**
+   * Closes the window without asking; recovery copies of unsaved changes stay for the next start.
+   */
   void dispose() {
     letGo(false);
     runs.dispose();

@@ -16,8 +16,8 @@ import javax.swing.TransferHandler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Opens the first of the files that are dropped. What else a component can take and give, such as
- * text, it goes on taking and giving.
+ * Opens the first of the files dropped on a component. Everything else, such as text, goes to the
+ * transfer handler that the component had before.
  */
 final class FileDrop extends TransferHandler {
   private static final long serialVersionUID = 1L;
@@ -34,7 +34,10 @@ final class FileDrop extends TransferHandler {
     this.before = before;
   }
 
-  /** Lets all in a container take files that would else keep them from the window. */
+  /**
+   * Installs a file drop handler on every component in a container that has a transfer handler of
+   * its own, which would otherwise reject files.
+   */
   static void install(Container in, Consumer<Path> open) {
     for (Component each : in.getComponents()) {
       if (each instanceof JComponent component

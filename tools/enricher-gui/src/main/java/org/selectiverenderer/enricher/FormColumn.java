@@ -7,14 +7,14 @@ import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * How wide the form beside the views is: as the author left it, but narrow until the first node is
- * selected, so that what is looked at first has the room.
+ * Controls the divider between the views and the form: where the author left it, but with a narrow
+ * form until the first node is selected, so that the preview has the room.
  */
 final class FormColumn {
-  /** Pixels of a form that only says what can be done. */
+  /** Width in pixels of the form before a node is selected. */
   private static final int EMPTY = 190;
 
-  /** Pixels that the views have at least. */
+  /** Least width in pixels of the views. */
   private static final int VIEWS = 120;
 
   private final JSplitPane split;
@@ -23,7 +23,7 @@ final class FormColumn {
   private Optional<Integer> waiting = Optional.empty();
 
   /**
-   * @param split with the views at the left and the form at the right
+   * @param split the split pane with the views at the left and the form at the right
    */
   FormColumn(JSplitPane split, EnricherSession session) {
     this.split = split;
@@ -32,9 +32,9 @@ final class FormColumn {
   }
 
   /**
-   * Puts the border.
+   * Places the divider.
    *
-   * @param all pixels of both
+   * @param all pixels of views and form together
    * @param wanted pixels of the form
    */
   void layOut(int all, int wanted) {
@@ -51,7 +51,7 @@ final class FormColumn {
     split.setDividerLocation(Math.max(VIEWS, all - form));
   }
 
-  /** The form's first node; a border that the author has moved meanwhile stays. */
+  /** Widens the form for its first node, unless the author has moved the divider meanwhile. */
   private void selected(Optional<DocumentElement> element, Object origin) {
     if (element.isPresent()) {
       boolean moved = present() != EMPTY;
@@ -64,7 +64,7 @@ final class FormColumn {
     return split.getWidth() - split.getDividerLocation();
   }
 
-  /** The form's width, in pixels, for the next time. */
+  /** The form's width in pixels that the settings remember. */
   int width() {
     return waiting.filter(wanted -> present() == EMPTY).orElseGet(this::present);
   }

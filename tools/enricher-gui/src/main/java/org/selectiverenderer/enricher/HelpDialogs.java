@@ -14,7 +14,7 @@ import javax.swing.table.DefaultTableModel;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** What the Help menu opens: the list of all keys, and what the program is. */
+/** The dialogs of the Help menu: the list of keyboard shortcuts, and the About dialog. */
 final class HelpDialogs {
   private static final int ICON = 64;
 
@@ -24,7 +24,7 @@ final class HelpDialogs {
     this.frame = frame;
   }
 
-  /** All keys of the window as it is now. */
+  /** Shows all keyboard shortcuts of the window in its present state. */
   void keys() {
     JTable table = new JTable(keyTable());
     table.getAccessibleContext().setAccessibleName(Texts.of("about.keys"));
@@ -53,9 +53,9 @@ final class HelpDialogs {
   }
 
   /**
-   * What the program is.
+   * Shows the About dialog.
    *
-   * @param drawnBy what draws the preview; empty while that is not known
+   * @param drawnBy the OpenGL renderer of the preview; empty while it is not known
    */
   void about(Optional<String> drawnBy) {
     JTextArea text = new JTextArea(aboutText(drawnBy));
@@ -69,7 +69,7 @@ final class HelpDialogs {
         new ImageIcon(WindowIcon.image(ICON)));
   }
 
-  /** Lines that a report of a fault wants too. */
+  /** Returns version, Java, system and OpenGL renderer, as a bug report needs them. */
   static String aboutText(Optional<String> drawnBy) {
     String version =
         Optional.ofNullable(HelpDialogs.class.getPackage().getImplementationVersion())

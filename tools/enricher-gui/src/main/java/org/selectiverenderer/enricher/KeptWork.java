@@ -14,8 +14,8 @@ import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Offers the changes that sessions have left which ended unexpectedly, one after the other. They
- * are kept until the author decides. Without widgets.
+ * Offers to restore the unsaved changes of sessions that ended unexpectedly, one after the other.
+ * Their recovery copies are kept until the author decides. Has no widgets.
  */
 final class KeptWork {
   private static final String WHEN = "d MMMM uuuu, HH:mm";
@@ -25,7 +25,7 @@ final class KeptWork {
   private final Consumer<String> say;
 
   /**
-   * @param say shows a sentence
+   * @param say shows a message in the status bar
    */
   KeptWork(Recovery recovery, Questions questions, Consumer<String> say) {
     this.recovery = recovery;
@@ -34,10 +34,10 @@ final class KeptWork {
   }
 
   /**
-   * Asks about what is left, until the author restores one or wants to decide later.
+   * Asks about each recovery copy, until the author restores one or wants to decide later.
    *
-   * @param restore opens one in place of what is open
-   * @return the last answer; empty if there was nothing to ask about
+   * @param restore opens a recovery copy in place of the open document
+   * @return the last answer; empty if there are no recovery copies
    */
   Optional<Questions.Left> offer(Consumer<Recovery.Kept> restore) {
     Optional<Questions.Left> last = Optional.empty();

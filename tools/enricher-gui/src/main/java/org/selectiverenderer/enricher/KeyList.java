@@ -18,12 +18,12 @@ import javax.swing.KeyStroke;
 import javax.swing.MenuElement;
 
 /**
- * All keys of a window, asked of what they belong to: the commands of its menus and context menus,
- * and the actions of its parts that have a name.
+ * Collects the keyboard shortcuts of a window from their owners: the actions of its menus and
+ * context menus, and the named actions of its components.
  */
 final class KeyList {
   /**
-   * A key and what it does.
+   * A shortcut: its key, and what it does.
    *
    * @param part of the window where it works: a menu's title, or the accessible name of a component
    */
@@ -86,7 +86,7 @@ final class KeyList {
     return name == null ? "" : name;
   }
 
-  /** As menus write it: {@code Ctrl+Shift+Z}. */
+  /** The key as menus write it: {@code Ctrl+Shift+Z}. */
   static String text(KeyStroke key) {
     String modifiers = InputEvent.getModifiersExText(key.getModifiers());
     return (modifiers.isEmpty() ? "" : modifiers + "+") + KeyEvent.getKeyText(key.getKeyCode());

@@ -6,9 +6,9 @@ import java.util.Optional;
 import org.selectiverenderer.document.file.LineMerge;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
-/** What the author is asked. */
+/** The questions that the window asks the author; tests answer them without dialogs. */
 interface Questions {
-  /** What is to become of unsaved changes. */
+  /** What to do with unsaved changes before the document is closed. */
   enum Unsaved {
     SAVE,
     DISCARD,
@@ -17,75 +17,78 @@ interface Questions {
 
   Unsaved unsaved(String name);
 
-  /** What is to become of changes that an earlier session has left. */
+  /** What to do with the unsaved changes of a crashed session. */
   enum Left {
     RESTORE,
     DISCARD,
     LATER;
 
-    /** Whether nothing more is to be asked now. */
+    /** Whether this answer ends the questions for now. */
     boolean settles() {
       return this != DISCARD;
     }
   }
 
   /**
-   * @param sentence what is left, and what restoring does
+   * @param sentence which changes are left, and what restoring them does
    */
   Left left(String sentence);
 
   /**
-   * Whether to convert a scene that cannot be edited as it is.
+   * Asks whether to convert a scene that is not XML.
    *
-   * @param sentence what it is, and what would be made of it
+   * @param sentence the encoding of the scene, and the file that would be written
    */
   boolean convert(String sentence);
 
-  /** Whether to overwrite what another program has written. */
+  /** Asks whether to overwrite a file. */
   boolean overwrite(String sentence);
 
-  /** What is to become of a file that another program has changed. */
+  /** What to do about a file that another program has changed. */
   enum OnDisk {
-    /** The document stays as it is, and the file too, for now. */
+    /** Document and file both stay as they are for now. */
     KEEP,
     /** The document takes the place of the file. */
     OVERWRITE,
     /** The file takes the place of the document. */
     TAKE,
-    /** What both have changed is put together. */
+    /** The changes of both are merged. */
     MERGE
   }
 
   /**
-   * @param among what is possible, the one that changes nothing first
+   * @param among the possible answers, beginning with the one that changes nothing
    */
   OnDisk changedOnDisk(String sentence, List<OnDisk> among);
 
-  /** How conflicts between document and file are decided; empty if nothing is to be merged. */
+  /**
+   * Asks how each conflict between document and file is decided; empty if the author does not
+   * merge.
+   */
   Optional<List<LineMerge.Choice>> merge(LineMerge merge);
 
   /**
-   * Whether to save where the scene will miss files.
+   * Asks whether to save to a folder from which the scene does not find its files.
    *
-   * @param sentence which
+   * @param sentence which files will be missing
    */
   boolean leaveBehind(String sentence);
 
   /**
-   * Whether to save a text that is not well formed.
+   * Asks whether to save a text that is not well-formed XML.
    *
-   * @param sentence what is wrong, and what becomes of the last good copy
+   * @param sentence the fault, and where the last well-formed file stays
    */
   boolean saveFaulty(String sentence);
 
   Optional<Path> fileToOpen(Optional<Path> near);
 
-  /** The file to save to, as the author names it. */
+  /** The file to save to; empty if the author cancels. */
   Optional<Path> fileToSave(Path near);
 
-  /** Whether the changes are as the author wants them, having seen them. */
+  /** Shows the changes that saving will write and asks whether to save. */
   boolean review(EnricherSession session);
 
-  /** Says a sentence that must not be missed. */
+  /** Tells the author something in a dialog that has to be confirmed. */
   void tell(String sentence);
 }

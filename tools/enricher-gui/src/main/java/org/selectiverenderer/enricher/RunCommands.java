@@ -20,7 +20,10 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Running the open scene, and going to the files that it inlines and back. */
+/**
+ * The commands of the Run menu: runs the open scene, and opens the files that it inlines and goes
+ * back.
+ */
 final class RunCommands {
   private final Window owner;
   private final Supplier<Optional<Workbench>> bench;
@@ -32,9 +35,10 @@ final class RunCommands {
   private RunChoice choice = RunChoice.USUAL;
 
   /**
-   * @param bench of the open scene; empty for none
-   * @param open opens a scene in place of the one that is open, and tells when it is there
-   * @param say shows a sentence
+   * @param bench the views of the open scene; empty for none
+   * @param open opens a scene in place of the open one, and runs the second argument when it is
+   *     open
+   * @param say shows a message in the status bar
    */
   RunCommands(
       Window owner,
@@ -49,7 +53,7 @@ final class RunCommands {
     runs = new SceneRuns(messages::add, say);
   }
 
-  /** Runs the scene as the time before. */
+  /** Runs the scene with the options of the last run. */
   void run() {
     bench
         .get()
@@ -60,7 +64,7 @@ final class RunCommands {
             });
   }
 
-  /** Asks how, and runs the scene so. */
+  /** Asks for the options and runs the scene. */
   void runAs() {
     if (bench.get().isPresent()) {
       RunDialog.ask(owner, choice)
@@ -91,13 +95,13 @@ final class RunCommands {
                         }));
   }
 
-  /** The same for the context menu of a node. */
+  /** The command of a node's context menu that opens an inlined file. */
   NodeCommand openInlineOfNode() {
     return new NodeCommand(
         "openInline", Texts.of("run.inline"), InlineTarget::holds, element -> openInline());
   }
 
-  /** Opens it in an enricher of its own. */
+  /** Opens the file of the selected Inline in an enricher of its own. */
   void openInlineInWindow() {
     bench
         .get()
@@ -131,7 +135,7 @@ final class RunCommands {
     return Optional.ofNullable(way.peek());
   }
 
-  /** Opens it again. */
+  /** Opens the scene that the inlined file was opened from. */
   void back() {
     from().ifPresent(file -> open.accept(file, way::poll));
   }

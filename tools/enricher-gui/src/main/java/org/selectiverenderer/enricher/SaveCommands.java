@@ -8,8 +8,8 @@ import org.selectiverenderer.enricher.settings.RecentFiles;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Saves the document that is open, and asks before something of it is lost. For the event dispatch
- * thread.
+ * The save commands of the File menu, which also ask before unsaved changes are lost. For the event
+ * dispatch thread.
  */
 final class SaveCommands {
   private final Questions questions;
@@ -18,14 +18,14 @@ final class SaveCommands {
   private final Runnable refresh;
   private final RecentFiles recent;
 
-  /** What is open, and how it is saved. */
+  /** The open document and what saves it. */
   private record Open(Workbench bench, Saving saving) {}
 
   private @Nullable Open open;
 
   /**
    * @param reviews whether the author looks at the changes before they are saved
-   * @param refresh shows anew what the window says of its document
+   * @param refresh updates title and menus of the window
    */
   SaveCommands(
       Questions questions,
@@ -40,17 +40,20 @@ final class SaveCommands {
     this.recent = recent;
   }
 
-  /** A document is open. */
+  /** Starts with a document that has been opened. */
   void begin(Workbench bench) {
     open = new Open(bench, new Saving(bench.session(), questions));
   }
 
-  /** None is. */
+  /** Ends with the document, which has been closed. */
   void end() {
     open = null;
   }
 
-  /** Does something that ends the work on the document, once the author has saved or agreed. */
+  /**
+   * Runs an action that closes the document, once the author has saved it or agreed to lose the
+   * changes.
+   */
   void leaving(Runnable leave) {
     if (open == null) {
       leave.run();
@@ -113,7 +116,7 @@ final class SaveCommands {
     }
   }
 
-  /** Puts together what is open and what another program has made of its file. */
+  /** Merges the open document with its file, which another program may have changed. */
   void merge() {
     if (open != null) {
       open.bench().commit();
@@ -122,9 +125,9 @@ final class SaveCommands {
   }
 
   /**
-   * Looks whether another program has changed the file.
+   * Checks whether another program has changed the file.
    *
-   * @param reload opens it anew, if the author wants that
+   * @param reload opens the file again, if the author wants that
    */
   void lookAtDisk(Consumer<Path> reload) {
     if (open != null) {

@@ -26,8 +26,9 @@ import org.selectiverenderer.x3d.source.DocumentFault;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * Saves a document in the background, and sees that no work is lost. Without widgets; for the event
- * dispatch thread. What is asked for while a file is being written waits until it is.
+ * Saves a document in the background, and resolves conflicts with changes of the file by other
+ * programs so that no work is lost. Requests that come while a file is being written wait until it
+ * is. Has no widgets; for the event dispatch thread.
  */
 final class Saving {
   private final EnricherSession session;
@@ -45,7 +46,7 @@ final class Saving {
    * Saves to the document's file.
    *
    * @param review whether the author sees the changes first
-   * @param saved runs when the file has what the document had
+   * @param saved runs when the file has been written
    */
   void save(boolean review, Runnable saved) {
     if (writing) {
@@ -57,7 +58,10 @@ final class Saving {
     }
   }
 
-  /** Whether the text is well formed, or the author wants to save it all the same. */
+  /**
+   * Returns whether the text is well formed, or else whether the author wants to save it all the
+   * same.
+   */
   private boolean faultAccepted(Path target) {
     Optional<DocumentFault> fault = session.document().fault();
     boolean save =
@@ -74,7 +78,7 @@ final class Saving {
     return save;
   }
 
-  /** Saves to another file, which the author names; its ending is added where it lacks. */
+  /** Saves to another file, which the author names; its extension is added where it is missing. */
   void saveAs(Runnable saved) {
     if (writing) {
       waiting.add(() -> saveAs(saved));
@@ -96,7 +100,7 @@ final class Saving {
                     saved));
   }
 
-  /** Whether nothing is replaced that the author has not agreed to. */
+  /** Returns whether the file may be written: it is new, or the author agrees to overwrite it. */
   private boolean free(Path now, Path other) {
     return other.equals(now)
         || !Files.exists(other)
@@ -104,7 +108,10 @@ final class Saving {
         || questions.overwrite(Texts.of("keep.exists", other.toString()));
   }
 
-  /** Whether the scene finds its files from the other place, or the author accepts that not. */
+  /**
+   * Returns whether the scene finds its relative urls from the other folder, or else whether the
+   * author accepts that it does not.
+   */
   private boolean complete(Path now, Path other) {
     List<String> left = LeftBehind.in(session.document(), now.getParent(), other.getParent());
     if (left.isEmpty()) {
@@ -158,7 +165,7 @@ final class Saving {
       questions.tell(sentence);
       return;
     }
-    known = DiskState.CHANGED; // asked about now, and not again when the window has the focus
+    known = DiskState.CHANGED; // asked here, so not again when the window gets the focus
     List<OnDisk> possible = new ArrayList<>(List.of(OnDisk.KEEP, OnDisk.OVERWRITE));
     if (session.document().locked().isEmpty()) {
       possible.add(OnDisk.MERGE);
@@ -170,7 +177,7 @@ final class Saving {
     }
   }
 
-  /** Puts together what the document and another program have made of the file. */
+  /** Merges the document with its file, which another program may have changed. */
   void merge() {
     if (writing) {
       waiting.add(this::merge);
@@ -203,7 +210,10 @@ final class Saving {
         });
   }
 
-  /** Takes the file in place of the document, as one step where its form allows. */
+  /**
+   * Takes the text of the file in place of the document's: as one undo step where the document
+   * would then be saved as the same bytes, else by reloading.
+   */
   private void takeDisk(Runnable reload) {
     withDisk(
         copy -> {
@@ -223,7 +233,7 @@ final class Saving {
         });
   }
 
-  /** Whether it could be taken; else the author has been told why not. */
+  /** Makes the edit and returns whether it was made; else the author has been told why not. */
   private boolean take(DiskCopy copy, Edit edit) {
     boolean taken = session.attempt(() -> session.file().take(copy, edit));
     if (taken) {
@@ -244,9 +254,9 @@ final class Saving {
   }
 
   /**
-   * Sees to unsaved work before the document goes.
+   * Asks about unsaved changes before the document is closed.
    *
-   * @param leave runs when nothing is unsaved, or the author does not want it
+   * @param leave runs when nothing is unsaved, or the author discards the changes
    */
   void leaving(boolean review, Runnable leave) {
     if (writing) {
@@ -263,9 +273,10 @@ final class Saving {
   }
 
   /**
-   * Looks in the background whether the file has changed on the disk; asks once for each change.
+   * Checks in the background whether the file has changed on the disk, and asks once for each
+   * change what to do.
    *
-   * @param reload runs when the author wants the file as it is there now
+   * @param reload runs when the author wants the file as it is now
    */
   void lookAtDisk(Runnable reload) {
     if (!writing) {

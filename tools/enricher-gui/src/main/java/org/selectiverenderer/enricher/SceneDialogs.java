@@ -11,15 +11,15 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The dialogs that change the open scene. They see what is typed so far. */
+/** The dialogs that edit the open scene. What is being typed is committed before they open. */
 final class SceneDialogs {
   private final Window owner;
   private final Supplier<Optional<Workbench>> bench;
   private final Consumer<String> say;
 
   /**
-   * @param bench of the open scene; empty for none
-   * @param say shows a sentence
+   * @param bench the views of the open scene; empty for none
+   * @param say shows a message in the status bar
    */
   SceneDialogs(Window owner, Supplier<Optional<Workbench>> bench, Consumer<String> say) {
     this.owner = owner;
@@ -30,7 +30,7 @@ final class SceneDialogs {
   /**
    * Imports expectancy ratings.
    *
-   * @param table to begin with; empty for none
+   * @param table the CSV file to begin with; empty for none
    */
   void ratings(Optional<Path> table) {
     bench
@@ -44,7 +44,7 @@ final class SceneDialogs {
             });
   }
 
-  /** Makes versions of the object that the selection is or is part of. */
+  /** Opens the versions dialog for the object that the selection is or is part of. */
   void versions() {
     bench
         .get()
@@ -54,7 +54,7 @@ final class SceneDialogs {
         .ifPresentOrElse(this::versions, () -> say.accept(Texts.of("window.chooseobject")));
   }
 
-  /** Makes versions of an object. */
+  /** Opens the versions dialog for an object. */
   void versions(DocumentElement object) {
     Optional<Workbench> open = bench.get();
     open.ifPresent(Workbench::commit);
@@ -64,7 +64,10 @@ final class SceneDialogs {
     }
   }
 
-  /** The object that versions can be made of: the Switch around an element, or it itself. */
+  /**
+   * The object that versions can be made of: the nearest Switch around an element, else the element
+   * itself if it has a DEF name.
+   */
   static Optional<DocumentElement> object(DocumentElement element) {
     for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
       if (at.name().equals("Switch")) {

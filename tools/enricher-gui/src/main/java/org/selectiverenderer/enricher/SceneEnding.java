@@ -6,22 +6,22 @@ import java.util.Locale;
 import org.selectiverenderer.base.files.FileFinder;
 import org.selectiverenderer.base.files.FileTransaction;
 
-/** The endings by which programs know a scene's file. */
+/** The file extensions of scenes. */
 final class SceneEnding {
   private static final String PLAIN = ".x3d";
   private static final String PACKED = ".x3dz";
 
-  /** What a scene may be called besides, where somebody says that a file is one. */
+  /** Further extensions that are accepted where the author says that a file is a scene. */
   private static final List<String> OTHERS = List.of(".x3d.gz", ".xml", ".json", ".html");
 
   private SceneEnding() {}
 
   /**
-   * A file's name with the ending of a scene, where it has none of one: without it other programs,
-   * and the lists of files, would not take it for a scene.
+   * Returns a file with the extension of a scene added where it has none: without it other
+   * programs, and file dialogs, would not take it for a scene.
    *
-   * @param named by the author
-   * @param now the scene's file so far; a compressed one stays one
+   * @param named the file that the author names
+   * @param now the scene's present file; a compressed scene gets the extension of compressed ones
    */
   static Path added(Path named, Path now) {
     if (known(named) || named.toAbsolutePath().equals(now) || FileTransaction.sink(named)) {

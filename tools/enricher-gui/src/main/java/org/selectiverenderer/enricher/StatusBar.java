@@ -13,7 +13,10 @@ import org.selectiverenderer.enricher.task.Task;
 import org.selectiverenderer.enricher.task.Tasks;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The last line of the window: what was said last, and what takes longer, with cancel. */
+/**
+ * The status bar: the last message, the number of problems, and the progress of long tasks with a
+ * Cancel button.
+ */
 final class StatusBar {
   private static final int EVERY_MILLISECONDS = 150;
   private static final long PATIENCE_NANOSECONDS = 500_000_000L;

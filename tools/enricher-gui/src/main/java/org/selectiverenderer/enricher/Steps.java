@@ -8,12 +8,12 @@ import org.selectiverenderer.document.UndoHistory;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Takes steps back and makes them again. The files of a step that another program has changed
- * meanwhile are replaced only if the author agrees. Without widgets.
+ * Undoes and redoes steps. Files of a step that another program has changed meanwhile are replaced
+ * only if the author agrees. Has no widgets.
  */
 record Steps(UndoHistory history, Questions questions) {
   /**
-   * @param back whether to undo; else to redo
+   * @param back true to undo, false to redo
    * @return whether anything was done
    */
   boolean go(boolean back) {

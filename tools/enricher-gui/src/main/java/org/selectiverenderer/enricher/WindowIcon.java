@@ -15,8 +15,8 @@ import java.util.stream.IntStream;
 import javax.swing.JFrame;
 
 /**
- * The picture of the program: a ball of which one half has many polygons and the other few. It is
- * drawn, for every size that desktops ask for; packages of the program have it in files.
+ * The icon of the program: a ball of which one half has many polygons and the other few. It is
+ * drawn in every size that desktops ask for; installers have it as files.
  */
 public final class WindowIcon {
   private static final int[] SIZES = {16, 20, 24, 32, 40, 48, 64, 128, 256};
@@ -28,7 +28,9 @@ public final class WindowIcon {
 
   private WindowIcon() {}
 
-  /** Gives a window its icon, and the program in the task bar where the system has one. */
+  /**
+   * Sets the icon of a window, and that of the program in the task bar where the system has one.
+   */
   static void dress(JFrame frame) {
     List<Image> images = images();
     frame.setIconImages(images);
@@ -70,9 +72,9 @@ public final class WindowIcon {
   }
 
   /**
-   * Half of a ball about the middle.
+   * The outline of half a ball about the middle of the icon.
    *
-   * @param corners of its rim
+   * @param corners number of segments of its rim
    * @param side 1 for the right one, -1 for the left one
    */
   private static Path2D half(int corners, int side) {

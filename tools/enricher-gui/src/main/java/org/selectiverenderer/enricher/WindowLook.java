@@ -11,18 +11,20 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
- * How the window looks, as the user's settings have it. For the event dispatch thread.
+ * Applies theme, text size and language of the user's settings to the window. For the event
+ * dispatch thread.
  *
- * @param access what scenes may name besides their own files
- * @param complaint what is to be said of reading the settings; empty for nothing
+ * @param access folders and hosts that scenes may read from
+ * @param complaint why the settings could not be read; empty if they were
  */
 record WindowLook(EnricherSettings settings, ContentAccess access, String complaint) {
 
   /**
-   * Reads the settings and applies them: colours come before the first component is made.
+   * Reads the settings and applies them, as the theme must be set before the first component is
+   * made.
    *
    * @param folder of the user's settings
-   * @param given what scenes may name beside what the settings allow
+   * @param given folders and hosts that scenes may read from, in addition to those of the settings
    */
   static WindowLook remembered(Path folder, ContentAccess given) {
     EnricherSettings settings = new EnricherSettings(folder);
@@ -50,10 +52,10 @@ record WindowLook(EnricherSettings settings, ContentAccess access, String compla
   }
 
   /**
-   * Makes all letters larger or smaller.
+   * Makes all text larger or smaller.
    *
-   * @param steps above 0 for larger, below for smaller, 0 for as the system has them
-   * @return what is to be said of it
+   * @param steps above 0 for larger, below 0 for smaller, 0 for the system's size
+   * @return a message for the status bar
    */
   String zoom(int steps) {
     FontZoom zoom = new FontZoom(settings);
@@ -64,7 +66,7 @@ record WindowLook(EnricherSettings settings, ContentAccess access, String compla
   /**
    * Remembers the language for the next start.
    *
-   * @return what is to be said of it
+   * @return a message for the status bar
    */
   String use(Language language) {
     language.choose(settings);

@@ -27,7 +27,7 @@ import org.selectiverenderer.enricher.text.MenuTitle;
 import org.selectiverenderer.enricher.text.StepNames;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The menus: all that can be done, with its keys. */
+/** The menu bar of the window, with the accelerator of each command. */
 final class WindowMenus {
   private final EnricherWindow window;
   private final SceneDialogs dialogs;
@@ -102,7 +102,7 @@ final class WindowMenus {
     return menu;
   }
 
-  /** What can be done in the source, which comes into view then. */
+  /** Adds the commands of the source view, which bring it into view. */
   private void source(JMenu menu) {
     menu.addSeparator();
     menu.add(sourceCommand("menuFind", "ctrl F", source -> source.find(false)));
@@ -138,7 +138,7 @@ final class WindowMenus {
     return menu;
   }
 
-  /** Areas, Switches, and what is done with any node. */
+  /** Adds the commands for areas, Switches and any selected node. */
   private void areas(JMenu menu) {
     menu.addSeparator();
     menu.add(area("add", "ctrl shift A", AreaCommands::addAroundSelection));
@@ -214,12 +214,12 @@ final class WindowMenus {
     return menu;
   }
 
-  /** A command whose name and letter are in the bundles. */
+  /** Creates an action whose text and mnemonic are in the resource bundles. */
   private static Command command(String text, String key, Runnable work) {
     return new Command(Texts.of(text), key, work);
   }
 
-  /** Keys that mean the same as those that the menus show, on other keyboards. */
+  /** Registers alternative zoom keys for keyboards where plus and minus are elsewhere. */
   void moreKeys(JRootPane root) {
     Map<String, Integer> steps =
         Map.of("ctrl EQUALS", 1, "ctrl shift EQUALS", 1, "ctrl ADD", 1, "ctrl SUBTRACT", -1);
@@ -281,12 +281,15 @@ final class WindowMenus {
     return bar;
   }
 
-  /** Whether the author wants to see the changes before they are saved. */
+  /** Whether changes are shown before they are saved. */
   boolean reviews() {
     return review.isSelected();
   }
 
-  /** Shows what can be done now, and the names of what would be undone and redone. */
+  /**
+   * Enables the commands that are possible now, and names the steps that Undo and Redo would act
+   * on.
+   */
   void refresh() {
     boolean open = window.session().isPresent();
     Optional<UndoHistory> history = window.session().map(session -> session.document().history());

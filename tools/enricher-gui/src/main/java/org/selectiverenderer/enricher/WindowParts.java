@@ -11,10 +11,11 @@ import javax.swing.JTree;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.SwingUtilities;
 
-/** The parts of a window that one key goes through. */
+/** Moves the keyboard focus from pane to pane of a window (F6). */
 record WindowParts(List<Container> parts) {
   /**
-   * Puts the focus into the part behind the one that has it; one with nothing to do is left out.
+   * Puts the focus into the pane after the one that has it; a pane without focusable components is
+   * skipped.
    */
   void next() {
     Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
@@ -32,14 +33,14 @@ record WindowParts(List<Container> parts) {
         .ifPresent(Component::requestFocusInWindow);
   }
 
-  /** The tree, the table or the text that a part is about. */
+  /** The main component of a pane: its tree, table or text area. */
   private static Stream<Component> main(Container part) {
     return controls(part)
         .filter(
             each -> each instanceof JTree || each instanceof JTable || each instanceof JTextArea);
   }
 
-  /** All that the Tab key stops at, in the order of the layout. */
+  /** All focusable components of a pane, in the order of its layout. */
   private static Stream<Component> controls(Container part) {
     Stops stops = new Stops();
     return Stream.of(part.getComponents())

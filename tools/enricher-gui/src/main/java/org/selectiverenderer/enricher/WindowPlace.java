@@ -8,12 +8,12 @@ import java.awt.Rectangle;
 import javax.swing.JFrame;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 
-/** Where a window stands on the desktop, remembered from one start to the next. */
+/** Stores the bounds of the window in the settings and restores them at the next start. */
 final class WindowPlace {
   private static final int WIDTH = 1280;
   private static final int HEIGHT = 860;
 
-  /** So much of the window must be on a screen that one can get hold of it, in pixels. */
+  /** Pixels of the title bar that must be on a screen so that the window can be dragged. */
   private static final int HOLD = 80;
 
   private final EnricherSettings settings;
@@ -22,7 +22,7 @@ final class WindowPlace {
     this.settings = settings;
   }
 
-  /** Puts the window where it was; into the middle if no screen is there any more. */
+  /** Restores the bounds; centres the window if they are on no screen any more. */
   void restore(JFrame frame) {
     Rectangle screen = frame.getGraphicsConfiguration().getBounds();
     int width = settings.number("window.width", Math.min(WIDTH, screen.width));
@@ -33,8 +33,8 @@ final class WindowPlace {
             settings.number("window.y", Integer.MIN_VALUE),
             width,
             HOLD);
-    // Size and place at once: of a window that the system knows already, an earlier size may come
-    // back in between, and its middle would be taken for the window's.
+    // Size and location at once: for a window that the system knows already, an earlier size may
+    // come back in between, and the window would be centred by it.
     if (shown(before)) {
       frame.setBounds(before.x, before.y, width, height);
     } else {
@@ -58,7 +58,7 @@ final class WindowPlace {
     return false;
   }
 
-  /** Remembers where the window is. A maximized one keeps the size that it had before. */
+  /** Stores the bounds; of a maximized window those that it had before. */
   void remember(JFrame frame) {
     boolean maximized = (frame.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
     settings.put("window.maximized", maximized);

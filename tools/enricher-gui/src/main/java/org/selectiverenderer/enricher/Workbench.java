@@ -45,7 +45,7 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** All views of one session, laid out as the author left them. */
+/** All views of one open document, laid out as the author left them. */
 final class Workbench {
   private static final Set<String> FORMS = Set.of("Switch", "ProximitySensor");
 
@@ -74,8 +74,8 @@ final class Workbench {
   private final List<Runnable> disposals = new ArrayList<>();
 
   /**
-   * @param counts hears how many problems there are
-   * @param makeVersions of an element with a name
+   * @param counts called with the number of problems whenever it changes
+   * @param makeVersions opens the versions dialog for an element with a DEF name
    */
   Workbench(
       EnricherSession session,
@@ -144,13 +144,13 @@ final class Workbench {
     }
   }
 
-  /** A tab with the name that the settings know it by, whatever the language. */
+  /** Adds a tab with the name that the settings remember it by in every language. */
   private void addTab(String name, String title, JComponent view) {
     views.add(name);
     tabs.addTab(title, view);
   }
 
-  /** Files of versions may name what the scene may that they are versions for. */
+  /** Returns the content access of version files: that of the scene that they belong to. */
   private static ContentAccess asScene(EnricherSession session) {
     Path folder = session.file().path().toAbsolutePath().resolveSibling("");
     List<Path> folders = new ArrayList<>(session.access().folders());
@@ -189,7 +189,10 @@ final class Workbench {
     source.onMenu(menu::fill);
   }
 
-  /** What can be done with the selected node, in all views; other parts add theirs. */
+  /**
+   * The context menu of the selected node in all views; other parts of the window add commands to
+   * it.
+   */
   NodeMenu menu() {
     return menu;
   }
@@ -217,7 +220,7 @@ final class Workbench {
     for (String key : List.of("F6", "F8")) {
       split
           .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
-          .put(KeyStroke.getKeyStroke(key), "none"); // the window's
+          .put(KeyStroke.getKeyStroke(key), "none"); // left to the window's menus
     }
     split.setName(name);
     split.getAccessibleContext().setAccessibleName(Texts.of("window.border." + name));
@@ -232,7 +235,7 @@ final class Workbench {
     return session;
   }
 
-  /** Puts the borders where the author left them; when the window has its size. */
+  /** Places the dividers where the author left them, once the window has its size. */
   void layOut(int width, int height) {
     left.setDividerLocation(settings.number("split.tree", Math.min(230, width / 4)));
     int rest = width - left.getDividerLocation() - left.getDividerSize();
@@ -242,7 +245,7 @@ final class Workbench {
         Math.max(120, height - settings.number("split.problems", Math.min(130, height / 4))));
   }
 
-  /** Remembers where the borders are, and which view is in front. */
+  /** Stores the divider locations and the selected tab in the settings. */
   void remember() {
     settings.put("tab", views.get(tabs.getSelectedIndex()));
     settings.put("split.tree", left.getDividerLocation());
@@ -251,24 +254,27 @@ final class Workbench {
     settings.put("split.problems", all.getHeight() - all.getDividerLocation());
   }
 
-  /** Takes over what is typed somewhere and not yet in the document. */
+  /** Commits what is being typed in source or form to the document. */
   void commit() {
     source.endStep();
     form.commit();
   }
 
-  /** Shows what the validator's rule is about; without one, the help. */
+  /** Shows the explanation of a validator rule in the help; without a rule, the help itself. */
   private void explain(Optional<String> rule) {
     rule.flatMap(RuleCatalogue.standard()::find).ifPresent(help::explain);
     showHelp();
   }
 
-  /** Hears which file the author wants to see because of a problem in it. */
+  /** Sets what opens another file in which a problem is. */
   void onElsewhere(Consumer<Location> open) {
     problems.onElsewhere(open);
   }
 
-  /** Puts the caret there; what no form shows, the source does. */
+  /**
+   * Puts the caret of the source at an offset, and shows the source if the selected node has no
+   * form.
+   */
   private void revealInSource(int offset) {
     session.selection().ifPresent(tree::reveal);
     source.reveal(offset);
@@ -279,23 +285,23 @@ final class Workbench {
     }
   }
 
-  /** What makes areas and Switches, and copies, names and deletes nodes. */
+  /** The commands for areas, Switches and nodes. */
   AreaCommands areas() {
     return areas;
   }
 
-  /** Version files may be others now, though the document's text is the same. */
+  /** Reads the version files again, which may have changed although the document has not. */
   void lookAtFilesAgain() {
     preview.reload();
     cost.lookAtFilesAgain();
   }
 
-  /** Where the preview is; empty while there is none. */
+  /** The viewer's pose in the preview; empty while there is none. */
   Optional<Pose> here() {
     return preview.pose();
   }
 
-  /** Puts the focus where the author begins: at the fault, else at the nodes. */
+  /** Puts the focus on the source if it is not well formed, else on the tree. */
   void focus() {
     boolean broken = session.document().fault().isPresent();
     (broken ? source.area() : tree.tree()).requestFocusInWindow();
@@ -312,7 +318,7 @@ final class Workbench {
     new MetadataClipboard(session).copy(session.selection().stream().toList());
   }
 
-  /** Gives it to the selected one. */
+  /** Pastes copied metadata to the selected object or area. */
   void pasteMetadata() {
     commit();
     new MetadataClipboard(session).paste(session.selection().stream().toList());
@@ -336,7 +342,7 @@ final class Workbench {
     }
   }
 
-  /** Does something in the source, which comes into view. */
+  /** Brings the source into view and does something with it. */
   void inSource(Consumer<SourcePanel> work) {
     if (tabs.getSelectedComponent() != source.component()) {
       tabs.setSelectedComponent(source.component());
@@ -349,14 +355,14 @@ final class Workbench {
     showTab(tabs.getTabCount() - 1);
   }
 
-  /** Goes to the next part of the window: tree, view, form, problems. */
+  /** Moves the focus to the next pane: tree, view, form, problems. */
   void nextPart() {
     new WindowParts(
             List.of(tree.component(), (Container) tabs.getSelectedComponent(), form, problems))
         .next();
   }
 
-  /** What draws the preview; empty while that is not known. */
+  /** The OpenGL renderer of the preview; empty while it is not known. */
   Optional<String> drawnBy() {
     return preview.drawnBy();
   }

@@ -8,8 +8,8 @@ import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.schema.ConsistencyType;
 
 /**
- * How likely people found it that an object is in a room, and in the part of it where it stands
- * (thesis Appendix B).
+ * Expectancy ratings: how likely people rated an object to be in a room, and in the part of the
+ * room where it stands (thesis Appendix B).
  */
 public final class Expectancies {
   private final Map<String, Ratings> byObject = new HashMap<>();
@@ -17,12 +17,15 @@ public final class Expectancies {
   /**
    * Mean ratings, 1 unlikely to 6 likely.
    *
-   * @param mainSchema of the room
-   * @param subSchema of the part of the room where the object stands
+   * @param mainSchema schema of the room
+   * @param subSchema schema of the part of the room where the object stands
    */
   public record Ratings(String mainSchema, double main, String subSchema, double sub) {
 
-    /** Whether the object turns inconsistent in the part of the room: the thesis's "revolves". */
+    /**
+     * Returns whether the object is consistent with the room and inconsistent with the part of it:
+     * the thesis's "revolves".
+     */
     public boolean revolves() {
       return Band.of(main).consistency() == ConsistencyType.CONSISTENT
           && Band.of(sub).consistency() == ConsistencyType.INCONSISTENT;
@@ -45,7 +48,10 @@ public final class Expectancies {
     return expectancies;
   }
 
-  /** Empty for objects that stand in no rated part of a room, or were not asked for there. */
+  /**
+   * Returns the ratings of an object; empty if it stands in no rated part of a room, or was not
+   * rated there.
+   */
   public Optional<Ratings> of(String object) {
     return Optional.ofNullable(byObject.get(object));
   }

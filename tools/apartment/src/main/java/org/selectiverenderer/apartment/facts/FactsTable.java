@@ -7,7 +7,7 @@ import java.util.List;
 import org.selectiverenderer.base.csv.CsvRow;
 import org.selectiverenderer.base.csv.CsvTable;
 
-/** Reads the CSV files that come with the program. */
+/** Reads the CSV files that are resources of the program. */
 final class FactsTable {
 
   private FactsTable() {}

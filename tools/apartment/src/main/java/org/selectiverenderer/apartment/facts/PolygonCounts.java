@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.selectiverenderer.base.csv.CsvRow;
 
-/** The objects with two versions and their polygons, thesis Figs 67, 69 and 71. */
+/** The polygon counts of the objects with two versions (thesis Figs 67, 69 and 71). */
 public final class PolygonCounts {
   private final Map<String, Counts> byObject = new LinkedHashMap<>();
 
@@ -34,12 +34,12 @@ public final class PolygonCounts {
     return counts;
   }
 
-  /** Empty for objects with one version. */
+  /** Returns the counts of an object; empty if it has one version. */
   public Optional<Counts> of(String object) {
     return Optional.ofNullable(byObject.get(object));
   }
 
-  /** All, in the order of the tables. */
+  /** Returns the counts of all objects, in the order of the tables. */
   public Map<String, Counts> all() {
     return Collections.unmodifiableMap(byObject);
   }

@@ -8,35 +8,38 @@ import org.selectiverenderer.modelling.Rounds;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
-/** What makes a hole in the wall a door; in the wall's frame until placed. */
+/**
+ * The parts of a door in a wall opening: trim, leaf and handle, in the wall's coordinates until
+ * placed.
+ */
 record DoorParts(Room room, Opening opening) {
   /** Width of the trim, inwards from the opening's edge. */
   private static final double TRIM = 0.07;
 
   private static final double LEAF = 0.04;
 
-  /** Trim round the opening, with its edge taken off. */
+  /** Returns the trim around the opening, with a chamfered edge. */
   TriangleMesh trim() {
     Outline section = Outline.of(0, 0, TRIM, 0, TRIM, 0.012, TRIM - 0.008, 0.02, 0, 0.02);
     double l = opening.left();
     double r = opening.right();
     double t = opening.top();
     Spine around = Spine.of(l, 0, 0, l, t, 0, r, t, 0, r, 0, 0);
-    // Sections start with y towards -z on a spine that goes up, hence the mirrored y.
+    // On a spine that goes up, sections start with y towards -z, hence the mirrored y.
     return placed(Sweep.of(section.scale(-1, -1), around));
   }
 
-  /** A panelled leaf in the opening, shut. */
+  /** Returns a panelled leaf, shut. */
   TriangleMesh shutLeaf() {
     return placed(leaf().move(opening.left() + 0.01, 0, -LEAF - 0.02));
   }
 
-  /** The handle of a shut leaf. */
+  /** Returns the handle of a shut leaf. */
   TriangleMesh shutHandle() {
     return placed(handle().move(opening.left() + 0.01, 0, -0.02));
   }
 
-  /** The leaf turned into the room about its hinges at the left or right end. */
+  /** Returns the leaf opened into the room about its hinges at the left or right end. */
   TriangleMesh openLeaf(boolean hingesLeft, double degrees) {
     return opened(leaf().move(0.01, 0, -LEAF), hingesLeft, degrees);
   }
@@ -55,7 +58,10 @@ record DoorParts(Room room, Opening opening) {
     return placed(turned);
   }
 
-  /** From x = 0 to the right, its front at z = LEAF; three panels stand out at front and back. */
+  /**
+   * Returns the leaf from x = 0 to the right with its front at z = LEAF; three panels stand out at
+   * front and back.
+   */
   private TriangleMesh leaf() {
     double width = opening.width() - 0.02;
     double height = opening.height() - 0.02;
@@ -70,7 +76,7 @@ record DoorParts(Room room, Opening opening) {
     return Boxes.bevelled(width, height, LEAF + 0.012, 0.012, 1);
   }
 
-  /** A lever on a round plate, at z = 0 outwards, at the end far from the hinges. */
+  /** Returns a lever on a round plate, from z = 0 outwards, at the end far from the hinges. */
   private TriangleMesh handle() {
     double x = opening.width() - 0.09;
     TriangleMesh plate = Rounds.cylinder(0.025, 0.03, 8).turnX(90);

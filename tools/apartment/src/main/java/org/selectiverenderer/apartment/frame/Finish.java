@@ -8,9 +8,12 @@ import org.selectiverenderer.modelling.Cladding;
 import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
 
-/** The materials of the rooms. */
+/** The finishes of the rooms: materials of walls, floors and fittings. */
 final class Finish {
-  /** Material of what shows its picture alone, in browsers that tint pictures as well. */
+  /**
+   * Colour of materials that show their texture alone, also in browsers that multiply textures by
+   * the colour.
+   */
   private static final ModelColour WHITE = ModelColour.grey(1);
 
   private static final Cladding PLASTER =
@@ -29,7 +32,9 @@ final class Finish {
 
   private Finish() {}
 
-  /** Painted plaster; its picture darkens the paint, which is so much lighter. */
+  /**
+   * Returns painted plaster; the paint is lighter by the factor by which the texture darkens it.
+   */
   static Look wall(double red, double green, double blue) {
     return Look.matt(ModelColour.of(paint(red), paint(green), paint(blue))).clad(PLASTER);
   }
@@ -38,7 +43,7 @@ final class Finish {
     return Rounded.to(3, Srgb.display(Srgb.light(seen) / Pictures.PLASTER_LIGHT));
   }
 
-  /** Parquet that runs east and west, from the room's north-west corner. */
+  /** Returns parquet that runs east and west, from the room's north-west corner. */
   static Look parquet(Room room) {
     double size = Pictures.PARQUET_SIZE;
     return Look.satin(WHITE)
@@ -46,9 +51,9 @@ final class Finish {
   }
 
   /**
-   * Floor tiles, from the room's north-west corner.
+   * Returns floor tiles, from the room's north-west corner.
    *
-   * @param width of a tile, metres
+   * @param width width of a tile, metres
    */
   static Look tiles(Room room, double width, double depth) {
     int each = Pictures.TILES_A_SIDE;

@@ -11,19 +11,19 @@ import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.Prism;
 import org.selectiverenderer.modelling.Rounds;
 
-/** Small things that belong to a room. */
+/** Fixtures of a room: light switches, radiators, lamps. */
 final class Fittings {
 
   private Fittings() {}
 
-  /** A light switch with its rocker tilted, 1.1 m above the floor. */
+  /** Returns a light switch with its rocker tilted, 1.1 m above the floor. */
   static TriangleMesh lightSwitch(Room room, Side side, double along) {
     TriangleMesh plate = Boxes.plain(0.085, 0.085, 0.01).move(0, -0.0425, 0.005);
     TriangleMesh rocker = Boxes.plain(0.05, 0.055, 0.01).turnX(5).move(0, -0.0275, 0.01);
     return side.place(room, plate.append(rocker).move(side.across(along), 1.1, 0));
   }
 
-  /** A radiator of columns under a window. */
+  /** Returns a column radiator under a window. */
   static TriangleMesh radiator(Room room, Side side, double along, int columns) {
     double step = 0.06;
     TriangleMesh column = Boxes.plain(0.05, 0.55, 0.09);
@@ -37,14 +37,14 @@ final class Fittings {
     return side.place(room, whole.move(side.across(along), 0.12, 0.08));
   }
 
-  /** The cord and the canopy of a hanging lamp, from the ceiling down. */
+  /** Returns the cord and the canopy of a pendant lamp, from the ceiling down. */
   static TriangleMesh cord(double x, double z, double length) {
     TriangleMesh canopy = Rounds.cone(0.012, 0.055, 0.05, 16).move(0, Room.HEIGHT - 0.05, 0);
     TriangleMesh cord = Rounds.cylinder(0.005, length, 6).move(0, Room.HEIGHT - length, 0);
     return canopy.append(cord).move(x, 0, z);
   }
 
-  /** A wide shade, open below; its upper end touches the cord's end. */
+  /** Returns a wide lamp shade, open below; its upper end touches the cord's end. */
   static TriangleMesh shade(double x, double z, double length, int segments) {
     Curve outside =
         Curve.from(0.2, -0.17).bezier(0.19, -0.08, 0.1, -0.045, 0.028, -0.035, 5).line(0.025, 0);
@@ -59,14 +59,14 @@ final class Fittings {
     return Lathe.solid(pear, 10).move(x, Room.HEIGHT - length, z);
   }
 
-  /** The rim of a flat ceiling lamp. */
+  /** Returns the rim of a flat ceiling lamp. */
   static TriangleMesh panelRim(double x, double z) {
     Outline outer = Outline.rectangle(1.24, 0.34);
     Outline inner = Outline.rectangle(1.18, 0.28);
     return Prism.plain(0.06, outer, inner).turnX(90).move(x, Room.HEIGHT, z);
   }
 
-  /** The bright plate of a flat ceiling lamp. */
+  /** Returns the luminous plate of a flat ceiling lamp. */
   static TriangleMesh panelLight(double x, double z) {
     return Boxes.plain(1.19, 0.04, 0.29).move(x, Room.HEIGHT - 0.045, z);
   }

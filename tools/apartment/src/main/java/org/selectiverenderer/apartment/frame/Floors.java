@@ -4,26 +4,26 @@ import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Sheet;
 
-/** Floors and ceilings: flat rectangles. */
+/** Builds floors and ceilings as flat rectangles. */
 final class Floors {
-  /** How far the floor goes on under the walls, to their middles. */
+  /** Distance that the floor extends under the walls, to their middles, metres. */
   private static final double UNDER = 0.06;
 
-  /** So far that no crack shows. */
+  /** Overlap with the walls so that no crack shows, metres. */
   private static final double TOUCH = 0.002;
 
   private Floors() {}
 
-  /** The floor, two triangles: boards and tiles are a picture. */
+  /** Returns the floor, two triangles; boards and tiles are a texture. */
   static TriangleMesh floor(Room room) {
     return rectangle(room.west() - UNDER, Room.NORTH, room.east() + UNDER, Room.SOUTH);
   }
 
   /**
-   * The ceiling, which faces down.
+   * Returns the ceiling, which faces down.
    *
-   * @param bare whether it just touches the walls: what reaches into them is never seen, and takes
-   *     facets from where light is
+   * @param bare whether it ends at the walls: the part inside of them is never visible and would
+   *     take facets of the radiosity mesh
    */
   static TriangleMesh ceiling(Room room, boolean bare) {
     double over = bare ? TOUCH : UNDER;

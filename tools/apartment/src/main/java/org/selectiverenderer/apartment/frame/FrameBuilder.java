@@ -11,7 +11,7 @@ import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
-/** Collects what a room's frame is made of; things of one name become one part. */
+/** Builds the frame model of a room; meshes added under one name become one part. */
 final class FrameBuilder {
   private final Room room;
   private final List<Opening> openings;
@@ -71,7 +71,9 @@ final class FrameBuilder {
     add("bulbs", Finish.LIGHT, Fittings.bulb(x, z, length));
   }
 
-  /** All parts; glass last, since it is drawn over what lies behind it. */
+  /**
+   * Returns the model of all parts; glass comes last, since it is blended over what lies behind it.
+   */
   ParametricModel model(String name) {
     for (Opening opening : openings) {
       if (!opening.isDoor()) {

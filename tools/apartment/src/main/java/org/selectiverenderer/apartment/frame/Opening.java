@@ -3,10 +3,10 @@ package org.selectiverenderer.apartment.frame;
 import org.selectiverenderer.apartment.plan.Side;
 
 /**
- * A hole in a wall; a door's reaches the floor.
+ * An opening in a wall for a window or a door; a door's opening reaches the floor.
  *
- * @param middle the world's x or z of its middle
- * @param sill height of its lower end above the floor, metres; 0 for a door
+ * @param middle x or z of its middle in world coordinates, metres
+ * @param sill height of its lower edge above the floor, metres; 0 for a door
  */
 record Opening(Side side, double middle, double width, double sill, double height) {
 
@@ -18,7 +18,7 @@ record Opening(Side side, double middle, double width, double sill, double heigh
     return sill == 0;
   }
 
-  /** Its left end as one looks at the wall, in the wall's frame. */
+  /** Returns its left edge for a viewer who faces the wall, in the wall's coordinates. */
   double left() {
     return side.across(middle) - width / 2;
   }

@@ -10,8 +10,9 @@ import org.selectiverenderer.modelling.ModelColour;
 import org.selectiverenderer.modelling.ParametricModel;
 
 /**
- * The rooms' own models. Doors lead from the lounge to the kitchen in its north, outside the sofa's
- * area, and from the kitchen to the office in its south, outside the areas of desk and bookcase.
+ * Builds the frame models of the rooms. A door in the north leads from the lounge to the kitchen,
+ * outside the sofa's area, and a door in the south from the kitchen to the office, outside the
+ * areas of desk and bookcase.
  */
 public final class RoomModels {
   private static final Opening LOUNGE_TO_KITCHEN = Opening.door(Side.EAST, -2.72);
@@ -22,14 +23,14 @@ public final class RoomModels {
 
   private RoomModels() {}
 
-  /** The frame of a room, named {@code kitchenFrame} and so on. */
+  /** Returns the frame of a room, named {@code kitchenFrame} and so on. */
   public static ParametricModel of(Room room) {
     return of(room, false);
   }
 
   /**
-   * The frame with walls of rectangles, which radiosity divides evenly, so that the polygons that
-   * the room has left are for the light on its surfaces.
+   * Returns the frame with walls of plain rectangles, which radiosity subdivides evenly, so that
+   * the rest of the room's polygons is used for the light on its surfaces.
    */
   public static ParametricModel bare(Room room) {
     return of(room, true);

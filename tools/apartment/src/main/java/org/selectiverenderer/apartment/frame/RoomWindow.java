@@ -8,11 +8,11 @@ import org.selectiverenderer.modelling.Sheet;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
-/** What makes a hole in the wall a window with two wings. */
+/** The parts of a window with two casements in a wall opening. */
 record RoomWindow(Room room, Opening opening) {
   private static final double BAR = 0.05;
 
-  /** Frame, middle bar, a wing's frame on each side, and the sill. */
+  /** Returns the frame, the mullion, a casement's frame on each side, and the sill. */
   TriangleMesh frame() {
     double wing = opening.width() / 2 - BAR;
     TriangleMesh outer = bars(opening.width(), opening.height(), 0.07);
@@ -22,7 +22,7 @@ record RoomWindow(Room room, Opening opening) {
     return placed(TriangleMesh.of(outer, left, left.mirrorX(), sill));
   }
 
-  /** A catch on the middle bar. */
+  /** Returns a catch on the mullion. */
   TriangleMesh handle() {
     TriangleMesh lever = Boxes.plain(0.018, 0.12, 0.02).move(0, -0.1, 0.085);
     TriangleMesh plate = Boxes.plain(0.03, 0.07, 0.03).move(0, -0.04, 0.06);
@@ -40,7 +40,10 @@ record RoomWindow(Room room, Opening opening) {
     return Sweep.of(section, Spine.of(Outline.rectangle(width - BAR, height - BAR)));
   }
 
-  /** From the middle of the opening, halfway into the wall, to the room. */
+  /**
+   * Moves a mesh from coordinates about the middle of the opening, halfway into the wall, to the
+   * room's coordinates.
+   */
   private TriangleMesh placed(TriangleMesh mesh) {
     double x = (opening.left() + opening.right()) / 2;
     double y = opening.sill() + opening.height() / 2;

@@ -7,15 +7,15 @@ import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * A dark place with a soft edge on the floor, for a thing whose footprint reaches from -1 to 1 in x
- * and z. X3D's lights cast no shadows; the thesis had radiosity's in the meshes of its floors
- * (5.2.1).
+ * A blob shadow: a dark spot with a soft edge on the floor, for an object whose footprint reaches
+ * from -1 to 1 in x and z. X3D's lights cast no shadows; the thesis had those of radiosity in the
+ * meshes of its floors (5.2.1).
  */
 public final class SoftShadow {
   /** The file's name in {@code inlineNodes/}. */
   public static final String FILE = "softShadow.x3d";
 
-  /** How far above the floor it lies, metres: near enough to look painted on. */
+  /** Height above the floor, metres: small enough to look painted on. */
   public static final double LIFT = 0.002;
 
   private static final int PER_CORNER = 2;
@@ -23,13 +23,16 @@ public final class SoftShadow {
 
   private SoftShadow() {}
 
-  /** Triangles of the file: what is inside the innermost ring, and the bands around it. */
+  /**
+   * Returns the number of triangles of the file: those inside the innermost ring, and the bands
+   * around it.
+   */
   public static int polygons() {
     int points = 4 * PER_CORNER;
     return points - 2 + 2 * points * (RINGS.length - 1);
   }
 
-  /** The file's text. */
+  /** Returns the file's text. */
   public static String text() {
     List<String> points = new ArrayList<>();
     List<String> colours = new ArrayList<>();

@@ -8,25 +8,35 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Sheet;
 
 /**
- * A wall of rectangles between the lines on which its openings begin and end, so that none has a
- * corner on another's edge: what radiosity divides then has no slivers that show as fans of light.
- * In the wall's frame: x to the right, y up, z out of the wall.
+ * A wall meshed as a grid of rectangles between the lines on which its openings begin and end, so
+ * that no rectangle has a corner on another's edge: radiosity can subdivide it without slivers,
+ * which would show as fans of light. In the wall's coordinates: x to the right, y up, z out of the
+ * wall.
  *
- * @param left where the front begins, metres; {@code right} is where it ends
+ * @param left x at which the front begins, metres; {@code right} is where it ends
  * @param openings doors and windows
  */
 record WallSheets(
     double left, double right, double height, double thickness, List<Opening> openings) {
-  /** No rectangle of the front is longer, metres. */
+  /** Largest side of a rectangle of the front, metres. */
   private static final double LONGEST = 1.3;
 
-  /** The front begins behind the skirting's upper edge: nothing of it is half hidden. */
+  /**
+   * Height at which the front begins, behind the skirting's upper edge, so that no rectangle is
+   * half hidden.
+   */
   private static final double FOOT = 0.06;
 
-  /** How far what the skirting hides stands back, so that it is not divided with the front. */
+  /**
+   * Distance that the strip hidden by the skirting stands back, so that it is not subdivided with
+   * the front.
+   */
   private static final double BACK = 0.002;
 
-  /** Front, back, and the sides of the openings; the ends lie in other walls. */
+  /**
+   * Returns the front, the back, and the reveals of the openings; the wall's ends lie in other
+   * walls.
+   */
   TriangleMesh mesh() {
     List<TriangleMesh> all = new ArrayList<>();
     List<Double> xs = lines(LONGEST, left, right, false);
@@ -38,7 +48,7 @@ record WallSheets(
     return TriangleMesh.of(all);
   }
 
-  /** The front, or at the wall's thickness its back. */
+  /** Adds the front, or at the wall's thickness the back. */
   private void face(List<Double> xs, List<Double> ys, int depth, List<TriangleMesh> all) {
     double z = depth * thickness;
     for (int i = 0; i + 1 < xs.size(); i++) {
@@ -65,7 +75,10 @@ record WallSheets(
     }
   }
 
-  /** Where openings begin and end, and lines between that are no farther apart than asked for. */
+  /**
+   * Returns the grid lines: where openings begin and end, and lines between at most {@code longest}
+   * apart.
+   */
   private List<Double> lines(double longest, double from, double to, boolean up) {
     TreeSet<Double> at = new TreeSet<>(List.of(from, to));
     for (Opening opening : openings) {
@@ -90,7 +103,9 @@ record WallSheets(
         .anyMatch(o -> x > o.left() && x < o.right() && y > o.sill() && y < o.top());
   }
 
-  /** The sides of an opening, divided as the front beside them is; a door has no lower one. */
+  /**
+   * Adds the reveals of an opening, divided as the front beside them is; a door has no lower one.
+   */
   private void sides(Opening opening, List<Double> xs, List<Double> ys, List<TriangleMesh> all) {
     for (int j = 0; j + 1 < ys.size(); j++) {
       double y = j == 0 && opening.isDoor() ? 0 : ys.get(j);
@@ -112,7 +127,10 @@ record WallSheets(
     }
   }
 
-  /** Two triangles that face where u goes right and v goes up, from a corner along u and v. */
+  /**
+   * Returns a rectangle of two triangles from a corner along u and v; it faces the viewer for whom
+   * u goes right and v goes up.
+   */
   private static TriangleMesh rectangle(
       double x, double y, double z, double ux, double uz, double vy, double vz) {
     return Sheet.of(1, 1, (u, v) -> new Vector3d(x + u * ux, y + v * vy, z + u * uz + v * vz));

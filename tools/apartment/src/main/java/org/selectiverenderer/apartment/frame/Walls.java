@@ -15,11 +15,11 @@ import org.selectiverenderer.modelling.Sweep;
 /**
  * The four walls of a room and the skirting along them.
  *
- * @param bare whether they are of rectangles, which radiosity divides evenly
+ * @param bare whether they are grids of rectangles, which radiosity subdivides evenly
  */
 record Walls(Room room, List<Opening> openings, boolean bare) {
 
-  /** Walls with their openings cut out. */
+  /** Returns the walls with their openings cut out. */
   TriangleMesh walls() {
     List<TriangleMesh> all = new ArrayList<>();
     for (Side side : Side.values()) {
@@ -37,7 +37,7 @@ record Walls(Room room, List<Opening> openings, boolean bare) {
     double thickness = room.thickness(side);
     double left = left(side);
     double right = right(side);
-    // North and south walls reach over the ends of the others, so that corners are closed.
+    // North and south walls extend over the ends of the others, so that corners are closed.
     double overLeft = side.alongX() ? room.thickness(leftOf(side)) : 0;
     double overRight = side.alongX() ? room.thickness(rightOf(side)) : 0;
     Curve line = Curve.from(left - overLeft, 0);
@@ -62,7 +62,10 @@ record Walls(Room room, List<Opening> openings, boolean bare) {
     return Prism.plain(thickness, line.closed(), windows).move(0, 0, -thickness);
   }
 
-  /** A board with its upper edge taken off, from door to door: their trim lies in the openings. */
+  /**
+   * Returns the skirting boards with chamfered upper edges, from door to door, since the trim lies
+   * in the openings.
+   */
   TriangleMesh skirting() {
     Outline section = Outline.of(0, 0, 0.014, 0, 0.014, 0.06, 0.006, 0.07, 0, 0.07);
     List<TriangleMesh> all = new ArrayList<>();
@@ -77,7 +80,7 @@ record Walls(Room room, List<Opening> openings, boolean bare) {
     return TriangleMesh.of(all);
   }
 
-  /** Along the wall to the right, the section's x comes out of the wall. */
+  /** Returns a board along the wall to the right; the section's x comes out of the wall. */
   private static TriangleMesh board(Outline section, double from, double to) {
     return Sweep.of(section, Spine.of(from, 0, 0, to, 0, 0));
   }

@@ -29,7 +29,7 @@ final class Chest {
         Part.of("iron", Looks.DARK_STEEL, Copies.bothSides(hasp), lock));
   }
 
-  /** From x = 0 to the right: an arch over the depth, flat below. */
+  /** Returns the lid from x = 0 to the right: an arch over the depth, flat below. */
   private static TriangleMesh lid() {
     double half = DEPTH / 2;
     Outline arch =

@@ -17,16 +17,16 @@ final class Curtains {
   private static final double LENGTH = 2.34;
   private static final int FOLDS = 4;
 
-  /** Of the rail and of the cloth, from the wall. */
+  /** Distance of the rail and of the cloth from the wall, metres. */
   private static final double AWAY = 0.075;
 
-  /** Beyond the window: its sill is so much wider on each side. */
+  /** Distance by which the window's sill is wider on each side, metres. */
   private static final double SILL = 0.09;
 
   private Curtains() {}
 
   /**
-   * @param window width between the walls beside it, metres
+   * @param window width of the window between its reveals, metres
    */
   static ParametricModel model(String name, double window) {
     double middle = window / 2 + SILL + PANEL / 2;
@@ -40,7 +40,7 @@ final class Curtains {
         Part.of("rail", Looks.DARK_STEEL, bar, Copies.bothSides(bracket)));
   }
 
-  /** Folds that are wider at the hem than at the rail. */
+  /** Returns a curtain whose folds are wider at the hem than at the rail. */
   private static TriangleMesh panel() {
     return Sheet.of(
         4 * FOLDS,

@@ -20,7 +20,7 @@ final class DisplayCabinet {
   private static final double DEPTH = 0.38;
   private static final double BOARD = 0.022;
 
-  /** Where the cupboard ends and the glazed part begins. */
+  /** Height at which the cupboard ends and the glazed part begins, metres. */
   private static final double MIDDLE = 0.7;
 
   private static final double DOOR = WIDTH / 2 - 0.016;

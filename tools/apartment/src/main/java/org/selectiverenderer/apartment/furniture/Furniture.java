@@ -11,7 +11,7 @@ public final class Furniture {
 
   private Furniture() {}
 
-  /** Every piece, of the kitchen, of the lounge and of the office. */
+  /** Returns the recipes of all pieces of the kitchen, the lounge and the office. */
   public static Map<String, Supplier<ParametricModel>> all() {
     Map<String, Supplier<ParametricModel>> recipes = new TreeMap<>();
     recipes.put("larder", Larder::model);

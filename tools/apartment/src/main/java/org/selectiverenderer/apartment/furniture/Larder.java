@@ -18,7 +18,7 @@ final class Larder {
   private static final double DEPTH = 0.56;
   private static final double PLINTH = 0.1;
 
-  /** Where the lower doors end, in line with the hanging cupboards. */
+  /** Height at which the lower doors end, in line with the hanging cupboards, metres. */
   private static final double MIDDLE = 1.42;
 
   private static final double FRONT = 0.02;
@@ -45,7 +45,9 @@ final class Larder {
             Copies.bothSides(grip.move(0, MIDDLE + 0.06, 0))));
   }
 
-  /** A frame round a panel that lies deeper, from one height to another; its back is at z = 0. */
+  /**
+   * Returns a door from one height to another: a frame around a recessed panel, its back at z = 0.
+   */
   private static TriangleMesh door(double from, double to) {
     Outline edge = Outline.rectangle(WIDTH / 2 - 0.004, to - from - 0.004);
     TriangleMesh frame = Prism.plain(FRONT, edge, edge.inset(0.06));

@@ -13,8 +13,8 @@ final class Rug {
   private Rug() {}
 
   /**
-   * @param width of the whole and {@code depth}, metres
-   * @param border its breadth
+   * @param width width of the whole rug, metres, and so {@code depth}
+   * @param border breadth of the border, metres
    */
   static ParametricModel model(
       String name, double width, double depth, double border, Look edge, Look field) {

@@ -36,7 +36,9 @@ final class Sideboard {
         Part.of("legs", Looks.WALNUT, Copies.corners(leg(), WIDTH / 2 - 0.16, DEPTH / 2 - 0.08)));
   }
 
-  /** Its upper end lies in the body, its lower one is cut level with the floor by its flat foot. */
+  /**
+   * Returns a leg whose upper end lies in the body and whose lower end is cut level with the floor.
+   */
   private static TriangleMesh leg() {
     return Rounds.cone(0.011, 0.02, LEG + 0.01, 4)
         .deform(p -> p.add(0.25 * (LEG - p.y), 0, 0.15 * (LEG - p.y)));

@@ -55,7 +55,7 @@ final class Whiteboard {
     return Copies.row(box, 3, 0.44, 0, 0);
   }
 
-  /** A stroke about its middle. */
+  /** Returns a stroke centred on (x, y). */
   private static TriangleMesh line(double x, double y, double length, double degrees) {
     return Sheet.field(length, 0.008, 1, 1, (u, v) -> 0)
         .turnX(90)

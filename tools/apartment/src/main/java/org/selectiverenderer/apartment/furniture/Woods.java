@@ -5,9 +5,9 @@ import org.selectiverenderer.modelling.Cladding;
 import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
 
-/** Woods with a picture of their grain. */
+/** Wood materials with a texture of their grain. */
 final class Woods {
-  /** As the rooms' doors have it, the grain upright. */
+  /** The veneer of the rooms' doors, with the grain upright. */
   static final Look VENEER =
       Look.satin(ModelColour.grey(1))
           .clad(Cladding.metric(Pictures.VENEER, Pictures.VENEER_WIDTH, Pictures.VENEER_HEIGHT));

@@ -14,7 +14,7 @@ import org.selectiverenderer.modelling.Standing;
  */
 final class BaseballBat {
 
-  /** Barrel and knob both touch the floor, degrees. */
+  /** Tilt with which barrel and knob both touch the floor, degrees. */
   private static final double TILT = 0.65;
 
   private BaseballBat() {}

@@ -38,7 +38,7 @@ final class BicycleWheel {
             leaning(spokes())));
   }
 
-  /** From both flanges of the hub in turn, each a little aside of the radius. */
+  /** Returns the spokes, from both flanges of the hub in turn, each a little off the radius. */
   private static TriangleMesh spokes() {
     TriangleMesh all = TriangleMesh.EMPTY;
     for (int i = 0; i < SPOKES; i++) {

@@ -34,7 +34,7 @@ final class Bread {
         Part.of("handle", Looks.SOFT_BLACK, handle()));
   }
 
-  /** The loaf seen from its end, standing on y = 0. */
+  /** Returns the section of the loaf, standing on y = 0. */
   private static Outline section() {
     return Curve.from(0.044, 0)
         .line(0.047, 0.045)
@@ -47,7 +47,7 @@ final class Bread {
     return Prism.bevelled(0.17, 0.01, 1, section()).turnY(90).move(-0.1395, BOARD, -0.035);
   }
 
-  /** Flat on the board, face up, its foot to the front. */
+  /** Returns a slice laid flat on the board, face up, its base to the front. */
   private static TriangleMesh lying(TriangleMesh slice, double height) {
     double aside = 40 * height;
     return slice.turnX(-90).turnY(20 + 20 * aside).move(0.1 - 0.02 * aside, BOARD + height, 0.035);

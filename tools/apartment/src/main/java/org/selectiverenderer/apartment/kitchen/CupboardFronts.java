@@ -8,11 +8,14 @@ import org.selectiverenderer.modelling.Prism;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
-/** Doors and drawers of the kitchen furniture with their handles; backs at z = 0. */
+/**
+ * Builds the doors and drawer fronts of the kitchen furniture and their handles; their backs are at
+ * z = 0.
+ */
 final class CupboardFronts {
   static final double THICKNESS = 0.022;
 
-  /** The joint between neighbouring fronts. */
+  /** Gap between neighbouring fronts, metres. */
   private static final double GAP = 0.004;
 
   private static final double FRAME = 0.06;
@@ -20,8 +23,8 @@ final class CupboardFronts {
   private CupboardFronts() {}
 
   /**
-   * A frame with a bead round a panel that lies deeper. Its edges are sharp: a chamfer in version 2
-   * would be shaded as if the whole front were a cushion.
+   * Returns a door: a frame with a bead around a recessed panel. Its edges are sharp, since a
+   * chamfer in version 2 would be shaded as if the whole front were a cushion.
    */
   static TriangleMesh door(double x0, double y0, double x1, double y1) {
     Outline edge = Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP);
@@ -32,13 +35,13 @@ final class CupboardFronts {
     return TriangleMesh.of(frame, panel, bead).move((x0 + x1) / 2, (y0 + y1) / 2, 0);
   }
 
-  /** A plain front, too low for a frame. */
+  /** Returns a plain drawer front, which is too low for a frame. */
   static TriangleMesh drawer(double x0, double y0, double x1, double y1) {
     return Prism.bevelled(THICKNESS, 0.004, 3, Outline.rectangle(x1 - x0 - GAP, y1 - y0 - GAP))
         .move((x0 + x1) / 2, (y0 + y1) / 2, 0);
   }
 
-  /** A bow of steel, level and centred on (x, y). */
+  /** Returns a horizontal bow handle of steel, centred on (x, y). */
   static TriangleMesh bow(double length, double x, double y) {
     double half = length / 2;
     Spine line =

@@ -57,7 +57,7 @@ final class Fruits {
     return Lathe.solid(profile, 32);
   }
 
-  /** Dented at both ends. */
+  /** Returns an apple, dented at both ends. */
   private static TriangleMesh apple() {
     Curve profile =
         Curve.from(0, 0.008)
@@ -74,7 +74,7 @@ final class Fruits {
     return Lathe.solid(profile, 18);
   }
 
-  /** Bent, five-edged, with a thin stem: it leans on the bowl's rim. */
+  /** Returns a banana, bent and five-edged with a thin stem; it leans on the bowl's rim. */
   private static TriangleMesh banana() {
     Spine bend =
         Spine.smooth(

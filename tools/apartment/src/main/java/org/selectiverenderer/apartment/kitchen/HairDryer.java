@@ -42,7 +42,10 @@ final class HairDryer {
         Part.of("black", Looks.SOFT_BLACK, lying(nozzle()), lying(grille()), cable, button()));
   }
 
-  /** A barrel drawn along +x from the grille on, turned so that its nozzle points left. */
+  /**
+   * Returns the solid of a profile that runs along +x from the grille, turned so that the nozzle
+   * points left.
+   */
   private static TriangleMesh lying(Curve profile) {
     return Lathe.solid(profile.reversed(), 16).turnZ(90).move(0.08, 0, 0);
   }

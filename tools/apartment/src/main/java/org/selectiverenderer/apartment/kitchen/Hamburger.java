@@ -65,7 +65,7 @@ final class Hamburger {
     return Lathe.solid(profile, 54);
   }
 
-  /** Drops on the crown, in the order of a sunflower's seeds. */
+  /** Returns sesame seeds on the crown, arranged like a sunflower's seeds (golden angle). */
   private static TriangleMesh sesame() {
     TriangleMesh seeds = TriangleMesh.EMPTY;
     TriangleMesh seed = Rounds.ellipsoid(0.0016, 0.0009, 0.0026, 5, 6);
@@ -83,7 +83,7 @@ final class Hamburger {
     return seeds;
   }
 
-  /** Minced: its rim is rough. */
+  /** Returns the patty with a rough rim. */
   private static TriangleMesh meat() {
     Curve profile =
         Curve.of(0, 0.0225, 0.05, 0.0225)
@@ -99,7 +99,7 @@ final class Hamburger {
     return p.set(p.x * factor, p.y, p.z * factor);
   }
 
-  /** A square slice whose corners hang over the meat. */
+  /** Returns a square slice of cheese whose corners hang over the meat. */
   private static TriangleMesh cheese() {
     return Sheet.thicken(Sheet.field(0.106, 0.106, 19, 19, Hamburger::drooping), 0, -0.0016, 0)
         .turnY(32);
@@ -118,7 +118,7 @@ final class Hamburger {
     return Rounds.roundedCylinder(0.037, 0.0065, 0.002, 3, 44).move(x, 0.039, z);
   }
 
-  /** A leaf whose frill waves more the farther out it is. */
+  /** Returns a lettuce leaf whose waves grow towards its edge. */
   private static TriangleMesh lettuce() {
     Outline round = Outline.circle(1, 140);
     TriangleMesh leaf =

@@ -40,7 +40,7 @@ final class KitchenChair {
     return Slabs.lying(seenFromAbove, 0.028, 0.01, 2).move(0, 0.434, 0);
   }
 
-  /** From the floor to the top of the back, which leans. */
+  /** Returns a post from the floor to the top of the leaning back. */
   private static TriangleMesh backPost() {
     Spine line =
         Spine.of(
@@ -49,7 +49,7 @@ final class KitchenChair {
     return Sweep.tube(line, 8, t -> 0.013 + 0.024 * t * (1 - t));
   }
 
-  /** A board between the posts, curved for the sitter's back. */
+  /** Returns a slat between the posts, curved for the sitter's back. */
   private static TriangleMesh slat(double y, double z) {
     Spine curve =
         Spine.of(

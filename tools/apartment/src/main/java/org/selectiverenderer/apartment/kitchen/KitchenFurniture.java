@@ -36,7 +36,7 @@ final class KitchenFurniture {
   private static final double HANGING = 1.42;
   private static final double HEIGHT = 2.14;
 
-  /** Where the fronts' backs are, below and above. */
+  /** The z of the fronts' backs, of the lower and the upper cupboards, metres. */
   private static final double LOWER_Z = 0.26;
 
   private static final double UPPER_Z = 0.03;
@@ -104,7 +104,9 @@ final class KitchenFurniture {
     return Prism.plate(TOP - UNDER_TOP, 0.006, 2, edge, opening).move(0, UNDER_TOP, 0);
   }
 
-  /** What the tiles are a picture on, between worktop and hanging cupboards. */
+  /**
+   * Returns the surface that carries the texture of tiles, between worktop and hanging cupboards.
+   */
   private static TriangleMesh tiles() {
     return Boxes.plain(3, HANGING - TOP, 0.008).move(0, TOP, -0.296);
   }
@@ -128,7 +130,7 @@ final class KitchenFurniture {
         TriangleMesh.of(below).move(0, 0, LOWER_Z), TriangleMesh.of(above).move(0, 0, UPPER_Z));
   }
 
-  /** Tap, hood, and the oven's panel with its knobs. */
+  /** Returns the tap, the hood, and the oven's panel with its knobs. */
   private static TriangleMesh fittings() {
     List<TriangleMesh> all = new ArrayList<>();
     all.add(SinkAndHob.tap().move(SINK_X, TOP, 0));
@@ -142,7 +144,7 @@ final class KitchenFurniture {
     return TriangleMesh.of(all);
   }
 
-  /** The oven's door with a window that stands out a little. */
+  /** Returns the oven's door with a slightly raised window. */
   private static TriangleMesh oven() {
     TriangleMesh window =
         Prism.bevelled(0.008, 0.004, 2, Outline.roundedRectangle(0.42, 0.3, 0.03, 4));

@@ -36,7 +36,9 @@ final class KitchenRoll {
         Part.of("paper", Look.matt(ModelColour.hex(0xF0EEE8)), roll, loose()));
   }
 
-  /** Leaves the roll in front and swings out to the right. */
+  /**
+   * Returns the loose end of the paper, which leaves the roll in front and swings out to the right.
+   */
   private static TriangleMesh loose() {
     TriangleMesh sheet =
         Sheet.of(

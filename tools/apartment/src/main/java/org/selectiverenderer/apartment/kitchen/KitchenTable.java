@@ -45,7 +45,7 @@ final class KitchenTable {
     return Slabs.lying(seenFromAbove, 0.032, 0.011, 3).move(0, 0.718, 0);
   }
 
-  /** A square block where the apron meets it, turned below. */
+  /** Returns a leg with a square block where the apron meets it, turned below. */
   private static TriangleMesh leg() {
     Curve turned =
         Curve.of(0.02, 0, 0.024, 0.012, 0.021, 0.06)

@@ -37,7 +37,7 @@ final class Kite {
         Part.of("tail", Look.matt(ModelColour.hex(0xC4473A)), tail()).crease(60));
   }
 
-  /** A quarter of the cloth, which the wind would fill: between the cross, a side and an end. */
+  /** Returns a quarter of the cloth, slightly bulged, between the cross, a side and an end. */
   private static TriangleMesh panel(int side, double end) {
     TriangleMesh sheet =
         Sheet.of(
@@ -59,7 +59,7 @@ final class Kite {
         .turnX(LEAN);
   }
 
-  /** A ribbon in curves over the floor, with a bow at every other bend. */
+  /** Returns the tail, a ribbon in curves over the floor with a bow at every other bend. */
   private static TriangleMesh tail() {
     Spine line =
         Spine.smooth(

@@ -18,7 +18,7 @@ import org.selectiverenderer.modelling.Sweep;
  * right over a steel bowl with a whisk.
  */
 final class Mixer {
-  /** Where the bowl and the whisk stand. */
+  /** The x of the axis of bowl and whisk, metres. */
   private static final double BOWL_X = 0.075;
 
   private Mixer() {}
@@ -35,7 +35,7 @@ final class Mixer {
     return Prism.plate(0.034, 0.015, 7, Outline.superellipse(0.175, 0.108, 2.8, 96));
   }
 
-  /** Narrower in the middle than at the foot and below the head. */
+  /** Returns the column, narrower in the middle than at the foot and below the head. */
   private static TriangleMesh column() {
     return Sweep.of(
         Outline.superellipse(0.05, 0.045, 2.6, 72),
@@ -44,7 +44,7 @@ final class Mixer {
         t -> 0.92 + 0.9 * (t - 0.6) * (t - 0.6));
   }
 
-  /** A bullet along x: round behind, cut off in front. */
+  /** Returns the head, shaped like a bullet along x: round behind, cut off in front. */
   private static TriangleMesh head() {
     Curve profile =
         Curve.from(0, 0)
@@ -74,7 +74,7 @@ final class Mixer {
     return Sweep.of(Outline.superellipse(0.011, 0.004, 2.5, 24), bow).move(BOWL_X + 0.02, 0, 0);
   }
 
-  /** Six loops of wire below a short shaft. */
+  /** Returns the whisk: six loops of wire below a short shaft. */
   private static TriangleMesh whisk() {
     Spine loop =
         Spine.smooth(
@@ -89,13 +89,16 @@ final class Mixer {
     return whisk.move(BOWL_X, 0, 0);
   }
 
-  /** Open above, where it is inside the head: version 2 has an odd count. */
+  /**
+   * Returns the hub, open above, where it is inside the head, since version 2 has an odd polygon
+   * count.
+   */
   private static TriangleMesh hub() {
     Curve profile = Curve.of(0, 0.203, 0.03, 0.203).arc(0.03, 0.209, 90, 6).line(0.036, 0.236);
     return Lathe.surface(profile, 64).move(BOWL_X, 0, 0);
   }
 
-  /** The lid of the socket in front. */
+  /** Returns the lid of the socket in front. */
   private static TriangleMesh cap() {
     Curve profile =
         Curve.of(0, 0, 0.034, 0, 0.034, 0.005).arc(0.031, 0.005, 90, 5).line(0.014, 0.008);

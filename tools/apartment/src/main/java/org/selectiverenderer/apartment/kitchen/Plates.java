@@ -19,7 +19,7 @@ final class Plates {
   private static final int SEGMENTS = 200;
   private static final int FLUTES = 48;
 
-  /** How far the next plate of a stack lies above the one below. */
+  /** Height from one plate of a stack to the next, metres. */
   private static final double STEP = 0.0115;
 
   private Plates() {}
@@ -36,7 +36,7 @@ final class Plates {
             Copies.row(small, 2, 0, STEP, 0).move(0, 4 * STEP, 0)));
   }
 
-  /** 0.26 m wide: foot ring, brim with a relief, flat middle. */
+  /** Returns a plate 0.26 m wide: foot ring, brim with a relief, flat middle. */
   private static TriangleMesh plate() {
     Curve under =
         Curve.of(0, 0.003, 0.04, 0.003, 0.066, 0.003, 0.069, 0.0022, 0.07, 0.0004, 0.0708, 0)
@@ -56,7 +56,7 @@ final class Plates {
     return Lathe.solid(under.then(edge).then(brim).then(middle), SEGMENTS).deform(Plates::waved);
   }
 
-  /** The brim's upper side is fluted; its line stays round. */
+  /** Flutes the upper side of the brim; its edge stays round. */
   private static Vector3d waved(Vector3d p) {
     double radius = Standing.fromAxis(p.x, p.z);
     double share = Math.max(0, 1 - Math.abs(radius - 0.1128) / 0.0105);

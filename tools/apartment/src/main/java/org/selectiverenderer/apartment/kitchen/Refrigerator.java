@@ -43,7 +43,7 @@ final class Refrigerator {
         .move(0, y + height / 2, FRONT - 0.065);
   }
 
-  /** A bow, upright and centred at this height. */
+  /** Returns an upright bow handle, centred at this height. */
   private static TriangleMesh handle(double y) {
     Spine line =
         Spine.of(

@@ -34,7 +34,7 @@ final class Saltcellar {
         Part.of("glass", Looks.GLASS, glass()));
   }
 
-  /** The wall's outside is fluted, its inside is smooth. */
+  /** Returns the glass, fluted outside and smooth inside. */
   private static TriangleMesh glass() {
     Curve outside =
         Curve.of(0, 0.003, 0.014, 0.0025)
@@ -57,14 +57,14 @@ final class Saltcellar {
     return p.set(p.x * factor, p.y, p.z * factor);
   }
 
-  /** Its upper side is a little heap. */
+  /** Returns the salt, whose upper side is a small heap. */
   private static TriangleMesh salt() {
     Curve heap = Curve.of(0.0168, 0.0081, 0.0195, 0.0125, 0.0196, 0.02, 0.0172, 0.042);
     return Lathe.surface(heap.spline(8, 0.012, 0.0432, 0.005, 0.046, 0, 0.0465), 48)
         .deform(p -> p.y > 0.041 ? p.add(0, 0.0005 * Degrees.sin(9e5 * p.x + 7e5 * p.z), 0) : p);
   }
 
-  /** Coarse grains on the heap and on the glass. */
+  /** Returns coarse grains on the heap and on the glass. */
   private static TriangleMesh grains() {
     TriangleMesh grains = TriangleMesh.EMPTY;
     for (int i = 0; i < 46; i++) {
@@ -76,7 +76,7 @@ final class Saltcellar {
     return grains;
   }
 
-  /** A knurled skirt that curves in to the lid. */
+  /** Returns the cap's knurled skirt, which curves in to the lid. */
   private static TriangleMesh cap() {
     Curve profile =
         Curve.of(0.0155, 0.068, 0.0182, 0.068, 0.0188, 0.0686)
@@ -95,7 +95,7 @@ final class Saltcellar {
     return p.set(p.x * factor, p.y, p.z * factor);
   }
 
-  /** The lid's seven round holes go right through. */
+  /** Returns the lid with seven round through holes. */
   private static TriangleMesh lid() {
     Outline[] holes = new Outline[7];
     for (int i = 0; i < 6; i++) {

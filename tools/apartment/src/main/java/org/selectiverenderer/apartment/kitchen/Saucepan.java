@@ -38,7 +38,7 @@ final class Saucepan {
     return Lathe.solid(profile, 52);
   }
 
-  /** Domed, with a flange that lies on the pan's rim. */
+  /** Returns a domed lid with a flange that lies on the pan's rim. */
   private static TriangleMesh lid() {
     Curve profile =
         Curve.of(0, 0.1315, 0.05, 0.128, 0.09, 0.1165, 0.104, 0.1148)
@@ -55,7 +55,7 @@ final class Saucepan {
     return Lathe.solid(profile, 28);
   }
 
-  /** The steel between pan and grip, held by two rivets. */
+  /** Returns the steel bracket between pan and grip, held by two rivets. */
   private static TriangleMesh bracket() {
     TriangleMesh rivet = Rounds.ellipsoid(0.0035, 0.0035, 0.0035, 5, 10).move(0.0995, 0.088, 0);
     return Sweep.of(
@@ -65,7 +65,7 @@ final class Saucepan {
         .append(rivet.move(0, 0, 0.0075).append(rivet.move(0, 0, -0.0075)));
   }
 
-  /** Thick in the middle of the hand, round at its end. */
+  /** Returns the grip, thickest where the hand holds it, round at its end. */
   private static TriangleMesh handle() {
     return Sweep.of(
         Outline.superellipse(1, 0.72, 3, 20),

@@ -29,7 +29,7 @@ final class Shovel {
         Part.of("grip", Looks.BRICK_RED, grip().turnX(LEAN)));
   }
 
-  /** Hollow, pointed below, with straight shoulders. */
+  /** Returns the concave blade, pointed below, with straight shoulders. */
   private static TriangleMesh blade() {
     TriangleMesh sheet =
         Sheet.of(
@@ -54,7 +54,7 @@ final class Shovel {
     return Sweep.tube(Spine.of(0, 0.4, 0, 0, 0.7, 0, 0, 0.97, 0), 0.0165, 10);
   }
 
-  /** A closed D round the hand. */
+  /** Returns the D-shaped grip. */
   private static TriangleMesh grip() {
     Spine d =
         Spine.loop(

@@ -14,16 +14,20 @@ import org.selectiverenderer.modelling.Skin;
 import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
-/** What is let into the worktop, with the worktop's upper side at y = 0 and the sink at x = 0. */
+/**
+ * Builds the fittings of the worktop: sink, tap, hob and hood, with the worktop's upper side at y =
+ * 0 and the sink at x = 0.
+ */
 final class SinkAndHob {
   /** The opening in the worktop. */
   static final Outline OPENING = Outline.roundedRectangle(0.46, 0.38, 0.06, 6);
 
   private SinkAndHob() {}
 
-  /** A steel basin with a flat rim, seen from above only: open below. */
+  /** Returns a steel basin with a flat rim, open below since it is visible from above only. */
   static TriangleMesh basin() {
-    // Outline grows by, height: from the rim's outer edge over the wall to the bottom.
+    // Offset of the outline and height of each row, from the rim's outer edge over the wall to the
+    // bottom.
     double[] rings = {
       0.022, 0.0005, 0.02, 0.003, 0.004, 0.003, -0.003, 0.0005, -0.006, -0.008, -0.012, -0.13,
       -0.016, -0.146, -0.025, -0.156, -0.04, -0.16
@@ -38,7 +42,7 @@ final class SinkAndHob {
     return Skin.over(rows, Skin.Form.PIPE);
   }
 
-  /** A swan neck with one lever, behind the basin. */
+  /** Returns a swan neck tap with one lever, behind the basin. */
   static TriangleMesh tap() {
     Curve foot =
         Curve.of(0, 0, 0.027, 0, 0.027, 0.006, 0.022, 0.009, 0.02, 0.07, 0.017, 0.078, 0, 0.078);
@@ -52,12 +56,12 @@ final class SinkAndHob {
         .move(0, 0, -0.235);
   }
 
-  /** Black glass with a polished edge. */
+  /** Returns the hob's black glass with a polished edge. */
   static TriangleMesh hobGlass() {
     return Prism.plate(0.007, 0.003, 2, Outline.roundedRectangle(0.56, 0.5, 0.015, 3));
   }
 
-  /** The four hot places, as rings on the glass. */
+  /** Returns the four cooking zones, as rings on the glass. */
   static TriangleMesh hobRings() {
     TriangleMesh large = Rounds.pipe(0.1, 0.094, 0.001, 36).move(0, 0.0068, 0);
     TriangleMesh small = Rounds.pipe(0.075, 0.069, 0.001, 32).move(0, 0.0068, 0);
@@ -68,7 +72,7 @@ final class SinkAndHob {
         large.move(0.14, 0, -0.11));
   }
 
-  /** A flat hood below its chimney, standing on y = 0, its back at z = 0. */
+  /** Returns a flat hood below its chimney, standing on y = 0, its back at z = 0. */
   static TriangleMesh hood() {
     return TriangleMesh.of(
         Boxes.plain(0.594, 0.06, 0.46).move(0, 0, 0.23),

@@ -9,28 +9,28 @@ import org.selectiverenderer.modelling.Outline;
 import org.selectiverenderer.modelling.Skin;
 
 /**
- * Flat things with round edges whose faces look flat: a narrow band between rounding and face takes
- * the bend of the smoothed normals.
+ * Builds slabs with rounded edges whose faces are shaded flat: a narrow band between rounding and
+ * face takes the gradient of the smoothed normals.
  */
 final class Slabs {
   /**
-   * How far a rounding reaches inwards as a multiple of its height: so little that the one bevel
-   * which version 2 keeps of it is steep, and is no more smoothed into the face.
+   * Width of a rounding as a multiple of its height: so small that the one bevel which version 2
+   * keeps of it is steep and is not smoothed into the face.
    */
   private static final double REACH = 0.5;
 
-  /** Where the band ends, as a multiple of the rounding's height. */
+  /** End of the band, as a multiple of the rounding's height. */
   private static final double BAND = 0.8;
 
   private Slabs() {}
 
   /**
-   * A lying plate from y = 0 to y = thickness: {@code n (4 steps + 8)} triangles for an outline of
-   * n points.
+   * Returns a horizontal slab from y = 0 to y = thickness: {@code n (4 steps + 8)} triangles for an
+   * outline of n points.
    *
    * @param outline convex, seen from above; about the origin
-   * @param radius height of the rounding, less than half the thickness
-   * @param steps of the rounding
+   * @param radius height of the rounding, metres; less than half the thickness
+   * @param steps number of segments of the rounding
    */
   static TriangleMesh lying(Outline outline, double thickness, double radius, int steps) {
     List<Vector3d[]> rows = new ArrayList<>();
@@ -45,7 +45,7 @@ final class Slabs {
     return Skin.over(rows, Skin.Form.CAPPED);
   }
 
-  /** The same, upright: the outline as seen from the front, its back at z = 0. */
+  /** Returns an upright slab: the outline as seen from the front, its back at z = 0. */
   static TriangleMesh upright(Outline outline, double thickness, double radius, int steps) {
     return lying(outline, thickness, radius, steps).turnX(90);
   }
@@ -56,7 +56,7 @@ final class Slabs {
     return row(outline.inset(inset), y + up * radius * Degrees.cos(degrees));
   }
 
-  /** An outline lying at a height. */
+  /** Returns the points of an outline laid horizontally at a height. */
   static Vector3d[] row(Outline outline, double y) {
     Vector3d[] row = new Vector3d[outline.size()];
     for (int i = 0; i < row.length; i++) {

@@ -33,18 +33,21 @@ final class Spoons {
             small.turnY(-5).move(0.075, 0, 0.026)));
   }
 
-  /** Oval sections from the bowl's tip at the back to the handle's end in front. */
+  /**
+   * Returns a spoon lofted over oval sections from the bowl's tip at the back to the handle's end
+   * in front.
+   */
   private static TriangleMesh spoon() {
     List<Vector3d[]> rows = new ArrayList<>();
     for (int r = 0; r <= ROWS; r++) {
-      // Sections crowd where the bowl curves: half of them for its third of the length.
+      // Half of the sections are spent on the bowl, a third of the length, since it curves most.
       double t = (double) r / ROWS;
       rows.add(section(t < 0.5 ? 0.68 * t : 1.32 * t - 0.32));
     }
     return Skin.over(rows, Skin.Form.CAPPED);
   }
 
-  /** The section after a part t of the length: sagging in the bowl, flat in the handle. */
+  /** Returns the section at a share t of the length: sagging in the bowl, flat in the handle. */
   private static Vector3d[] section(double t) {
     double bowl = Math.max(0, 1 - square((t - 0.165) / 0.165));
     double handle = 0.0034 + 0.0062 * smooth((t - 0.4) / 0.5);

@@ -42,7 +42,7 @@ final class Toaster {
     return Prism.plate(0.022, 0.006, 1, seenFromAbove);
   }
 
-  /** A raised frame round the two openings. */
+  /** Returns a raised frame around the two openings. */
   private static TriangleMesh slots() {
     Outline slot = Outline.rectangle(0.176, 0.03).move(-0.012, 0);
     return Prism.plate(
@@ -55,7 +55,7 @@ final class Toaster {
         .move(0, 0.1705, 0);
   }
 
-  /** A slice of bread, upright, half of it in the slot. */
+  /** Returns an upright slice of bread, half of it in the slot. */
   private static TriangleMesh toast() {
     Outline slice =
         Curve.from(0.054, 0)

@@ -39,7 +39,7 @@ final class Violin {
             Boxes.plain(0.006, 0.001, 0.66).move(0.162, 0.004, -0.05)));
   }
 
-  /** Seen from above with the neck upwards; the waist has corners. */
+  /** Returns the body, seen from above with the neck upwards; its waist has corners. */
   private static TriangleMesh body() {
     Outline outline =
         Curve.from(0, -0.178)
@@ -77,7 +77,7 @@ final class Violin {
         .append(Boxes.plain(0.01, 0.012, 0.01).move(0, TOP, 0.17));
   }
 
-  /** The two f holes, as thin black inlays. */
+  /** Returns the two f-holes, as thin black inlays. */
   private static TriangleMesh soundHoles() {
     Spine f =
         Spine.of(

@@ -3,7 +3,7 @@ package org.selectiverenderer.apartment.looks;
 import org.selectiverenderer.modelling.Look;
 import org.selectiverenderer.modelling.ModelColour;
 
-/** Looks that several things of a room share, so that they go together. */
+/** Materials that several objects of a room share, so that they match. */
 public final class Looks {
   // Wood.
   public static final Look OAK = Look.satin(ModelColour.of(0.66, 0.45, 0.27));
@@ -51,12 +51,14 @@ public final class Looks {
 
   private Looks() {}
 
-  /** A piece of a lit screen. */
+  /** Returns the material of a part of a lit screen. */
   public static Look lit(double red, double green, double blue) {
     return Look.glossy(ModelColour.grey(0.02)).glowing(ModelColour.of(red, green, blue));
   }
 
-  /** Metal in a bright room: lighter than {@link Look#metal}, which mirrors nothing but lamps. */
+  /**
+   * Returns metal for a bright room: lighter than {@link Look#metal}, which reflects lamps only.
+   */
   private static Look polished(int rgb) {
     return new Look(ModelColour.hex(rgb), ModelColour.grey(0.75), 0.5, 0, ModelColour.grey(0));
   }

@@ -1,4 +1,4 @@
-/** What the things of the apartment are made of. Uses {@code modelling} only. */
+/** The materials of the apartment's objects. Uses {@code modelling} only. */
 @NullMarked
 package org.selectiverenderer.apartment.looks;
 

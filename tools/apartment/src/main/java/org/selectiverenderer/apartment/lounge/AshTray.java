@@ -27,7 +27,7 @@ final class AshTray {
         Part.of("ash", ash, CutPieces.where(dish, p -> isBottom(p.x, p.y, p.z))));
   }
 
-  /** Cigarettes rest where the rim crosses the axes. */
+  /** Returns the depth of the rim, which has rests for cigarettes where it crosses the axes. */
   private static double depth(double x, double y, double z) {
     return y > 0.03 && Math.abs(x * z) < 1e-9 ? 0.008 : 0;
   }

@@ -25,7 +25,7 @@ final class Barrel {
             .crease(25));
   }
 
-  /** Half the width at a height: a bow. */
+  /** Returns the radius at a height; the staves are bowed. */
   private static double radius(double y) {
     double t = 2 * y / HEIGHT - 1;
     return 0.25 - 0.055 * t * t;
@@ -41,7 +41,7 @@ final class Barrel {
     return Lathe.solid(profile.line(rim - 0.02, HEIGHT).line(rim - 0.024, HEIGHT - 0.03), STAVES);
   }
 
-  /** Follows the staves, three millimetres before them. */
+  /** Returns a hoop that follows the staves three millimetres outside of them. */
   private static TriangleMesh hoop(double low, double high) {
     double below = radius(low);
     double above = radius(high);

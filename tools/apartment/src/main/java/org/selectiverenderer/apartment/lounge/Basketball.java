@@ -21,7 +21,7 @@ import org.selectiverenderer.modelling.Standing;
 final class Basketball {
   private static final double RADIUS = 0.12;
 
-  /** Half a seam, degrees. */
+  /** Half the width of a seam, degrees. */
   private static final double SEAM = 1.3;
 
   private Basketball() {}
@@ -52,7 +52,7 @@ final class Basketball {
         .toArray(Vector3d[]::new);
   }
 
-  /** Equal steps; in place of a chosen angle, the two sides of its seam. */
+  /** Returns angles in equal steps; an angle on a seam is replaced by the two sides of the seam. */
   private static List<Double> angles(double from, double range, int steps, DoublePredicate seam) {
     List<Double> all = new ArrayList<>();
     for (int i = 0; i <= steps; i++) {

@@ -79,7 +79,7 @@ final class Biblioteca {
     return (door - 2) * 0.505;
   }
 
-  /** Five framed doors, and the box behind them. */
+  /** Returns five framed doors, and the box behind them. */
   private static TriangleMesh doors() {
     List<TriangleMesh> all = new ArrayList<>();
     all.add(Boxes.plain(WIDTH - 2 * BOARD, 0.37, DEPTH - 0.06).move(0, 0.08, -0.02));
@@ -102,7 +102,7 @@ final class Biblioteca {
     return TriangleMesh.of(all);
   }
 
-  /** Rows of books in the columns and on the bridge; every third one has this colour. */
+  /** Returns rows of books in the columns and on the bridge; every third book has this colour. */
   private static Part books(String name, ModelColour colour, int which) {
     double left = -WIDTH / 2 + BOARD + 0.012;
     double right = WIDTH / 2 - COLUMN + BOARD + 0.012;

@@ -4,15 +4,16 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.Curve;
 import org.selectiverenderer.modelling.Lathe;
 
-/** Knobs to press, without undersides, which are never seen. */
+/** Builds push buttons without undersides, which are never visible. */
 final class Buttons {
 
   private Buttons() {}
 
   /**
-   * An upright one with a rounded edge on y = 0, {@code segments (2 steps + 3)} triangles.
+   * Returns an upright button with a rounded edge on y = 0, {@code segments (2 steps + 3)}
+   * triangles.
    *
-   * @param radiusX half its width; its edge is a third of the smaller half
+   * @param radiusX half its width; the rounding's radius is a third of the smaller half
    */
   static TriangleMesh round(
       double radiusX, double height, double radiusZ, int steps, int segments) {

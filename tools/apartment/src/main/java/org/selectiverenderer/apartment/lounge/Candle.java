@@ -21,7 +21,7 @@ final class Candle {
   private static final double RADIUS = 0.0235;
   private static final double TOP = 0.17;
 
-  /** Where a run of wax is, how far down it came, how wide it is; degrees and metres. */
+  /** A run of wax: its angle about the candle, its lower end and its width; degrees and metres. */
   private record Drip(double angle, double end, double width) {}
 
   private static final List<Drip> DRIPS =
@@ -61,7 +61,7 @@ final class Candle {
     return Lathe.solid(profile, 64).deform(Candle::runWax);
   }
 
-  /** Moves a point of the plain candle out to the surface of the wax that ran over it. */
+  /** Moves a point of the plain candle out to the surface of the runs of wax. */
   private static Vector3d runWax(Vector3d p) {
     double radius = Math.sqrt(p.x * p.x + p.z * p.z);
     if (radius < 0.018 || p.y < 0.01) {

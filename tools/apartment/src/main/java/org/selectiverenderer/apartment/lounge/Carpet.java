@@ -12,7 +12,7 @@ import org.selectiverenderer.modelling.Part;
 import org.selectiverenderer.modelling.Sheet;
 
 /**
- * A carpet, 2.6 m by 1.8 m without its fringes, with borders, lozenges and pile: a picture of a
+ * A carpet, 2.6 m by 1.8 m without its fringes, with borders, lozenges and pile: a texture of a
  * quarter of it, mirrored.
  */
 final class Carpet {
@@ -25,7 +25,7 @@ final class Carpet {
   private Carpet() {}
 
   static ParametricModel model() {
-    // Two fields by two: the picture turns round at the edges between them.
+    // Two fields by two: the texture is mirrored at the edges between them.
     TriangleMesh top = Sheet.field(WIDTH, DEPTH, 2, 2, (x, z) -> THICK);
     return ParametricModel.of(
         "carpet",
@@ -33,7 +33,7 @@ final class Carpet {
         Part.of("fringes", Looks.CREAM_CLOTH, Copies.bothSides(fringe())));
   }
 
-  /** Tufts at the right end, each a flat triangle. */
+  /** Returns the fringe at the right end, each tuft a flat triangle. */
   private static TriangleMesh fringe() {
     float[] corners = {1.3f, 0.004f, 0.028f, 1.36f, 0.001f, 0.004f, 1.3f, 0.004f, -0.028f};
     TriangleMesh tuft = new TriangleMesh(corners, new int[] {0, 1, 2});

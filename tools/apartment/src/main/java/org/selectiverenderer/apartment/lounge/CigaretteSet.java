@@ -36,7 +36,7 @@ final class CigaretteSet {
             Part.of("lightersHead", Looks.STEEL, head())));
   }
 
-  /** The pack's upper half is red; its front comes down in a point. */
+  /** Returns the pack's red upper half, whose front comes down in a point. */
   private static TriangleMesh shoulder() {
     return Boxes.plain(0.056, 0.024, 0.023).move(PACK, 0.04, 0);
   }
@@ -60,7 +60,7 @@ final class CigaretteSet {
     return row.append(pulled).move(PACK - 0.0231, 0.052, 0.003);
   }
 
-  /** A piece of each of the two cigarettes on the table. */
+  /** Returns a section of each of the two cigarettes on the table. */
   private static TriangleMesh loose(double radius, double length, double from) {
     TriangleMesh lying = Rounds.cylinder(radius, length, 14).turnX(90).move(0, 0.0041, from);
     return TriangleMesh.of(

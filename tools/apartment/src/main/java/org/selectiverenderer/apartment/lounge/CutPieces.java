@@ -8,15 +8,15 @@ import org.joml.Vector3d;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 /**
- * Cuts one surface along its edges into pieces of several looks: a label on a bottle, print on a
- * page. Their borders share places, so no gap opens where the model is reduced, and nothing lies a
- * hair's breadth above anything else.
+ * Partitions one surface along its edges into parts of several materials: a label on a bottle,
+ * print on a page. The borders share positions, so that no gap opens where the model is reduced and
+ * no part lies closely above another.
  */
 final class CutPieces {
 
   private CutPieces() {}
 
-  /** The triangles whose middle is chosen. */
+  /** Returns the triangles whose centroid is chosen. */
   static TriangleMesh where(TriangleMesh mesh, Predicate<Vector3d> chosen) {
     float[] positions = new float[mesh.positions().length];
     int[] triangles = new int[mesh.triangles().length];

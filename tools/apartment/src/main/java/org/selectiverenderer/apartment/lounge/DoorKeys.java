@@ -33,12 +33,12 @@ final class DoorKeys {
             Part.of("fob", leather, onRing(fob(), 160, 0.0012))));
   }
 
-  /** Turns a thing that points to +x out from the ring, its hole on the ring. */
+  /** Rotates a mesh that points to +x outwards from the ring, its hole on the ring. */
   private static TriangleMesh onRing(TriangleMesh thing, double degrees, double height) {
     return thing.turnZ(-2).move(RING, height, 0).turnY(degrees);
   }
 
-  /** A round bow with a hole, and a blade with bits on one side. */
+  /** Returns a key: a round bow with a hole, and a blade with bits on one side. */
   private static TriangleMesh key(double length) {
     double s = length - 0.02;
     Outline shape =

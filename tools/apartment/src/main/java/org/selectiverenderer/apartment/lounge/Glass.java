@@ -10,8 +10,8 @@ import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
 /**
- * A glass of red wine. The wall is a single surface, seen from both sides; where the wine is, it
- * has the wine's look.
+ * A glass of red wine. The wall is a single two-sided surface, which has the wine's material where
+ * the wine is.
  */
 final class Glass {
   private static final int SEGMENTS = 16;

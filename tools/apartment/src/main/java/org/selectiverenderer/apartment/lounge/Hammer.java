@@ -30,7 +30,7 @@ final class Hammer {
             Part.of("head", Looks.STEEL, face(), claw())));
   }
 
-  /** Along x, the head at +x. */
+  /** Returns the handle along x, its head end at +x. */
   private static TriangleMesh handle() {
     return Sweep.of(
         Outline.ellipse(0.013, 0.0095, 8),
@@ -45,7 +45,7 @@ final class Hammer {
         t -> t == 0 ? 0.8 : t == 0.5 ? 1.05 : 0.93);
   }
 
-  /** What hits: a neck and a round face towards +z. */
+  /** Returns the striking end: a neck and a round face towards +z. */
   private static TriangleMesh face() {
     Curve profile =
         Curve.of(0.012, -0.014, 0.012, 0.016, 0.0095, 0.026, 0.0135, 0.038, 0.0145, 0.05)
@@ -53,7 +53,7 @@ final class Hammer {
     return Lathe.solid(profile, 10).turnX(90).move(0.15, 0, 0);
   }
 
-  /** Two prongs, from above a bent wedge with a slot. */
+  /** Returns the claw of two prongs, seen from above a bent wedge with a slot. */
   private static TriangleMesh claw() {
     TriangleMesh prong =
         Sweep.of(

@@ -15,12 +15,12 @@ import org.selectiverenderer.modelling.Skin;
 import org.selectiverenderer.modelling.Standing;
 import org.selectiverenderer.modelling.Welding;
 
-/** A pile of four bound books, their ribbed backs to the front. */
+/** A pile of four bound books, their ribbed spines to the front. */
 final class LoungeBooks {
   private static final double COVER = 0.0035;
   private static final int ROWS = 25;
 
-  /** Where it lies in the pile, how large it is: metres and degrees. */
+  /** A book's position in the pile and its size, metres and degrees. */
   private record Book(
       String name,
       ModelColour colour,
@@ -52,15 +52,15 @@ final class LoungeBooks {
     return Standing.centred(new ParametricModel("loungeBooks", parts));
   }
 
-  /** From lengthways on z to lengthways on x, the back to +z, turned a little. */
+  /** Moves a book from lengthways on z to lengthways on x with its spine to +z, turned a little. */
   private static TriangleMesh place(TriangleMesh mesh, Book book) {
     return mesh.turnY(90 + book.turn).move(book.aside, book.y, -book.aside);
   }
 
   /**
-   * Two boards and a round back in one piece: rows along z of a line that runs outside from the
-   * lower board's edge round the back to the upper one's, and inside home again. The first and the
-   * last row are folded shut.
+   * Returns two boards and a round spine in one piece, lofted along z over rows of a line that runs
+   * outside from the lower board's edge around the spine to the upper board's edge, and back
+   * inside. The first and the last row are folded shut.
    */
   private static TriangleMesh cover(Book book) {
     Curve middle = middle(book);
@@ -74,7 +74,7 @@ final class LoungeBooks {
     return Welding.weld(Skin.over(rows, Skin.Form.PIPE)).outward();
   }
 
-  /** The line in the middle of the boards, seen from the end; the back is at -x. */
+  /** Returns the centre line of the boards, seen from the end; the spine is at -x. */
   private static Curve middle(Book book) {
     double half = book.thick / 2 - COVER / 2;
     double joint = 0.012 - book.width / 2;
@@ -108,12 +108,12 @@ final class LoungeBooks {
     return row;
   }
 
-  /** Four raised bands across the back. */
+  /** Returns the height of the four raised bands across the spine at a row. */
   private static double rib(int row) {
     return row > 2 && row < ROWS - 2 && (row - 4) % 6 < 2 ? 0.0035 : 0;
   }
 
-  /** The paper: hollow at the fore edge as the back is round. */
+  /** Returns the pages, concave at the fore edge as the spine is convex. */
   private static TriangleMesh pages(Book book) {
     double low = COVER * 0.9;
     double high = book.thick - low;

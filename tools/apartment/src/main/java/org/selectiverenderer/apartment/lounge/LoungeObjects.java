@@ -11,8 +11,8 @@ public final class LoungeObjects {
   private LoungeObjects() {}
 
   /**
-   * Every object of the lounge. Models of listed objects have at most the polygons of the tables'
-   * version 1; the generator adds what is missing.
+   * Returns the recipes of all objects of the lounge. Models of listed objects have at most the
+   * polygons of version 1 in the tables; the generator adds the missing ones.
    */
   public static Map<String, Supplier<ParametricModel>> all() {
     Map<String, Supplier<ParametricModel>> recipes = new TreeMap<>();
@@ -40,8 +40,8 @@ public final class LoungeObjects {
   }
 
   /**
-   * What has one version: furnishings, and four things that nobody expects in a lounge (rated 1.2
-   * to 1.5 of 6 in thesis Appendix B).
+   * Adds the objects with one version: furnishings, and four objects that nobody expects in a
+   * lounge (rated 1.2 to 1.5 of 6 in thesis Appendix B).
    */
   private static void addSingle(Map<String, Supplier<ParametricModel>> recipes) {
     recipes.put("carpet", Carpet::model);

@@ -34,7 +34,7 @@ final class LoungeTable {
         Part.of("shelf", Looks.WALNUT, shelf()));
   }
 
-  /** A plate whose edge is moulded: a hollow below, a step, a quarter round above. */
+  /** Returns the table top with a moulded edge: a hollow below, a step, a quarter round above. */
   private static TriangleMesh top() {
     Outline outline = Outline.roundedRectangle(WIDTH, DEPTH, 0.06, 9);
     Curve edge =
@@ -67,7 +67,7 @@ final class LoungeTable {
         end.move(-LEG_X, y, 0));
   }
 
-  /** A square block above for the apron, turned below: beads, a vase, a foot. */
+  /** Returns a leg with a square block for the apron above, turned below: beads, a vase, a foot. */
   private static TriangleMesh leg() {
     Curve turned =
         Curve.from(0.012, 0)

@@ -23,7 +23,7 @@ final class Magazine {
   private static final double HALF = 0.14;
   private static final double COVER = 0.0016;
 
-  /** Two millimetres each, to which the print keeps. */
+  /** Number of rows of the sheets, two millimetres each; the print follows them. */
   private static final int ROWS = 140;
 
   private Magazine() {}
@@ -63,7 +63,7 @@ final class Magazine {
     return Part.of(name, look, CutPieces.where(flat, where).deform(Magazine::lift)).crease(60);
   }
 
-  /** The pile of pages sinks into the fold and waves towards its corners. */
+  /** Returns the height of the pages, which sink into the fold and wave towards the corners. */
   private static double height(double x, double z) {
     double out = Math.abs(x) / PAGE;
     double bulge = 0.0115 * out * 1.15 / (out + 0.15) - 0.0055 * out * out;
@@ -71,7 +71,7 @@ final class Magazine {
     return COVER + 0.003 + bulge + wave;
   }
 
-  /** A leaf that rises from the fold and bends back down to the page. */
+  /** Bends the flat leaf so that it rises from the fold and returns down to the page. */
   private static Vector3d lift(Vector3d p) {
     double along = Math.max(0, p.x / PAGE);
     double corner = 0.5 + p.z / (2 * HALF);
@@ -82,7 +82,9 @@ final class Magazine {
     return p.set(x, y, p.z);
   }
 
-  /** The cut edges of the pages, from the border of the uppermost down to the cover. */
+  /**
+   * Returns the cut edges of the pages, from the border of the uppermost page down to the cover.
+   */
   private static TriangleMesh edges(TriangleMesh pages) {
     TriangleMesh walls = Sheet.thicken(pages, 0, -1, 0);
     return CutPieces.where(walls, p -> Math.abs(p.y + 0.5) < 0.4)

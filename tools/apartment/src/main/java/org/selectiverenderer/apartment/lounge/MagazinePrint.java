@@ -2,14 +2,12 @@ package org.selectiverenderer.apartment.lounge;
 
 import org.joml.Vector3d;
 
-/**
- * What is printed where on the open magazine; x and z of the flat sheet, metres from its middle.
- */
+/** The print layout of the open magazine, in x and z of the flat sheet, metres from its middle. */
 final class MagazinePrint {
 
   private MagazinePrint() {}
 
-  /** The picture takes the left page up to a margin. */
+  /** Returns whether a point lies in the picture, which fills the left page up to a margin. */
   static boolean isPicture(Vector3d p) {
     return within(p, -0.192, -0.018, -0.124, 0.09);
   }
@@ -22,7 +20,7 @@ final class MagazinePrint {
     return isPicture(p) && p.z <= 0.03 && !isSofa(p) && !isLamp(p);
   }
 
-  /** A back, a seat, two arms. */
+  /** Returns whether a point lies in the printed sofa: a back, a seat, two arms. */
   static boolean isSofa(Vector3d p) {
     return within(p, -0.13, -0.036, -0.018, 0.012)
         || within(p, -0.145, -0.024, 0.012, 0.052)
@@ -30,7 +28,7 @@ final class MagazinePrint {
         || within(p, -0.036, -0.024, -0.003, 0.012);
   }
 
-  /** A shade on a pole, and a picture on the wall. */
+  /** Returns whether a point lies in the printed lamp or the picture on the wall. */
   static boolean isLamp(Vector3d p) {
     return within(p, -0.182, -0.154, -0.075, -0.045)
         || within(p, -0.1705, -0.1645, -0.045, 0.045)
@@ -45,7 +43,10 @@ final class MagazinePrint {
     return isTitle(p) || isText(p) || isPhotograph(p);
   }
 
-  /** Two columns of lines; the last of each paragraph is short. */
+  /**
+   * Returns whether a point lies in the text: two columns of lines, the last line of each paragraph
+   * short.
+   */
   static boolean isText(Vector3d p) {
     int row = (int) Math.floor((p.z + 0.08) / 0.002 + 1e-6);
     int line = row / 5;

@@ -79,7 +79,7 @@ final class Mobile {
     return TriangleMesh.of(all);
   }
 
-  /** A rocker in a ring below the screen. */
+  /** Returns the navigation key, a rocker in a ring below the screen. */
   private static TriangleMesh navigation() {
     return Rounds.torus(0.0058, 0.0011, 40, 10)
         .append(Buttons.round(0.0036, 0.0012, 0.0036, 5, 32))

@@ -23,7 +23,7 @@ final class Painting {
 
   static ParametricModel model() {
     Outline middle = Outline.rectangle(WIDTH, HEIGHT);
-    // Its x points to the viewer, its y inwards.
+    // The section's x points to the viewer, its y inwards.
     Outline moulding = Outline.of(0, -0.03, 0.024, -0.03, 0.03, -0.012, 0.018, 0.03, 0, 0.03);
     TriangleMesh frame = Sweep.of(moulding, Spine.of(middle));
     double x = WIDTH / 2 - 0.02;

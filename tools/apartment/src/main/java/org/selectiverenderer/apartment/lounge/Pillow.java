@@ -21,7 +21,7 @@ final class Pillow {
   private static final double THICK = 0.085;
   private static final int SQUARES = 16;
 
-  /** Where the piping ends, as a part of half the width. */
+  /** Inner edge of the piping, as a share of half the width. */
   private static final double PIPING = 0.965;
 
   private static final double LEAN = 17;
@@ -45,13 +45,16 @@ final class Pillow {
     return Standing.centred(upright.map(mesh -> mesh.turnX(-LEAN)));
   }
 
-  /** 0 in the middle to 1 at the edge; the outermost squares are the piping. */
+  /**
+   * Returns the position of a grid line, 0 in the middle to 1 at the edge; the outermost squares
+   * are the piping.
+   */
   private static double grid(double t) {
     long line = Math.round(SQUARES * t);
     return line == SQUARES ? 1 : PIPING * line / (SQUARES - 1);
   }
 
-  /** From a square of -1 to 1 with a side (z = 1 or -1) to the pillow. */
+  /** Maps a point of the square from -1 to 1 on a side (z = 1 or -1) to the pillow. */
   private static Vector3d plump(Vector3d p) {
     double fromX = 1 - p.x * p.x;
     double fromY = 1 - p.y * p.y;
@@ -61,7 +64,7 @@ final class Pillow {
     double rim = Math.max(Math.abs(p.x), Math.abs(p.y));
     double seam = rim > 0.999 ? 0 : rim > PIPING - 0.001 ? 0.007 : 0;
     double thick = Math.max(seam, THICK * belly * (1 - dent));
-    // Between the corners the sides are drawn in.
+    // The edges are drawn in between the corners.
     return new Vector3d(
         HALF * p.x * (1 - 0.035 * fromY), HALF * p.y * (1 - 0.035 * fromX), p.z * thick);
   }

@@ -35,7 +35,7 @@ final class Pumpkin {
             Part.of("stalk", stalk, stalk())));
   }
 
-  /** Ten ribs, and a hollow at the stalk and below. */
+  /** Deforms a sphere to ten ribs with a hollow at the stalk and below. */
   private static Vector3d ribbed(Vector3d p) {
     double level = Math.sqrt(p.x * p.x + p.z * p.z) / RADIUS;
     double ribs = 1 + 0.045 * level * Degrees.cos(10 * Degrees.atan2(p.x, p.z));
@@ -43,7 +43,7 @@ final class Pumpkin {
     return p.mul(ribs, hollow, ribs);
   }
 
-  /** Drawn flat in millimetres, then laid on the pumpkin. */
+  /** Returns the face, drawn flat in millimetres, then projected on the pumpkin. */
   private static TriangleMesh face() {
     Outline eye = Outline.of(20, 22, 66, 22, 43, 62);
     Outline nose = Outline.of(-12, -2, 12, -2, 0, 18);
@@ -58,7 +58,7 @@ final class Pumpkin {
     return Prism.plain(0.012, millimetres.scale(0.001, 0.001)).deform(Pumpkin::onSkin);
   }
 
-  /** z is how far a point is before or in the skin. */
+  /** Maps a point of the flat face to the skin; z is its distance outside of the skin. */
   private static Vector3d onSkin(Vector3d p) {
     double y = p.y / (FLAT * RADIUS);
     double x = p.x / RADIUS;

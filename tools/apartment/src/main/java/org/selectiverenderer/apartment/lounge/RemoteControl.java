@@ -39,7 +39,7 @@ final class RemoteControl {
             colour("blue", 3, ModelColour.of(0.16, 0.3, 0.6))));
   }
 
-  /** A rounded bar with a waist. */
+  /** Returns the body, a rounded bar with a waist. */
   private static TriangleMesh body() {
     Outline outline = Outline.superellipse(0.0245, 0.1, 4.5, 108);
     return Prism.plate(TOP, 0.0085, 18, outline).deform(RemoteControl::waist);
@@ -62,7 +62,7 @@ final class RemoteControl {
     return Buttons.round(radiusX, 0.0024, radiusZ, 9, 48);
   }
 
-  /** Three columns of four. */
+  /** Returns the digit keys, three columns of four. */
   private static TriangleMesh digits() {
     List<TriangleMesh> all = new ArrayList<>();
     for (int i = 0; i < 12; i++) {
@@ -79,7 +79,7 @@ final class RemoteControl {
     return Part.of(name, Look.satin(colour), key);
   }
 
-  /** Volume and programme, and five keys at the lower end. */
+  /** Returns the volume and programme keys, and five keys at the lower end. */
   private static TriangleMesh rockers() {
     List<TriangleMesh> all = new ArrayList<>();
     all.add(button(0.0042, 0.0105).move(-0.0145, TOP, -0.002));
@@ -91,7 +91,7 @@ final class RemoteControl {
     return TriangleMesh.of(all);
   }
 
-  /** A ring to move about in menus, with a key in its middle. */
+  /** Returns the navigation ring with a key in its middle. */
   private static TriangleMesh ring() {
     TriangleMesh ring = Rounds.torus(0.0105, 0.0028, 80, 24).move(0, TOP, 0);
     return ring.append(button(0.0055, 0.0055).move(0, TOP, 0)).move(0, 0, 0.038);

@@ -47,7 +47,7 @@ final class Sofa {
     return Prism.bevelled(width, 0.03, 2, side.rounded(0.07, 4)).move(0, 0, -width / 2).turnY(-90);
   }
 
-  /** A roll on an upright board, drawn out from back to front. */
+  /** Returns an arm: a roll on an upright board, extruded from back to front. */
   private static TriangleMesh arm() {
     Outline front =
         Curve.from(-0.085, 0)
@@ -72,7 +72,7 @@ final class Sofa {
         .move(width / 2, 0.66, -0.15);
   }
 
-  /** Fuller in the middle: 1 there, 0 at half a width from it. */
+  /** Returns the fullness of a cushion, 1 in its middle, 0 at half a width from it. */
   private static double crown(double x, double z) {
     return Math.max(0, (1 - 4 * x * x) * (1 - 4 * z * z));
   }

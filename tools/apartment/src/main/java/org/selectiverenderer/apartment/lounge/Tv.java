@@ -22,7 +22,7 @@ final class Tv {
   private static final double WIDTH = 1.02;
   private static final double HEIGHT = 0.62;
 
-  /** Height of the panel's middle above the stand's underside. */
+  /** Height of the panel's middle above the stand's underside, metres. */
   private static final double MIDDLE = 0.4;
 
   private Tv() {}
@@ -51,7 +51,9 @@ final class Tv {
     return Prism.bevelled(0.05, 0.01, 4, outer, window).move(0, MIDDLE, -0.02);
   }
 
-  /** A millimetre deeper than the frame's front, a little larger than its window. */
+  /**
+   * Returns the screen, a millimetre behind the frame's front and a little larger than its window.
+   */
   private static TriangleMesh screen() {
     return Sheet.of(
         1,
@@ -61,7 +63,7 @@ final class Tv {
                 (u - 0.5) * (WIDTH - 0.07), MIDDLE + 0.012 + (v - 0.5) * (HEIGHT - 0.09), 0.014));
   }
 
-  /** A polished line along the lower edge, and the maker's mark. */
+  /** Returns a polished line along the lower edge, and the maker's mark. */
   private static TriangleMesh trim() {
     Spine line =
         Spine.smooth(8, -0.44, 0.1, 0.03, -0.2, 0.097, 0.03, 0.2, 0.097, 0.03, 0.44, 0.1, 0.03);

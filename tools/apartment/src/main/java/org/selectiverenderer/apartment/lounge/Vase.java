@@ -37,7 +37,7 @@ final class Vase {
                 .crease(75)));
   }
 
-  /** Up the belly to a neck with a lip, and down inside. */
+  /** Returns the profile: up the belly to a neck with a lip, and down inside. */
   private static Curve profile() {
     return Curve.from(0.04, 0)
         .line(0.042, 0.006)
@@ -64,7 +64,7 @@ final class Vase {
     return Sweep.tube(stem, 0.0032, 5);
   }
 
-  /** A cup of petals in the direction of the stem's end. */
+  /** Returns a cup of petals in the direction of the stem's end. */
   private static TriangleMesh tulip(Spine stem) {
     Curve cup = Curve.of(0, 0, 0.018, 0.008, 0.024, 0.026, 0.0205, 0.045, 0.012, 0.02);
     TriangleMesh flower = Lathe.solid(cup, 12).deform(Vase::pointed);
@@ -76,7 +76,7 @@ final class Vase {
         .move(end.x, end.y - 0.003, end.z);
   }
 
-  /** Six tips: every other point of the rim is higher. */
+  /** Raises every other point of the rim, which gives six tips. */
   private static Vector3d pointed(Vector3d p) {
     double turn = Degrees.atan2(p.z, p.x) / 60;
     boolean tip = Math.abs(turn - Math.rint(turn)) < 0.1;

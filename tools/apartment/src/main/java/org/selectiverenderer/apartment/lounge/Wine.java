@@ -66,13 +66,13 @@ final class Wine {
     return p.y > 0.058 && p.y < 0.062 || p.y > 0.134 && p.y < 0.138;
   }
 
-  /** A dark field in the label's middle. */
+  /** Returns whether a point lies in the dark field in the label's middle. */
   private static boolean isEmblem(Vector3d p) {
     return p.y > 0.094 && p.y < 0.122 && Math.abs(angle(p)) < 30
         || p.y > 0.078 && p.y < 0.082 && Math.abs(angle(p)) < 50;
   }
 
-  /** From the front, degrees. */
+  /** Returns the angle of a point about the bottle's axis from the front, degrees. */
   private static double angle(Vector3d p) {
     return Degrees.atan2(p.x, p.z);
   }

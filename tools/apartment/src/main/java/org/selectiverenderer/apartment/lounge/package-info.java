@@ -1,8 +1,8 @@
 /**
- * Recipes of the objects in the lounge: each class makes one object, a function of nothing to a
- * {@link org.selectiverenderer.modelling.ParametricModel} in metres that stands on y = 0, is
- * centred on x and z, and shows its front to +z. Uses {@code apartment.looks}, {@code
- * apartment.pictures}, {@code modelling}, {@code geometry} and {@code geometry.mesh}.
+ * Recipes of the objects in the lounge: each class builds one object, a {@link
+ * org.selectiverenderer.modelling.ParametricModel} in metres that stands on y = 0, is centred on x
+ * and z, and shows its front to +z. Uses {@code apartment.looks}, {@code apartment.pictures},
+ * {@code modelling}, {@code geometry} and {@code geometry.mesh}.
  */
 @NullMarked
 package org.selectiverenderer.apartment.lounge;

@@ -7,16 +7,16 @@ import org.selectiverenderer.modelling.Prism;
 import org.selectiverenderer.modelling.Sheet;
 
 /**
- * A bound book that stands upright with its back to +z.
+ * A bound book that stands upright with its spine to +z.
  *
- * @param thick measured along x, metres
+ * @param thick thickness along x, metres
  * @param height metres
- * @param deep from the back's roundest place to the fore edge, metres
+ * @param deep depth from the outermost line of the spine to the fore edge, metres
  */
 record Book(double thick, double height, double deep) {
   private static final double BOARD = 0.003;
 
-  /** By how much the back stands out. */
+  /** Returns the distance by which the round spine stands out. */
   private double round() {
     return 0.13 * thick;
   }
@@ -25,7 +25,7 @@ record Book(double thick, double height, double deep) {
     return deep / 2 - round();
   }
 
-  /** Two boards and a round back of one piece: a U seen from above, open behind. */
+  /** Returns two boards and a round spine of one piece: a U seen from above, open behind. */
   TriangleMesh cover() {
     double x = thick / 2;
     double inner = x - BOARD;
@@ -56,7 +56,9 @@ record Book(double thick, double height, double deep) {
     return Prism.plate(height, 0.001, 4, outside.then(inside).closed());
   }
 
-  /** The pages' upper cut and, going down behind, their hollow fore edge: an open surface. */
+  /**
+   * Returns the pages' upper edge and, going down behind, their concave fore edge: an open surface.
+   */
   TriangleMesh pages() {
     double x = thick / 2 - BOARD + 0.0005;
     double upper = height - 0.004;
@@ -73,7 +75,9 @@ record Book(double thick, double height, double deep) {
         });
   }
 
-  /** The title's plate and a band below it, flat before the roundest place of the back. */
+  /**
+   * Returns the title plate and a band below it, flat in front of the outermost line of the spine.
+   */
   TriangleMesh label() {
     double out = deep / 2 + 0.0006;
     return TriangleMesh.of(

@@ -7,7 +7,9 @@ import org.selectiverenderer.modelling.Copies;
 import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
-/** A bookcase of dark oak with ten bays, measured in {@link Shelves} (thesis Fig 71). */
+/**
+ * A bookcase of dark oak with ten bays, whose dimensions are in {@link Shelves} (thesis Fig 71).
+ */
 final class Bookcase {
   private static final double BACK = 0.01;
 

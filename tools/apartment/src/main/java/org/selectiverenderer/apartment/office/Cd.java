@@ -57,7 +57,7 @@ final class Cd {
         .move(-0.077, level * CASE, 0);
   }
 
-  /** The lower half of a case: a plate with a round hollow for the disc. */
+  /** Returns the lower half of a case: a plate with a round hollow for the disc. */
   private static TriangleMesh tray() {
     TriangleMesh floor = Boxes.plain(0.136, 0.004, 0.119);
     TriangleMesh rim =
@@ -75,7 +75,7 @@ final class Cd {
     return Lathe.ring(section, 96);
   }
 
-  /** The clear ring of the disc, and the hub that holds it. */
+  /** Returns the clear ring of the disc, and the hub that holds it. */
   private static TriangleMesh middle() {
     Outline ring = Outline.of(0.0075, 0.0001, 0.0182, 0.0001, 0.0182, 0.0011, 0.0075, 0.0011);
     TriangleMesh hub = Rounds.roundedCylinder(0.0068, 0.004, 0.0015, 2, 32).move(0, -0.002, 0);

@@ -75,7 +75,7 @@ final class ComputerMonitor {
     return screen(0.026, 0.026, -0.2, 0.105 - 0.048 * row, 2);
   }
 
-  /** A rectangle of the screen; higher layers lie before lower ones. */
+  /** Returns a rectangle of the screen; higher layers lie in front of lower ones. */
   private static TriangleMesh screen(double width, double height, double x, double y, int layer) {
     return Placing.flat(width, height).move(x, HEIGHT + y, 0.0165 + 0.0004 * layer + 0.0005);
   }

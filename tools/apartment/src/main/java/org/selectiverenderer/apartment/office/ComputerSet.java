@@ -22,7 +22,7 @@ final class ComputerSet {
     return Standing.centred(tower.plus(monitor).plus(keyboard).plus(mouse()).named("computerSet"));
   }
 
-  /** On a mat to the right of the keyboard, its buttons to the screen. */
+  /** Returns the mouse on a mat to the right of the keyboard, its buttons to the screen. */
   private static ParametricModel mouse() {
     MouseShape shape = new MouseShape(28, 40);
     TriangleMesh mat = Prism.plate(0.003, 0.001, 2, Outline.roundedRectangle(0.2, 0.19, 0.014, 6));

@@ -37,7 +37,7 @@ final class Desk {
         .move(-0.54, 0.04, 0);
   }
 
-  /** Hides the knees of the user. */
+  /** Returns the modesty panel. */
   private static TriangleMesh panel() {
     return Boxes.plain(1.05, 0.42, 0.02).move(0.2, UNDER - 0.42, -0.3);
   }

@@ -34,7 +34,7 @@ final class DeskChair {
         .move(0, SEAT, 0.02);
   }
 
-  /** Curved round the one who sits, and leaning back. */
+  /** Returns the back, curved around the sitter and leaning back. */
   private static TriangleMesh back() {
     return Rounds.superellipsoid(0.22, 0.235, 0.035, 3, 2.6, 7, 16)
         .deform(p -> p.add(0, 0, 1.1 * p.x * p.x))
@@ -84,7 +84,7 @@ final class DeskChair {
     return Boxes.bevelled(0.06, 0.028, 0.26, 0.012, 1).move(0.285, SEAT + 0.195, 0.02);
   }
 
-  /** One of five, along +z; thinner and lower towards its end. */
+  /** Returns one of five legs, along +z, thinner and lower towards its end. */
   private static TriangleMesh leg() {
     return Boxes.plain(0.05, 0.04, 0.27)
         .move(0, 0, 0.155)

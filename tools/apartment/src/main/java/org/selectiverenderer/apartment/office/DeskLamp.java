@@ -45,14 +45,14 @@ final class DeskLamp {
     return Looks.WHITE.glowing(ModelColour.of(0.95, 0.88, 0.65));
   }
 
-  /** Two bars beside each other. */
+  /** Returns an arm of two parallel bars. */
   private static TriangleMesh arm(double[] from, double[] to) {
     Spine line = Spine.of(from[0], from[1], 0.011, to[0], to[1], 0.011);
     TriangleMesh bar = Sweep.tube(line, 0.0042, 12);
     return bar.append(bar.mirrorZ());
   }
 
-  /** A spring outside each bar, from the joint below upwards. */
+  /** Returns a spring outside of each bar, from the lower joint upwards. */
   private static TriangleMesh springs(double[] from, double[] to, double length, int turns) {
     double lean = Degrees.atan2(from[0] - to[0], to[1] - from[1]);
     TriangleMesh spring = Sweep.tube(Spine.helix(0.0075, length, turns, 16), 0.0013, 8);
@@ -69,12 +69,12 @@ final class DeskLamp {
     return Rounds.roundedCylinder(0.009, 0.007, 0.003, 3, 32).move(0.02, 0.021, 0.05);
   }
 
-  /** Hangs a mesh, whose axis goes through the origin, at the upper arm's end. */
+  /** Moves a mesh, whose axis goes through the origin, to the end of the upper arm. */
   private static TriangleMesh atHead(TriangleMesh mesh) {
     return mesh.turnZ(24).move(HEAD[0] + 0.018, HEAD[1] - 0.012, 0);
   }
 
-  /** A bell that opens downwards, as thick as sheet metal. */
+  /** Returns the shade, a bell of sheet metal that opens downwards. */
   private static TriangleMesh shade() {
     Curve outside =
         Curve.from(0.078, -0.118)

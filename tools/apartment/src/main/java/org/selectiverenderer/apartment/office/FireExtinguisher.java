@@ -52,7 +52,7 @@ final class FireExtinguisher {
     return Lathe.solid(profile, 48);
   }
 
-  /** A piece of paper round the front of the bottle. */
+  /** Returns a label around the front of the bottle. */
   private static TriangleMesh band(double from, double to, double degrees) {
     double radius = RADIUS + 0.0015;
     return Lathe.sector(Curve.of(radius, from, radius, to), degrees, 18).turnY(270 - degrees / 2);
@@ -67,7 +67,10 @@ final class FireExtinguisher {
     return Lathe.solid(profile, 24).append(outlet.mirrorX().move(0, 0.44, 0));
   }
 
-  /** A flat bar to the right, slightly bent down at its end; tilted up about the valve. */
+  /**
+   * Returns a lever: a flat bar to the right, slightly bent down at its end, tilted up about the
+   * valve.
+   */
   private static TriangleMesh lever(double degrees) {
     Outline side =
         Curve.of(-0.012, 0, 0.05, 0, 0.095, -0.014, 0.097, -0.006, 0.052, 0.009, -0.012, 0.009)
@@ -80,7 +83,7 @@ final class FireExtinguisher {
     return Placing.forward(Rounds.roundedCylinder(0.013, 0.01, 0.003, 2, 20)).move(0, 0.439, 0.012);
   }
 
-  /** From the valve over to the left and down beside the bottle. */
+  /** Returns the hose from the valve over to the left and down beside the bottle. */
   private static TriangleMesh hose() {
     Spine path =
         Spine.smooth(
@@ -94,7 +97,7 @@ final class FireExtinguisher {
     return Lathe.solid(profile, 16).move(-0.095, 0.075, 0.02);
   }
 
-  /** A plate at the wall, and the strap that holds the bottle to it. */
+  /** Returns the bracket: a plate at the wall, and the strap that holds the bottle to it. */
   private static TriangleMesh bracket() {
     TriangleMesh plate =
         Prism.bevelled(0.006, 0.002, 2, Outline.roundedRectangle(0.06, 0.32, 0.02, 4))

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.DoubleFunction;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
-/** Lays out the keys of keyboards, in units of a letter key's width. */
+/** Keyboard layouts, in units of a letter key's width. */
 final class KeyboardKeys {
   /** The rows of letters from the back to the front, 15 units each; negative is a gap. */
   static final double[][] MAIN = {
@@ -30,9 +30,9 @@ final class KeyboardKeys {
   private KeyboardKeys() {}
 
   /**
-   * @param pitch a unit, metres
-   * @param depth from row to row, metres
-   * @param key makes a key, standing about the origin, of a width in metres
+   * @param pitch length of a unit, metres
+   * @param depth distance from row to row, metres
+   * @param key builds a key of a width in metres, standing at the origin
    * @return the keys with their left back corner at the origin
    */
   static TriangleMesh of(

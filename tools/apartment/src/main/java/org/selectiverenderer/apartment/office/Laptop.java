@@ -78,7 +78,7 @@ final class Laptop {
         .move(x - 0.025, TOP + 0.001, -DEPTH / 2 + 0.002);
   }
 
-  /** Turns what stands upright on the hinges back by the lean. */
+  /** Rotates a mesh that stands upright on the hinges back by the screen's tilt. */
   private static TriangleMesh lifted(TriangleMesh mesh) {
     return mesh.turnX(-LEAN).move(0, TOP + 0.002, -DEPTH / 2 + 0.001);
   }

@@ -12,15 +12,15 @@ import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Part;
 
 /**
- * Rows of books in the bays of the {@link Bookcase}, the same ones at every call. The model's y = 0
- * is the shelf that the lowest of them stand on, {@link #LOWEST_SHELF}; x and z are the bookcase's
+ * Rows of books in the bays of the {@link Bookcase}, the same at every call. The model's y = 0 is
+ * the shelf that the lowest books stand on, {@link #LOWEST_SHELF}; x and z are the bookcase's
  * (thesis Fig 71).
  */
 final class LibraryBooks {
   /** The shelf that the model stands on. */
   static final int LOWEST_SHELF = 0;
 
-  /** Shelf, side (-1 left, 1 right), and how much of the bay is full. */
+  /** Shelf, side (-1 left, 1 right), and share of the bay that is filled. */
   private static final double[][] ROWS = {
     {4, -1, 1.0}, {4, 1, 0.66}, {3, -1, 0.72}, {1, 1, 0.5}, {0, 1, 0.62}
   };
@@ -63,7 +63,9 @@ final class LibraryBooks {
     return Look.satin(ModelColour.of(red, green, blue));
   }
 
-  /** From the outer wall towards the post; the last one leans unless the bay is full. */
+  /**
+   * Fills a bay from the outer wall towards the post; the last book leans unless the bay is full.
+   */
   private void fill(int shelf, int side, double part) {
     double wall = Shelves.WIDTH / 2 - Shelves.BOARD;
     double at = 0;
@@ -96,7 +98,8 @@ final class LibraryBooks {
       TriangleMesh mesh, Book book, double x, double y, int leaningTo) {
     TriangleMesh placed = mesh;
     if (leaningTo != 0) {
-      // About the lower edge on the side of the others, then away by what the upper edge reaches.
+      // Rotates the book about its lower edge on the side of the others, then moves it away by the
+      // overhang of its upper edge.
       double lean = -leaningTo * 9.0;
       double edge = leaningTo * book.thick() / 2;
       placed =

@@ -9,10 +9,10 @@ import org.selectiverenderer.modelling.Spine;
 import org.selectiverenderer.modelling.Sweep;
 
 /**
- * The form of a computer mouse, 0.115 m long, its buttons at +z.
+ * The shape of a computer mouse, 0.115 m long, its buttons at +z.
  *
- * @param rings bands of the body from its back to its front, an even number
- * @param segments steps round the body
+ * @param rings number of bands of the body from its back to its front, even
+ * @param segments number of steps around the body
  */
 record MouseShape(int rings, int segments) {
   private static final double HALF_WIDTH = 0.031;
@@ -22,14 +22,14 @@ record MouseShape(int rings, int segments) {
   private static final double AROUND = 2.3;
   private static final double SOLE = 0.12;
 
-  /** The part under the palm; it has a border where the buttons begin, in the middle. */
+  /** Returns the part under the palm, with a border in the middle, where the buttons begin. */
   TriangleMesh palm() {
     TriangleMesh body = body();
     int half = body.triangles().length / 2;
     return new TriangleMesh(body.positions(), Arrays.copyOf(body.triangles(), half));
   }
 
-  /** The part with the buttons, open where the palm's part begins. */
+  /** Returns the part with the buttons, open where the palm's part begins. */
   TriangleMesh buttons() {
     TriangleMesh body = body();
     int[] all = body.triangles();
@@ -44,24 +44,24 @@ record MouseShape(int rings, int segments) {
         .move(0, SOLE * HEIGHT, 0);
   }
 
-  /** Lower towards the buttons. */
+  /** Returns the height profile, lower towards the buttons. */
   private static double slope(double z) {
     return 0.85 - 0.3 * z / HALF_LENGTH;
   }
 
-  /** Narrower where thumb and little finger hold it. */
+  /** Returns the width profile, narrower where thumb and little finger hold the mouse. */
   private static double waist(double z) {
     double along = (z - 0.008) / HALF_LENGTH;
     return 0.88 + 0.12 * Math.min(1, along * along * 1.5);
   }
 
-  /** Height of the body's upper side in its middle. */
+  /** Returns the height of the body's upper side along its middle. */
   private static double top(double z) {
     double width = 1 - Degrees.power(Math.abs(z) / HALF_LENGTH, ALONG);
     return HEIGHT * (SOLE + slope(z) * Degrees.power(width, 1 / ALONG));
   }
 
-  /** The dark line between the buttons. */
+  /** Returns the dark line between the buttons. */
   TriangleMesh seam(int steps) {
     double[] along = new double[3 * (steps + 1)];
     for (int i = 0; i <= steps; i++) {
@@ -77,7 +77,7 @@ record MouseShape(int rings, int segments) {
     return Placing.sideways(Rounds.torus(0.0075, 0.0036, steps, around)).move(0, top(z) - 0.005, z);
   }
 
-  /** A cable that leaves between the buttons and goes on through the points. */
+  /** Returns a cable that leaves between the buttons and runs through the points. */
   TriangleMesh cable(int steps, int sides, double... points) {
     double[] all = new double[points.length + 6];
     all[1] = 0.009;

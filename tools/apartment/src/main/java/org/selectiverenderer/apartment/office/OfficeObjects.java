@@ -11,8 +11,8 @@ public final class OfficeObjects {
   private OfficeObjects() {}
 
   /**
-   * Every object of the office. Models of listed objects have at most the polygons of the tables'
-   * version 1; the generator adds what is missing.
+   * Returns the recipes of all objects of the office. Models of listed objects have at most the
+   * polygons of version 1 in the tables; the generator adds the missing ones.
    */
   public static Map<String, Supplier<ParametricModel>> all() {
     Map<String, Supplier<ParametricModel>> recipes = new TreeMap<>();

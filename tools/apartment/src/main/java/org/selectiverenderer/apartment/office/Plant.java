@@ -86,10 +86,10 @@ final class Plant {
   }
 
   /**
-   * A leaf that grows to +x, folded along its middle.
+   * Returns a leaf that grows to +x, folded along its middle.
    *
-   * @param rise angle above the level at its root, degrees
-   * @param droop by how much it has bent down at its tip, degrees
+   * @param rise angle above the horizontal at its root, degrees
+   * @param droop angle by which it has bent down at its tip, degrees
    */
   private static TriangleMesh leaf(double length, double rise, double droop) {
     double radius = length / Math.toRadians(droop);

@@ -46,7 +46,7 @@ final class Poster {
     return Prism.face(Outline.circle(0.045, 14)).move(0.1, 0.075, 0.0111);
   }
 
-  /** A range of hills given by heights in equal distances. */
+  /** Returns a range of hills given by heights at equal distances. */
   private static Part hills(
       String name, double red, double green, double blue, int layer, double... heights) {
     double[] more = new double[2 * heights.length];

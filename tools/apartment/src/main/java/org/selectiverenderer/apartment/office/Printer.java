@@ -43,7 +43,7 @@ final class Printer {
             Part.of("brand", Looks.CHARCOAL, brand())));
   }
 
-  /** Open at the front where the pages come out. */
+  /** Returns the body, open at the front where the pages come out. */
   private static TriangleMesh body() {
     return Prism.bevelled(
             0.235,
@@ -59,7 +59,7 @@ final class Printer {
         .move(0, LID - 0.004, FRONT - 0.115);
   }
 
-  /** Holds the stack of paper. */
+  /** Returns the feeder that holds the stack of paper. */
   private static TriangleMesh feeder() {
     return Boxes.bevelled(0.27, 0.15, 0.008, 0.003, 4).turnX(-10).move(0, LID - 0.02, -0.109);
   }
@@ -84,7 +84,7 @@ final class Printer {
         .move(0, 0.022, FRONT + 0.006);
   }
 
-  /** Blank sheets behind, a page in front. */
+  /** Returns the paper: blank sheets behind, a page in front. */
   private static TriangleMesh paper() {
     TriangleMesh stack = Boxes.plain(0.21, 0.2, 0.006).turnX(-10).move(0, LID - 0.02, -0.1);
     TriangleMesh page =
@@ -101,7 +101,7 @@ final class Printer {
     return Copies.row(line.move(0, 0.0362, FRONT + 0.032), 4, 0, 0.0009, 0.0075);
   }
 
-  /** Stands out on the right above the mouth. */
+  /** Returns the control panel, which stands out on the right above the output slot. */
   private static TriangleMesh panel() {
     return Prism.bevelled(0.012, 0.004, 6, Outline.roundedRectangle(0.35, 0.038, 0.01, 10))
         .move(0, LID - 0.03, FRONT - 0.006);

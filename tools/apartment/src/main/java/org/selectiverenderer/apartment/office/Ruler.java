@@ -33,7 +33,7 @@ final class Ruler {
         Part.of("numbers", Looks.BLACK, numbers()));
   }
 
-  /** On the bevel's slope: longer ones for 5 and 10 millimetres. */
+  /** Returns the scale on the bevel's slope, with longer lines for 5 and 10 millimetres. */
   private static TriangleMesh lines() {
     List<TriangleMesh> all = new ArrayList<>();
     for (int mm = 0; mm <= 300; mm++) {

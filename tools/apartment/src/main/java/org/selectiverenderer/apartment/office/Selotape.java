@@ -55,7 +55,7 @@ final class Selotape {
     return Prism.bevelled(0.013, 0.0035, 7, side).move(0, 0, 0.0135);
   }
 
-  /** What joins the cheeks below the roll and carries the blade. */
+  /** Returns the part that joins the cheeks below the roll and carries the blade. */
   private static TriangleMesh saddle() {
     Outline side =
         Curve.from(-0.07, 0.0005)
@@ -100,7 +100,7 @@ final class Selotape {
         .move(AXLE_X, AXLE_Y, 0.0255);
   }
 
-  /** The tape's end, from the top of the roll over to the blade. */
+  /** Returns the end of the tape, from the top of the roll over to the blade. */
   private static TriangleMesh strip() {
     Curve path = Curve.from(-0.018, 0.0805).bezier(0.01, 0.074, 0.05, 0.058, 0.087, 0.0495, 24);
     return Sweep.of(Outline.rectangle(0.0185, 0.0005), Spine.of(path));

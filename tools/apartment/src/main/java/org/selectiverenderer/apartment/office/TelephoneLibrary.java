@@ -44,7 +44,7 @@ final class TelephoneLibrary {
             Part.of("feet", Looks.RUBBER, feet())));
   }
 
-  /** A wedge that falls to the front. */
+  /** Returns the body, a wedge that slopes down to the front. */
   private static TriangleMesh body() {
     Outline side =
         Outline.of(-0.095, 0.003, 0.098, 0.003, 0.098, 0.0213, -0.075, 0.062, -0.095, 0.056)
@@ -52,12 +52,12 @@ final class TelephoneLibrary {
     return Placing.across(Prism.bevelled(0.2, 0.006, 6, side), 0.2);
   }
 
-  /** Puts a mesh that stands on y = 0 onto the sloping face. */
+  /** Moves a mesh that stands on y = 0 onto the sloping face. */
   private static TriangleMesh onFace(TriangleMesh mesh, double x, double z) {
     return mesh.turnX(SLOPE).move(x, 0.0444 - 0.2353 * z, z);
   }
 
-  /** What carries one end of the handset. */
+  /** Returns the cradle of one end of the handset. */
   private static TriangleMesh cradle(double z) {
     return onFace(Boxes.bevelled(0.052, 0.012, 0.05, 0.004, 5), -0.068, z);
   }
@@ -75,7 +75,7 @@ final class TelephoneLibrary {
         TriangleMesh.of(grip, cup.move(0, 0, -0.072), cup.move(0, 0, 0.072)), -0.068, -0.004);
   }
 
-  /** A coil from the handset's lower end to the left side. */
+  /** Returns the coiled cord from the handset's lower end to the left side. */
   private static TriangleMesh cord() {
     int turns = 17;
     int steps = 12;
@@ -98,7 +98,7 @@ final class TelephoneLibrary {
     return Sweep.tube(new Spine(coil, false), 0.0017, 8);
   }
 
-  /** Rows and columns of keys about a place of the face. */
+  /** Returns rows and columns of keys about a point of the face. */
   private static TriangleMesh grid(
       int rows, int columns, double dx, double dz, double x, double z) {
     TriangleMesh key = Boxes.bevelled(dx - 0.006, KEY_TOP, 0.0105, 0.0025, 3);

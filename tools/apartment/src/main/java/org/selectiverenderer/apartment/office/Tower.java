@@ -33,7 +33,7 @@ final class Tower {
         .move(0, 0.202, -0.022);
   }
 
-  /** Two drives for discs with their buttons. */
+  /** Returns two disc drives with their buttons. */
   private static TriangleMesh drives() {
     TriangleMesh drive =
         Boxes.bevelled(0.146, 0.038, 0.006, 0.0025, 3)

@@ -17,7 +17,7 @@ import org.selectiverenderer.modelling.Sweep;
  * expects it in an office (rated 1.1 of 6, thesis 5.1).
  */
 final class Trumpet {
-  /** The bell's tube and the mouthpiece's run beside each other on the right. */
+  /** The x of the bell's tube, beside which the mouthpiece's tube runs on the right. */
   private static final double RIGHT = 0.032;
 
   private static final double LEFT = -0.038;
@@ -47,7 +47,7 @@ final class Trumpet {
     return Lathe.solid(profile, 16);
   }
 
-  /** From the bell's tube round the upper bend down to the third valve. */
+  /** Returns the bow from the bell's tube around the upper bend down to the third valve. */
   private static TriangleMesh bow() {
     double middle = (RIGHT + LEFT) / 2;
     Curve path =
@@ -55,7 +55,10 @@ final class Trumpet {
     return Sweep.tube(Spine.of(path), TUBE, 6).move(0, 0, SIDE);
   }
 
-  /** From the mouthpiece down, round the lower bend up to the first valve. */
+  /**
+   * Returns the leadpipe and tuning slide, from the mouthpiece down and around the lower bend up to
+   * the first valve.
+   */
   private static TriangleMesh slide() {
     double middle = (RIGHT + LEFT) / 2;
     Curve path =
@@ -63,7 +66,7 @@ final class Trumpet {
     return Sweep.tube(Spine.of(path), TUBE, 6).move(0, 0, -SIDE);
   }
 
-  /** Three cylinders that lie from left to right above each other. */
+  /** Returns three cylinders that lie from left to right above each other. */
   private static TriangleMesh valves(double radius, double from, double length) {
     TriangleMesh valve = Placing.sideways(Rounds.cylinder(radius, length, 8));
     return Copies.row(valve.move(from, 0.215, 0), 3, 0, 0.036, 0);

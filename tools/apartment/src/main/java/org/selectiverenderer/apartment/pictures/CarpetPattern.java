@@ -7,12 +7,12 @@ import org.selectiverenderer.base.picture.Srgb;
  * lozenges and corners, and a border between two guards. Knots make slanting lines go in steps.
  */
 final class CarpetPattern {
-  /** Of the quarter, metres. */
+  /** Size of the quarter, metres. */
   private static final double ACROSS = 1.3;
 
   private static final double UP = 0.9;
 
-  /** Of a knot, metres: the pattern is drawn in them. */
+  /** Size of a knot, metres; the pattern is drawn in knots. */
   private static final double KNOT = 0.01;
 
   private static final int TEAL = 0;
@@ -28,10 +28,10 @@ final class CarpetPattern {
     {0.03, 0.09, 0.12, 0.1, 0.24, 0.28, 0.2, 0.36, 0.4}
   };
 
-  /** How much of the carpet has which colour, about. */
+  /** Approximate share of the carpet of each colour. */
   private static final double[] SHARES = {0.44, 0.2, 0.1, 0.26};
 
-  /** So much more light than its wool does it throw back, as pile that is seen from above. */
+  /** Factor of the wool's reflectance for pile seen from above. */
   private static final double LIGHT = 1.2;
 
   private final Noise noise = new Noise(8);
@@ -77,7 +77,7 @@ final class CarpetPattern {
     return edge < 0.285 ? DARK : field(x, y);
   }
 
-  /** Lozenges in a row, hooks between them. */
+  /** Returns the colour of the border: lozenges in a row, hooks between them. */
   private static int border(double along, double across) {
     double step = 0.13;
     double u = Math.abs(along - step * (Math.floor(along / step) + 0.5)) / (step / 2);
@@ -92,7 +92,9 @@ final class CarpetPattern {
     return out < 0.85 ? CREAM : out > 1.5 ? TEAL : DARK;
   }
 
-  /** Where two borders meet, from the middle of that square. */
+  /**
+   * Returns the colour of the star where two borders meet; x and y from the middle of that square.
+   */
   private static int star(double x, double y) {
     double out = Math.min(Math.abs(x) + Math.abs(y), 1.4 * Math.max(Math.abs(x), Math.abs(y)));
     return out < 0.02 ? CREAM : out < 0.05 ? RUST : out < 0.07 ? CREAM : DARK;

@@ -4,22 +4,25 @@ import org.selectiverenderer.base.picture.PngPicture.Samples;
 import org.selectiverenderer.base.picture.Srgb;
 
 /**
- * A picture's few colours, each in many tones from dark to light: what a file of numbers of a
- * palette can say. The more dyes, the fewer tones of each.
+ * A palette of colour ramps for an indexed-colour image: a few dyes, each in many tones from dark
+ * to light. The more dyes, the fewer tones of each.
  */
 final class Dyes {
   private static final int COLOURS = 256;
 
-  /** A palette's bytes tell light apart by one in two hundred; more rounds change nothing. */
+  /**
+   * Rounds of the search for the factors; palette bytes resolve about one in two hundred, so more
+   * rounds change nothing.
+   */
   private static final int ROUNDS = 8;
 
-  /** The colour of a place: a dye and a tone. */
+  /** Computes the colour of a point as a dye and a tone. */
   @FunctionalInterface
   interface Paint {
     /**
-     * @param x metres to the right of the picture's left edge
-     * @param y metres above its lower edge
-     * @return the dye's number, whole, plus its tone, 0 (dark) to below 1 (light)
+     * @param x metres to the right of the image's left edge
+     * @param y metres above the image's lower edge
+     * @return the dye's number plus the tone, 0 (dark) to below 1 (light)
      */
     double at(double x, double y);
   }
@@ -28,8 +31,7 @@ final class Dyes {
   private final double[] light;
 
   /**
-   * @param ramps for each dye the display's red, green and blue of its darkest, middle and lightest
-   *     tone
+   * @param ramps for each dye the display colours r, g, b of its darkest, middle and lightest tone
    */
   Dyes(double[]... ramps) {
     tones = COLOURS / ramps.length;
@@ -47,16 +49,16 @@ final class Dyes {
     }
   }
 
-  /** A dye and a tone as one number; tones outside of 0 to 1 are the darkest and the lightest. */
+  /** Encodes a dye and a tone as one number; tones are clamped to 0 to 1. */
   static double of(int dye, double tone) {
     return dye + Math.max(0, Math.min(0.9999, tone));
   }
 
   /**
-   * The picture of a surface.
+   * Paints the image of a surface.
    *
-   * @param across metres that it covers to the right, {@code up} likewise
-   * @param meanLight share of light that it throws back on the whole, as the surface did before
+   * @param across width that the image covers, metres, and so {@code up} its height
+   * @param meanLight mean reflectance r, g, b that the image is scaled to
    */
   SurfacePicture paint(
       int width, int height, double across, double up, double[] meanLight, Paint paint) {
@@ -74,7 +76,10 @@ final class Dyes {
     return new SurfacePicture(width, height, Samples.PALETTE, palette(used, meanLight), pixels);
   }
 
-  /** All colours lighter or darker by one factor for red, one for green, one for blue. */
+  /**
+   * Returns the palette with red, green and blue scaled by one factor each, so that the mean
+   * reflectance is reached.
+   */
   private byte[] palette(long[] used, double[] meanLight) {
     byte[] palette = new byte[light.length];
     for (int c = 0; c < 3; c++) {

@@ -1,8 +1,8 @@
 package org.selectiverenderer.apartment.pictures;
 
 /**
- * A chequer of glazed floor tiles, light and dark, with sand-coloured joints: four by four tiles
- * until it repeats.
+ * A chequered texture of glazed floor tiles, light and dark, with sand-coloured joints; it repeats
+ * after four by four tiles.
  */
 final class FloorTiles {
   static final int TILES = 4;
@@ -10,7 +10,7 @@ final class FloorTiles {
   /** Half the breadth of a joint, as a share of a tile. */
   private static final double JOINT = 0.008;
 
-  /** Where a tile's edge has become flat. */
+  /** Distance from a tile's edge, as a share of a tile, at which the rounding of the edge ends. */
   private static final double EDGE = 0.022;
 
   private static final int LIGHT = 0;
@@ -28,13 +28,13 @@ final class FloorTiles {
   private FloorTiles() {}
 
   /**
-   * @param meanLight share of light that it throws back
+   * @param meanLight mean reflectance r, g, b
    */
   static SurfacePicture picture(double[] meanLight) {
     return GLAZES.paint(512, 512, TILES, TILES, meanLight, new FloorTiles()::at);
   }
 
-  /** In tiles instead of metres. */
+  /** Returns dye and tone at a point, in tiles. */
   private double at(double x, double y) {
     int i = (int) x;
     int j = (int) y;

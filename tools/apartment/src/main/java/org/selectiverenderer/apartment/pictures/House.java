@@ -3,10 +3,10 @@ package org.selectiverenderer.apartment.pictures;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A house of two storeys, its eaves to the viewer.
+ * A house of two storeys in the landscape, its eaves towards the viewer.
  *
- * @param broad metres
- * @param wall 0 white to 1 ochre
+ * @param broad width, metres
+ * @param wall colour of the wall, 0 white to 1 ochre
  */
 record House(double turn, double distance, double broad, double wall) implements Stander {
   private static final double EAVES = 5.6;

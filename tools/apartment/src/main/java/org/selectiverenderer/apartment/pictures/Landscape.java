@@ -6,23 +6,23 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one sees from the flat, which is one storey up: a garden with trees, houses behind it, woods
- * and three ranges of hills in the haze, clouds. From -z, north, over +x, east.
+ * The landscape seen from the flat, which is one storey up: a garden with trees, houses behind it,
+ * woods and three ranges of hills in the haze, clouds. Directions go from -z, north, over +x, east.
  */
 final class Landscape {
-  /** Of the eye above the ground, metres. */
+  /** Height of the eye above the ground, metres. */
   private static final double EYE = 5.2;
 
-  /** Metres in which two thirds of what one sees have become haze. */
+  /** Distance at which two thirds of the colour are haze, metres. */
   private static final double CLEAR = 420;
 
   private static final double[] HAZE = {0.8, 0.87, 0.92};
   private static final double[] CLOUD = {0.97, 0.98, 0.99};
 
-  /** Of the light, in turns: the south-west. */
+  /** Direction of the sunlight, in turns: the south-west. */
   private static final double SUN = 0.63;
 
-  /** Trees stand so far away, metres. */
+  /** Distance of the nearest trees, metres. */
   private static final double NEAR = 32;
 
   private static final double FAR = 150;
@@ -30,7 +30,7 @@ final class Landscape {
   private final Noise noise = new Noise(7);
   private final List<Stander> standers = new ArrayList<>();
 
-  /** Where it is dark: x, z and radius of each stander, metres. */
+  /** Shadows on the ground: x, z and radius for each tree and house, metres. */
   private final double[] shadows;
 
   Landscape() {
@@ -63,7 +63,7 @@ final class Landscape {
   }
 
   /**
-   * The display's red, green and blue in a direction, and how much it covers of the sky.
+   * Returns the display colour r, g, b in a direction, and the alpha with which it covers the sky.
    *
    * @param x to the east
    * @param y up
@@ -98,7 +98,10 @@ final class Landscape {
     return Math.abs(right) > stander.reach() ? null : stander.colour(right, up);
   }
 
-  /** Woods and three ranges, each behind and above the one before. */
+  /**
+   * Returns the colour of the woods and three ranges of hills, each behind and above the one
+   * before; null above them.
+   */
   private double @Nullable [] hill(double turn, double slope) {
     double crowns = 0.004 * noise.layers(3, 150 * turn, 0, 150, 8);
     double woods = 0.004 + 0.012 * noise.layers(3, 12 * turn, 20, 12, 64) + crowns;
@@ -118,7 +121,10 @@ final class Landscape {
     return null;
   }
 
-  /** Lawn near by, meadows behind; x to the east, z to the south, metres. */
+  /**
+   * Returns the colour of the ground, lawn near by and meadows behind; x to the east, z to the
+   * south, metres.
+   */
   private double[] ground(double x, double z) {
     double distance = Math.sqrt(x * x + z * z);
     double patches = noise.layers(4, x / 11, z / 11);
@@ -136,7 +142,7 @@ final class Landscape {
     return hazy(colour, distance);
   }
 
-  /** How dark it is under trees, 0 to 1. */
+  /** Returns the darkness of the shadows under trees, 0 to 1. */
   private double shadow(double x, double z) {
     double dark = 0;
     for (int i = 0; i < shadows.length; i += 3) {
@@ -151,7 +157,10 @@ final class Landscape {
     return dark;
   }
 
-  /** Heaps on a flat layer high above, thinner towards the horizon. */
+  /**
+   * Returns the colour and alpha of cumulus clouds on a flat layer high above, thinner towards the
+   * horizon.
+   */
   private double[] cloud(double x, double y, double z) {
     double u = x / (y + 0.16);
     double v = z / (y + 0.16);

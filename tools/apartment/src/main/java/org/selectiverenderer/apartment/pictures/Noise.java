@@ -1,11 +1,11 @@
 package org.selectiverenderer.apartment.pictures;
 
 /**
- * Smooth random numbers over the plane: gradients at whole numbers (K. Perlin, Improving Noise,
- * SIGGRAPH 2002), chosen by a hash of the place instead of a table. Of the same seed the same.
+ * Gradient noise over the plane (K. Perlin, Improving Noise, SIGGRAPH 2002), with gradients chosen
+ * by a hash of the lattice point instead of a table. The same seed gives the same noise.
  */
 final class Noise {
-  /** Scales gradients' noise to about -1 to 1. */
+  /** Scales gradient noise to about -1 to 1. */
   private static final double REACH = 1.4;
 
   private final int seed;
@@ -14,17 +14,17 @@ final class Noise {
     this.seed = seed;
   }
 
-  /** A number from 0 to 1 for whole numbers, without any order. */
+  /** Returns a pseudo-random number from 0 to 1 for a lattice point. */
   double dice(int a, int b) {
     return (hash(a, b) >>> 8) / (double) (1 << 24);
   }
 
-  /** Without repetition; about -1 to 1, one wave per unit. */
+  /** Returns noise without repetition, about -1 to 1, with one wave per unit. */
   double at(double x, double y) {
     return at(x, y, Integer.MAX_VALUE, Integer.MAX_VALUE);
   }
 
-  /** Repeats after so many units; about -1 to 1, one wave per unit. */
+  /** Returns noise that repeats after so many units, about -1 to 1, with one wave per unit. */
   double at(double x, double y, int acrossX, int acrossY) {
     int i = (int) Math.floor(x);
     int j = (int) Math.floor(y);
@@ -39,7 +39,10 @@ final class Noise {
     return REACH * mix(below, above, fade(v));
   }
 
-  /** Finer and finer noise, each layer twice as fine and half as strong; about -1 to 1. */
+  /**
+   * Returns fractal noise: a sum of octaves, each twice as fine and half as strong, that repeats
+   * after so many units; about -1 to 1.
+   */
   double layers(int count, double x, double y, int acrossX, int acrossY) {
     double sum = 0;
     double strength = 1;
@@ -59,14 +62,14 @@ final class Noise {
     return sum / 1.6;
   }
 
-  /** Likewise without repetition. */
+  /** Returns fractal noise without repetition. */
   double layers(int count, double x, double y) {
     return layers(count, x, y, Integer.MAX_VALUE, Integer.MAX_VALUE);
   }
 
   private double slope(int i, int j, double u, double v) {
     int bits = hash(i, j);
-    // Eight directions, those along the axes as long as the others.
+    // Eight gradient directions of equal length.
     double a = (bits & 1) == 0 ? 1 : -1;
     double b = (bits & 2) == 0 ? 1 : -1;
     return switch (bits >>> 2 & 3) {
@@ -76,7 +79,7 @@ final class Noise {
     };
   }
 
-  /** Bits of a and b mixed until none shows (the finalizer of MurmurHash3, A. Appleby, 2011). */
+  /** Hashes a and b (the finalizer of MurmurHash3, A. Appleby, 2011). */
   private int hash(int a, int b) {
     int h = seed * 0x9E3779B9 + a * 0x85EBCA6B + b * 0xC2B2AE35;
     h = (h ^ h >>> 16) * 0x85EBCA6B;
@@ -92,7 +95,7 @@ final class Noise {
     return a + (b - a) * share;
   }
 
-  /** 0 below from, 1 above to, smooth between. */
+  /** Returns the smoothstep: 0 below {@code from}, 1 above {@code to}, smooth between. */
   static double step(double from, double to, double value) {
     double t = Math.max(0, Math.min(1, (value - from) / (to - from)));
     return t * t * (3 - 2 * t);

@@ -4,11 +4,11 @@ import java.util.stream.IntStream;
 import org.selectiverenderer.base.picture.PngPicture.Samples;
 
 /**
- * The landscape as the sides of the box that X3D's Background shows infinitely far away (X3D 4.0,
- * 24.4.1): so it moves behind a window's frame as one walks. Where sky is, or the ground straight
- * below, a side is transparent and the Background's own colours show.
+ * One face of the landscape's skybox, which X3D's Background shows infinitely far away (X3D 4.0,
+ * 24.4.1), so that it moves behind a window's frame as one walks. Where there is sky, or the ground
+ * straight below, the face is transparent and the Background's own colours show.
  *
- * @param x the direction of the side's middle, {@code z} likewise; y is 0
+ * @param x with {@code z} the direction of the face's middle; y is 0
  */
 record Outside(double x, double z) {
   static final Outside NORTH = new Outside(0, -1);
@@ -16,16 +16,22 @@ record Outside(double x, double z) {
   static final Outside SOUTH = new Outside(0, 1);
   static final Outside WEST = new Outside(-1, 0);
 
-  /** Out of focus a little, as what is far is for an eye in a room. */
+  /**
+   * Pixels of a side: so few that the landscape is slightly out of focus, as it is for an eye in a
+   * room.
+   */
   private static final int PIXELS = 512;
 
-  /** Samples of a pixel, across and up, where there are outlines: near the horizon. */
+  /** Samples of a pixel, across and up, where there are outlines, that is near the horizon. */
   private static final int SAMPLES = 2;
 
-  /** How far from the horizon, as a share of the side's half. */
+  /** Largest distance of outlines from the horizon, as a share of half the face. */
   private static final double OUTLINES = 0.3;
 
-  /** Where the picture begins to end, as a share of the side's half, at the top and below. */
+  /**
+   * Heights at which the image begins to fade out at the top and at the bottom, as shares of half
+   * the face.
+   */
   private static final double TOP = 0.62;
 
   private static final double BOTTOM = -0.72;
@@ -44,7 +50,7 @@ record Outside(double x, double z) {
       for (int i = 0; i < samples * samples; i++) {
         double right = place(column, i % samples, samples);
         double up = -place(row, i / samples, samples);
-        // Somebody who looks along (x, z) has (-z, x) at the right.
+        // A viewer who looks along (x, z) has (-z, x) to the right.
         double[] seen = land.colour(x - z * right, up, z + x * right);
         double opaque = seen[3] * Noise.step(1, TOP, up) * Noise.step(-1, BOTTOM, up);
         for (int c = 0; c < 3; c++) {
@@ -60,7 +66,7 @@ record Outside(double x, double z) {
     }
   }
 
-  /** -1 to 1 from the left or upper edge. */
+  /** Returns the coordinate of a sample, -1 to 1 from the left or upper edge. */
   private static double place(int pixel, int sample, int samples) {
     return (2 * pixel + (2 * sample + 1.0) / samples) / PIXELS - 1;
   }

@@ -1,8 +1,8 @@
 package org.selectiverenderer.apartment.pictures;
 
 /**
- * Oak parquet: boards of 525 by 70 millimetres that run to the right, each with its own tone, hue
- * and grain, their ends staggered without order; 2.1 metres by 2.1 until it repeats.
+ * A texture of oak parquet: boards of 525 by 70 millimetres that run to the right, each with its
+ * own tone, hue and grain, their ends staggered irregularly; it repeats after 2.1 metres.
  */
 final class Parquet {
   static final double SIZE = 2.1;
@@ -12,7 +12,7 @@ final class Parquet {
   private static final double LENGTH = SIZE / PER_ROW;
   private static final double BREADTH = SIZE / ROWS;
 
-  /** Half of what is dark between two boards, metres. */
+  /** Half the width of the dark gap between two boards, metres. */
   private static final double GAP = 0.0009;
 
   private static final Dyes OAK =
@@ -27,7 +27,7 @@ final class Parquet {
   private Parquet() {}
 
   /**
-   * @param meanLight share of light that it throws back
+   * @param meanLight mean reflectance r, g, b
    */
   static SurfacePicture picture(double[] meanLight) {
     return OAK.paint(512, 1024, SIZE, SIZE, meanLight, new Parquet()::at);
@@ -49,17 +49,20 @@ final class Parquet {
     return Dyes.of((int) (3 * board.dice(row, number + 20)), Noise.mix(tone, 0.1, 0.75 * open));
   }
 
-  /** How much of the gap there is within half a pixel of a place so far from its middle. */
+  /** Returns the share of a pixel that a gap covers, at a distance from the gap's middle. */
   private static double cover(double distance, double half) {
     return Math.max(0, Math.min(1, (GAP + half - distance) / (2 * half))) * Math.min(1, GAP / half);
   }
 
-  /** Of a row's ends against the picture's edge, in boards; neighbours' are well apart. */
+  /**
+   * Returns the offset of a row's board ends from the image's edge, in boards; those of adjacent
+   * rows differ clearly.
+   */
   private double shift(int row) {
     return (row * 0.381 + 0.25 * board.dice(row, 99)) % 1;
   }
 
-  /** Growth rings cut lengthwise, fibres and pores. */
+  /** Returns the tone of the wood figure: growth rings cut lengthwise, fibres and pores. */
   private double figure(int number, double along, double across) {
     double from = 31.7 * number;
     double bend = 0.016 * grain.layers(2, from + 2.2 * along, 9 * across + number);

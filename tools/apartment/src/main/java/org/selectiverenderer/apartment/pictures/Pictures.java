@@ -5,7 +5,9 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.selectiverenderer.base.picture.Srgb;
 
-/** All pictures by file name, as files of the folder {@code inlineNodes} name them. */
+/**
+ * The registry of all textures by file name, as files of the folder {@code inlineNodes} name them.
+ */
 public final class Pictures {
   public static final String PARQUET = "textures/parquet.png";
   public static final String TILES = "textures/floorTiles.png";
@@ -14,39 +16,39 @@ public final class Pictures {
   public static final String CARPET = "textures/carpet.png";
   public static final String VENEER = "textures/veneer.png";
 
-  /** What the Background shows in each direction. */
+  /** The skybox images of the Background, by direction. */
   public static final String NORTH = "textures/outsideNorth.png";
 
   public static final String EAST = "textures/outsideEast.png";
   public static final String SOUTH = "textures/outsideSouth.png";
   public static final String WEST = "textures/outsideWest.png";
 
-  /** Metres of floor to the right and up that the parquet's picture shows. */
+  /** Width and height of floor that the parquet texture shows, metres. */
   public static final double PARQUET_SIZE = Parquet.SIZE;
 
-  /** Tiles in a row and in a column of the floor tiles' picture. */
+  /** Number of tiles in a row and in a column of the floor tile texture. */
   public static final int TILES_A_SIDE = FloorTiles.TILES;
 
-  /** Metres of wall to the right and up that the wall tiles' picture shows. */
+  /** Width and height of wall that the wall tile texture shows, metres. */
   public static final double WALL_TILES_SIZE = WallTiles.SIZE;
 
-  /** Metres of wall to the right and up that the plaster's picture shows. */
+  /** Width and height of wall that the plaster texture shows, metres. */
   public static final double PLASTER_SIZE = Plaster.SIZE;
 
-  /** The share of its material's light that the plaster leaves. */
+  /** Mean factor by which the plaster texture scales its material's reflectance. */
   public static final double PLASTER_LIGHT = Plaster.MEAN_LIGHT;
 
-  /** Metres to the right and up that the veneer's picture shows. */
+  /** Width and height that the veneer texture shows, metres. */
   public static final double VENEER_WIDTH = Veneer.WIDTH;
 
   public static final double VENEER_HEIGHT = Veneer.HEIGHT;
 
   private Pictures() {}
 
-  /** What makes each. */
+  /** Returns the function that computes each texture, by file name. */
   public static Map<String, Supplier<SurfacePicture>> all() {
     Map<String, Supplier<SurfacePicture>> all = new TreeMap<>();
-    // The plain colours that the same surfaces are known by.
+    // The plain colours of the same surfaces without textures.
     double[] boards =
         light(
             new double[] {0.66, 0.46, 0.28},
@@ -68,7 +70,7 @@ public final class Pictures {
     return all;
   }
 
-  /** The mean share of light that colours of the display throw back. */
+  /** Returns the mean reflectance of display colours. */
   private static double[] light(double[]... displays) {
     double[] mean = new double[3];
     for (double[] display : displays) {

@@ -4,13 +4,13 @@ import org.selectiverenderer.base.picture.PngPicture.Samples;
 import org.selectiverenderer.base.picture.Srgb;
 
 /**
- * Roller-painted plaster in tones of grey, which a material's own colour tints: the light and shade
- * of small bumps, and what the roller left. 0.64 metres square until it repeats.
+ * A texture of roller-painted plaster in tones of grey, which is multiplied by the material's
+ * colour: light and shade of small bumps, and traces of the roller. It repeats after 0.64 metres.
  */
 final class Plaster {
   static final double SIZE = 0.64;
 
-  /** Share of light that it leaves of its material's colour, on the whole. */
+  /** Mean factor by which it scales its material's reflectance. */
   static final double MEAN_LIGHT = 0.9;
 
   private static final int PIXELS = 256;
@@ -35,7 +35,9 @@ final class Plaster {
     return new SurfacePicture(PIXELS, PIXELS, Samples.GREY, new byte[0], pixels);
   }
 
-  /** Light from above on bumps, as a share more or less; u and v from 0 to 1 downwards. */
+  /**
+   * Returns the relative change of light from above by the bumps; u and v from 0 to 1, v downwards.
+   */
   private double shade(double u, double v) {
     double step = 0.5 / PIXELS;
     double slope = height(u, v + step) - height(u, v - step);

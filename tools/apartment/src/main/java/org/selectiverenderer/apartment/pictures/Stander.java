@@ -3,24 +3,24 @@ package org.selectiverenderer.apartment.pictures;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What stands on the ground outside, drawn upright to face the flat: from as far away as this one
- * sees no more of it.
+ * A billboard in the landscape: an object on the ground outside, drawn as an upright image that
+ * faces the flat, which is enough at its distance.
  */
 interface Stander {
-  /** Where, in turns from north over east. */
+  /** Returns its direction, in turns from north over east. */
   double turn();
 
-  /** How far, metres. */
+  /** Returns its distance, metres. */
   double distance();
 
-  /** No part of it is farther to the side of its foot, metres. */
+  /** Returns the largest horizontal distance of its parts from its foot, metres. */
   double reach();
 
-  /** Its height, metres. */
+  /** Returns its height, metres. */
   double top();
 
   /**
-   * The display's red, green and blue at a place of it; null where one sees past it.
+   * Returns the display colour r, g, b at a point; null where the billboard is transparent.
    *
    * @param right metres from its foot
    * @param up metres above the ground

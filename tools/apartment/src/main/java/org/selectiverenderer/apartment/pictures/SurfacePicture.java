@@ -5,21 +5,21 @@ import org.selectiverenderer.base.picture.PngPicture.Samples;
 import org.selectiverenderer.base.picture.Srgb;
 
 /**
- * A picture. Nobody writes into the arrays.
+ * A texture image. The arrays must not be modified.
  *
- * @param samples what a pixel's bytes are
- * @param palette red, green and blue of each colour, where pixels are numbers of colours
+ * @param samples meaning of a pixel's bytes
+ * @param palette red, green and blue of each colour, for indexed-colour images
  * @param pixels rows from the top
  */
 public record SurfacePicture(
     int width, int height, Samples samples, byte[] palette, byte[] pixels) {
 
-  /** The bytes of a PNG file. */
+  /** Returns the bytes of a PNG file. */
   public byte[] png() {
     return PngPicture.of(width, height, samples, palette, pixels);
   }
 
-  /** A sample of a pixel as the display is told it, 0 to 255: red, green, blue, or alpha. */
+  /** Returns a channel of a pixel, 0 to 255, display-encoded: red, green, blue, or alpha. */
   public int sample(int x, int y, int channel) {
     int at = (y * width + x) * samples.count();
     return switch (samples) {
@@ -30,7 +30,7 @@ public record SurfacePicture(
         & 0xff;
   }
 
-  /** The mean share of light that the pixels throw back: red, green, blue. */
+  /** Returns the mean reflectance of the pixels: red, green, blue. */
   public double[] meanLight() {
     double[] light = new double[256];
     for (int i = 0; i < 256; i++) {

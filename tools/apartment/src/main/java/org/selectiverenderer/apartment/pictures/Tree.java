@@ -2,11 +2,14 @@ package org.selectiverenderer.apartment.pictures;
 
 import org.jspecify.annotations.Nullable;
 
-/** A tree: a trunk, and leaves in tufts round a crown, lit from above and one side. */
+/**
+ * A tree in the landscape: a trunk, and tufts of leaves around a crown, lit from above and one
+ * side.
+ */
 final class Tree implements Stander {
   private static final int TUFTS = 34;
 
-  /** How high the crown begins, as a share of the height. */
+  /** Height at which the crown begins, as a share of the tree's height. */
   private static final double CROWN_FOOT = 0.22;
 
   private final Noise noise = new Noise(6);
@@ -18,20 +21,20 @@ final class Tree implements Stander {
   private final double hue;
   private final double side;
 
-  // Of each tuft: right and up of its middle, its nearness to the viewer and its radius, metres.
+  // Per tuft: x and y of its middle, its nearness to the viewer and its radius, metres.
   private final double[] right = new double[TUFTS];
   private final double[] up = new double[TUFTS];
   private final double[] near = new double[TUFTS];
   private final double[] radius = new double[TUFTS];
 
   /**
-   * @param number of the tree, so that no two are alike
-   * @param turn where it stands, in turns from north over east
-   * @param distance metres
-   * @param tall metres
-   * @param slim breadth of the crown by the tree's height
+   * @param number number of the tree, used as its random seed
+   * @param turn direction in which it stands, in turns from north over east
+   * @param distance distance from the flat, metres
+   * @param tall height, metres
+   * @param slim ratio of the crown's breadth to the tree's height
    * @param hue 0 blue green to 1 yellow green
-   * @param side where light comes from as seen from the flat, -1 left to 1 right
+   * @param side side from which light comes as seen from the flat, -1 left to 1 right
    */
   Tree(
       int number, double turn, double distance, double tall, double slim, double hue, double side) {
@@ -45,7 +48,10 @@ final class Tree implements Stander {
     grow();
   }
 
-  /** Tufts on a spiral from the crown's foot to its top; it is widest below its middle. */
+  /**
+   * Places tufts on a spiral from the crown's foot to its top; the crown is widest below its
+   * middle.
+   */
   private void grow() {
     for (int i = 0; i < TUFTS; i++) {
       double level = (i + 0.5) / TUFTS;
@@ -85,7 +91,7 @@ final class Tree implements Stander {
   public double @Nullable [] colour(double x, double y) {
     double nearest = Double.NEGATIVE_INFINITY;
     double light = 0;
-    // Twigs reach out of a tuft and leave holes in it.
+    // Noise makes twigs reach out of a tuft and leave holes in it.
     double twigs = 0.55 * noise.layers(3, 1.4 * x + 40 * number, 1.4 * y);
     for (int i = 0; i < TUFTS; i++) {
       double u = (x - right[i]) / radius[i];

@@ -1,6 +1,8 @@
 package org.selectiverenderer.apartment.pictures;
 
-/** Veneer of one log, its grain upright: doors. Repeats after 0.5 metres by 2.1. */
+/**
+ * A texture of veneer of one log with upright grain, for doors. It repeats after 0.5 metres by 2.1.
+ */
 final class Veneer {
   static final double WIDTH = 0.5;
   static final double HEIGHT = 2.1;
@@ -13,15 +15,16 @@ final class Veneer {
   private Veneer() {}
 
   /**
-   * @param meanLight share of light that it throws back
+   * @param meanLight mean reflectance r, g, b
    */
   static SurfacePicture picture(double[] meanLight) {
     return WOOD.paint(256, 256, 1, 1, meanLight, new Veneer()::at);
   }
 
-  /** Across and along the grain, 0 to 1. */
+  /** Returns dye and tone at a point across and along the grain, 0 to 1. */
   private double at(double u, double v) {
-    // Rings bent slowly, closer together towards the sheet's edges; whole numbers where it repeats.
+    // Growth rings bend slowly and are closer together towards the sheet's edges; whole periods
+    // make the texture repeat.
     double bend = 1.3 * noise.at(2 * u, 2 * v, 2, 2) + 0.4 * noise.at(6 * u + 40, 5 * v, 6, 5);
     double rings = noise.at(22 * u + bend, 1.5, 22, 8);
     double fine = noise.at(58 * u + 2 * bend + 100, 2 * v, 58, 2);

@@ -1,19 +1,19 @@
 package org.selectiverenderer.apartment.pictures;
 
-/** White glazed wall tiles with grey joints: four by four until it repeats. */
+/** A texture of white glazed wall tiles with grey joints; it repeats after four by four tiles. */
 final class WallTiles {
-  /** Metres of a tile's side. */
+  /** Side of a tile, metres. */
   static final double TILE = 0.15;
 
   private static final int TILES = 4;
 
-  /** Metres that the picture covers. */
+  /** Side of the square that the texture covers, metres. */
   static final double SIZE = TILES * TILE;
 
   /** Half the breadth of a joint, as a share of a tile. */
   private static final double JOINT = 0.012;
 
-  /** Where a tile's edge has become flat. */
+  /** Distance from a tile's edge, as a share of a tile, at which the rounding of the edge ends. */
   private static final double EDGE = 0.04;
 
   private static final int GLAZE = 0;
@@ -29,13 +29,16 @@ final class WallTiles {
   private WallTiles() {}
 
   /**
-   * @param meanLight share of light that it throws back
+   * @param meanLight mean reflectance r, g, b
    */
   static SurfacePicture picture(double[] meanLight) {
     return GLAZES.paint(256, 256, TILES, TILES, meanLight, new WallTiles()::at);
   }
 
-  /** In tiles instead of metres; a joint runs along the lower edge of the picture, and the left. */
+  /**
+   * Returns dye and tone at a point, in tiles; joints run along the lower and the left edge of the
+   * texture.
+   */
   private double at(double x, double y) {
     int i = (int) x;
     int j = (int) y;

@@ -4,14 +4,17 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Which objects darken the floor below them. */
+/** Selects the objects that cast a painted shadow on the floor. */
 public final class FloorShadows {
-  /** What lies flat casts none, and what stands on it stands on the floor. */
+  /**
+   * Height up to which an object is flat, metres: it casts no shadow, and objects that stand on it
+   * count as standing on the floor.
+   */
   private static final double FLAT = 0.05;
 
   private FloorShadows() {}
 
-  /** The objects on the floor, or on a carpet, that are not flat themselves. */
+  /** Returns the objects on the floor, or on a carpet, that are not flat themselves. */
   public static List<PlacedObject> of(List<PlacedObject> placed) {
     Map<String, PlacedObject> byName = new HashMap<>();
     placed.forEach(object -> byName.put(object.placement().name(), object));

@@ -12,7 +12,7 @@ import org.selectiverenderer.apartment.plan.RoomPosition.Floor;
 import org.selectiverenderer.apartment.plan.RoomPosition.Hung;
 import org.selectiverenderer.apartment.plan.RoomPosition.On;
 
-/** Where everything stands: one row per object. */
+/** The furniture plan: one row per object with its position. */
 public final class FurniturePlan {
 
   private FurniturePlan() {}

@@ -5,20 +5,20 @@ import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.geometry.TriangleMath;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
-/** Finds the height at which a thing that is let down comes to rest. */
+/** Computes the height at which an object comes to rest when it is lowered onto a support. */
 final class Landing {
-  /** Points so near to a thing's lowest one are what it stands on. */
+  /** Height above an object's lowest point up to which points belong to its sole, metres. */
   private static final double SOLE = 0.002;
 
   private Landing() {}
 
   /**
-   * The highest point of the support below any point of the thing's sole.
+   * Returns the height of the highest point of the support below any point of the object's sole.
    *
-   * @param thing at its place in x and z, at any height
-   * @param support where it is
-   * @param from no part of the support above this height counts
-   * @return empty if there is nothing below it
+   * @param thing the object at its position in x and z, at any height
+   * @param support the supporting mesh at its position
+   * @param from height above which the support is ignored, metres
+   * @return empty if no part of the support lies below the object
    */
   static OptionalDouble height(TriangleMesh thing, TriangleMesh support, double from) {
     Bounds b = thing.bounds();
@@ -35,7 +35,7 @@ final class Landing {
               || Math.max(p[a + 2], Math.max(p[c + 2], p[e + 2])) < b.minZ()
               || Math.min(p[a + 2], Math.min(p[c + 2], p[e + 2])) > b.maxZ();
       double area = TriangleMath.turn(p[a], p[a + 2], p[c], p[c + 2], p[e], p[e + 2]);
-      // Seen from above, z runs down the page, so what faces up goes clockwise.
+      // Projected from above, z runs down the page, so triangles that face up are clockwise.
       if (!beside && area < -1e-10) {
         highest = Math.max(highest, touch(thing, b.minY() + SOLE, p, a, c, e, area, from));
       }

@@ -7,8 +7,8 @@ import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ParametricModel;
 
 /**
- * An object where it stands: first turned about y by yaw degrees, then moved; y above the floor.
- * Rounded to a tenth of a millimetre, as the scene's file has it.
+ * An object at its position: first rotated about y by yaw degrees, then translated; y is above the
+ * floor. Rounded to a tenth of a millimetre, as in the scene's file.
  */
 public record PlacedObject(
     PlannedObject placement, ParametricModel model, double x, double y, double z, double yaw) {
@@ -27,17 +27,20 @@ public record PlacedObject(
     return placement.object();
   }
 
-  /** All of its triangles where they are. */
+  /** Returns its triangles in the coordinates of the plan. */
   public TriangleMesh mesh() {
     return model.mesh().turnY(yaw).move(x, y, z);
   }
 
-  /** The box around it that is turned with it, before it is turned and moved. */
+  /** Returns its bounding box in its own coordinates, before rotation and translation. */
   public Bounds box() {
     return model.bounds();
   }
 
-  /** The box around its points up to a height above its lowest, before it is turned and moved. */
+  /**
+   * Returns the bounding box of its points up to a height above its lowest one, in its own
+   * coordinates.
+   */
   public Bounds lowerBox(double height) {
     double limit = box().minY() + height;
     float[] all = model.mesh().positions();

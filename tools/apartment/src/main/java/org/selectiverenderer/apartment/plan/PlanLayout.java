@@ -10,9 +10,12 @@ import org.selectiverenderer.geometry.Degrees;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 import org.selectiverenderer.modelling.ParametricModel;
 
-/** Turns places as one says them into numbers, from the objects' own measures. */
+/**
+ * Resolves the positions of a plan, such as against a wall or on another object, into coordinates
+ * by the dimensions of the objects.
+ */
 public final class PlanLayout {
-  /** Higher things of the room itself are not for standing on. */
+  /** Height up to which parts of the room, such as a rug, can be stood on, metres. */
   private static final double RUG = 0.03;
 
   private final Function<String, ParametricModel> models;
@@ -34,10 +37,11 @@ public final class PlanLayout {
   }
 
   /**
-   * The objects where they stand, in the order of the placements.
+   * Returns the objects at their positions, in the order of the placements.
    *
-   * @param floors the rooms themselves, with what lies flat on their floors
-   * @throws IllegalArgumentException if an object stands on one that is not there, or misses it
+   * @param floors the models of the rooms, with flat things on their floors
+   * @throws IllegalArgumentException if an object stands on one that the plan does not have, or
+   *     does not lie above it
    */
   public static List<PlacedObject> of(
       List<PlannedObject> placements,
@@ -80,7 +84,7 @@ public final class PlanLayout {
     return on(placement, model, (RoomPosition.On) place);
   }
 
-  /** Down to the room's floor or to what lies on it. */
+  /** Lowers an object to the room's floor or to a flat thing on it. */
   private PlacedObject down(PlacedObject above) {
     TriangleMesh floor = floors.apply(above.placement().room());
     return land(above, floor, RUG, "the floor");
@@ -91,7 +95,8 @@ public final class PlanLayout {
     ParametricModel model = above.model();
     double height =
         Landing.height(above.mesh(), support, from)
-            .orElseThrow(() -> new IllegalArgumentException(above.object() + " misses " + name));
+            .orElseThrow(
+                () -> new IllegalArgumentException(above.object() + " does not lie above " + name));
     return new PlacedObject(
         above.placement(),
         model,
@@ -120,7 +125,7 @@ public final class PlanLayout {
     PlannedObject below = placements.get(on.support());
     if (below == null) {
       throw new IllegalArgumentException(
-          placement.object() + " stands on " + on.support() + ", which is not there");
+          placement.object() + " stands on " + on.support() + ", which the plan does not have");
     }
     PlacedObject support = place(below);
     double s = Degrees.sin(support.yaw());

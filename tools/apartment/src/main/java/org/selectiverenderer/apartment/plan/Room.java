@@ -10,19 +10,19 @@ public enum Room {
   LOUNGE("Lounge", -8.73, -2.20, 5922),
   OFFICE("Office", 2.32, 8.74, 5184);
 
-  /** The floor in the world, where the desk's sensor has its lower side (thesis Fig 76). */
+  /** World y of the floor, at the lower side of the desk's sensor (thesis Fig 76). */
   public static final double FLOOR = -1.946;
 
-  /** From floor to ceiling. */
+  /** Height from floor to ceiling. */
   public static final double HEIGHT = 2.6;
 
-  /** The ceiling's face, a little lower than the walls' upper ends. */
+  /** Height of the ceiling's face, a little lower than the walls' upper ends. */
   public static final double CEILING = HEIGHT - 0.001;
 
   public static final double NORTH = -3.23;
   public static final double SOUTH = 3.23;
 
-  /** Each of two rooms has half of the wall between them. */
+  /** Thickness of each room's half of the wall between two rooms. */
   static final double INNER_WALL = 0.06;
 
   static final double OUTER_WALL = 0.2;
@@ -39,12 +39,12 @@ public enum Room {
     this.fixedPolygons = fixedPolygons;
   }
 
-  /** The DEF name of its Group. */
+  /** Returns the DEF name of its Group. */
   public String title() {
     return title;
   }
 
-  /** The schema of the room as a whole. */
+  /** Returns the memory schema of the room as a whole. */
   public String schema() {
     return title + "Schema";
   }
@@ -62,14 +62,14 @@ public enum Room {
   }
 
   /**
-   * Polygons of what has one version, the room itself and the inconsistent objects: what the totals
-   * of thesis Tables 3 to 5 leave beside the listed objects.
+   * Returns the polygons of everything that has one version, the room itself and the inconsistent
+   * objects: the remainder of the totals of thesis Tables 3 to 5 beside the listed objects.
    */
   public int fixedPolygons() {
     return fixedPolygons;
   }
 
-  /** Thickness of a wall, as far as it is this room's. */
+  /** Returns the thickness of this room's part of a wall. */
   public double thickness(Side side) {
     boolean inner =
         switch (side) {

@@ -3,8 +3,9 @@ package org.selectiverenderer.apartment.plan;
 import org.selectiverenderer.geometry.mesh.TriangleMesh;
 
 /**
- * The walls of a room, north being -z. What stands against a wall is made in the wall's own frame:
- * x to the right as one looks at the wall, y up, z into the room from the wall's face.
+ * The four walls of a room, north being -z. Meshes at a wall are built in the wall's own
+ * coordinates: x to the right for a viewer who faces the wall, y up, z into the room from the
+ * wall's face.
  */
 public enum Side {
   NORTH(0, 1),
@@ -20,22 +21,27 @@ public enum Side {
     this.sign = sign;
   }
 
-  /** By how much a thing that shows its front to +z is turned to have its back to the wall. */
+  /**
+   * Returns the yaw of an object with its back to the wall, degrees; at yaw 0 its front faces +z.
+   */
   public double yaw() {
     return yaw;
   }
 
-  /** Whether the wall runs along x. */
+  /** Returns whether the wall runs along x. */
   public boolean alongX() {
     return this == NORTH || this == SOUTH;
   }
 
-  /** The wall frame's x of a place along the wall, given as the world's x or z; and back. */
+  /**
+   * Converts a position along the wall between world coordinates (x or z) and the wall's x; the
+   * function is its own inverse.
+   */
   public double across(double along) {
     return sign * along;
   }
 
-  /** Where the wall's face is: the world's z or x. */
+  /** Returns the world z or x of the wall's face. */
   public double face(Room room) {
     return switch (this) {
       case NORTH -> Room.NORTH;
@@ -45,7 +51,7 @@ public enum Side {
     };
   }
 
-  /** A mesh from the wall's frame to the room's. */
+  /** Transforms a mesh from the wall's coordinates to the room's. */
   public TriangleMesh place(Room room, TriangleMesh mesh) {
     double face = face(room);
     return mesh.turnY(yaw).move(alongX() ? 0 : face, 0, alongX() ? face : 0);

@@ -15,12 +15,12 @@ import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
-/** The text of the apartment's scene. */
+/** Writes the text of the apartment's scene. */
 public final class ApartmentScene {
   /** Height of a seated person's eye above the floor; participants sat (thesis Fig 83). */
   public static final double EYE = 1.2;
 
-  /** What is lower than this above an object's sole takes the floor's light, metres. */
+  /** Height of the lower end of an object, whose footprint determines its shadow, metres. */
   private static final double LOWER_END = 0.3;
 
   private final ObjectNode objects;
@@ -31,7 +31,7 @@ public final class ApartmentScene {
 
   /**
    * @param placed the objects of all rooms
-   * @param fileName the scene's own name, for its head
+   * @param fileName the scene's file name, for its title
    * @param enriched whether Switches and sensors have their metadata
    */
   public String text(List<PlacedObject> placed, String fileName, boolean enriched) {
@@ -44,7 +44,8 @@ public final class ApartmentScene {
   }
 
   /**
-   * The scene that radiosity lights: enriched, with photometric lights and without painted shadows.
+   * Returns the scene that radiosity lights: enriched, with photometric lights and without painted
+   * shadows.
    *
    * @param shares polygons that each room's own surfaces are to have when lit
    */
@@ -143,7 +144,7 @@ public final class ApartmentScene {
     middle(xml, Room.OFFICE, 0, -110, -12);
   }
 
-  /** In the middle of a room, where participants turned round (thesis 6.1.1). */
+  /** Writes a viewpoint in the middle of a room, where participants turned round (thesis 6.1.1). */
   private static void middle(X3dWriter xml, Room room, double z, double yaw, double pitch) {
     String title = room.title();
     String name = "Middle of the " + title.toLowerCase(Locale.ROOT);
@@ -219,7 +220,10 @@ public final class ApartmentScene {
     }
   }
 
-  /** As large as the box around the object's lower end: a plant's leaves darken nothing. */
+  /**
+   * Writes a shadow as large as the bounding box of the object's lower end, since a plant's leaves
+   * cast none.
+   */
   private static void shadow(X3dWriter xml, PlacedObject object) {
     Bounds box = object.lowerBox(LOWER_END);
     double x = (box.minX() + box.maxX()) / 2;

@@ -8,13 +8,13 @@ import org.selectiverenderer.geometry.Degrees;
 
 /**
  * The recorded walk: kitchen, lounge, sofa, lounge, through the kitchen to the office, desk, desk
- * and bookcase, bookcase, office. One stands and looks round where there is something to see.
+ * and bookcase, bookcase, office. The viewer stops and looks round where there is something to see.
  */
 public final class ApartmentTour {
-  /** Metres per second. */
+  /** Walking speed, metres per second. */
   private static final double PACE = 1.1;
 
-  /** Degrees per second. */
+  /** Turning speed, degrees per second. */
   private static final double TURNING = 75;
 
   private final List<double[]> rows = new ArrayList<>();
@@ -30,7 +30,10 @@ public final class ApartmentTour {
     mark();
   }
 
-  /** The path's file: a header, then time, eye and direction; seconds, metres, degrees. */
+  /**
+   * Returns the text of the path file: a header, then time, eye position and direction; seconds,
+   * metres, degrees.
+   */
   public static String text() {
     ApartmentTour tour =
         new ApartmentTour(Room.KITCHEN.middle(), 0.1, -60)

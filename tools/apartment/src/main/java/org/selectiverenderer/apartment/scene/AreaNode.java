@@ -5,13 +5,13 @@ import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * A part of a room: a sensor in two Transforms with the numbers of thesis Fig 76, digit by digit,
- * and the metadata of Fig 77.
+ * An area of a room: a ProximitySensor in two Transforms with the numbers of thesis Fig 76, digit
+ * by digit, and the metadata of Fig 77.
  *
  * @param box DEF name of the outer Transform
  * @param sensor DEF name of the sensor
- * @param enter schema when the viewer enters
- * @param exit schema when the viewer leaves
+ * @param enter memory schema when the viewer enters
+ * @param exit memory schema when the viewer leaves
  */
 record AreaNode(
     String box,

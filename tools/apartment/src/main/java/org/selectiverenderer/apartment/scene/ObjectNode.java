@@ -13,8 +13,8 @@ import org.selectiverenderer.x3d.write.ValueText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * An object in the scene: a Transform with a Switch of two Inlines (thesis Fig 73) and what the
- * Switch's metadata says of them (Fig 78), or with one Inline.
+ * Writes an object of the scene: a Transform with a Switch of two Inlines (thesis Fig 73) and their
+ * metadata (Fig 78), or with one Inline.
  *
  * <p>MetadataSet i describes child i: child 0 is version 1, inconsistent with the part of the room
  * that makes it so; child 1 is version 2, consistent with the room.

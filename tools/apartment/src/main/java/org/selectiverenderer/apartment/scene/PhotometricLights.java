@@ -5,9 +5,9 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * The light in a room for radiosity, which computes what comes back from walls and floor: daylight
- * in the windows and the lamps, as SpotLights whose metadata says how large they are and what they
- * emit. Coordinates above the floor; each stands free in front of its pane or lamp.
+ * Writes the light sources of a room for radiosity, which computes the indirect light: daylight in
+ * the windows and the lamps, as SpotLights whose metadata gives their size and emission.
+ * Coordinates are above the floor; each light stands free in front of its pane or lamp.
  */
 final class PhotometricLights {
   /** Clear sky and sunlit ground as seen through panes, cd/m2. */
@@ -17,7 +17,7 @@ final class PhotometricLights {
   private static final String WARM = "1 0.93 0.82";
   private static final String WHITE = "1 0.98 0.94";
 
-  /** How far into a window's reveal its daylight stands. */
+  /** Distance of the daylight into a window's reveal, metres. */
   private static final double REVEAL = 0.04;
 
   private PhotometricLights() {}

@@ -80,7 +80,7 @@ public final class PracticeScene {
         ambient);
   }
 
-  /** Two metres to a square, so that one sees oneself move. */
+  /** Writes a chequered floor of two-metre squares, so that participants see themselves move. */
   private static void floor(X3dWriter xml) {
     StringBuilder colours = new StringBuilder();
     for (int z = 0; z < 15; z++) {
@@ -111,7 +111,7 @@ public final class PracticeScene {
     int number = row * ROWS + column;
     int kind = (row + 2 * column) % 4;
     double half = SPACING * (ROWS - 1) / 2;
-    // Off the grid by a little, so that the ways between are no straight corridors.
+    // Positions are slightly off the grid, so that the ways between are no straight corridors.
     double x = SPACING * column - half + 0.35 * Degrees.sin(137 * number);
     double z = SPACING * row - half + 0.35 * Degrees.cos(137 * number);
     double height = kind == 3 ? 1.2 : 0.9 + 0.15 * (number * 7 % 8);
@@ -135,7 +135,7 @@ public final class PracticeScene {
     xml.close().close();
   }
 
-  /** Hues a golden angle apart, so that neighbours differ. */
+  /** Returns a colour; hues are a golden angle apart, so that neighbours differ. */
   private static String colour(int number) {
     double hue = 137.508 * number;
     ModelColour colour =

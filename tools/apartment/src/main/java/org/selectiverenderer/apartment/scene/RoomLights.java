@@ -4,8 +4,9 @@ import org.selectiverenderer.apartment.plan.Room;
 import org.selectiverenderer.x3d.write.X3dWriter;
 
 /**
- * The light in a room: daylight from its windows, light back from the walls, from the floor, and a
- * lamp. Each light reaches its own room only, so that no shape has more than five.
+ * Writes the lights of a room for the unlit scene: daylight from its windows, fill lights for the
+ * light reflected by walls and floor, and a lamp. Each light reaches its own room only, so that no
+ * shape has more than five.
  */
 final class RoomLights {
 

@@ -5,19 +5,19 @@ import java.util.stream.Collectors;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.geometry.Degrees;
 
-/** Field values as text. */
+/** Formats X3D field values as text. */
 final class SceneNumbers {
 
   private SceneNumbers() {}
 
-  /** Numbers to a tenth of a millimetre. */
+  /** Returns numbers rounded to a tenth of a millimetre. */
   static String numbers(double... values) {
     return Arrays.stream(values)
         .mapToObj(v -> DecimalText.rounded(v, 4))
         .collect(Collectors.joining(" "));
   }
 
-  /** A turn about +y. */
+  /** Returns a rotation about +y. */
   static String yaw(double degrees) {
     return "0 1 0 " + DecimalText.rounded(StrictMath.toRadians(turned(degrees)), 4);
   }
@@ -27,7 +27,10 @@ final class SceneNumbers {
     return rest > 180 ? rest - 360 : rest <= -180 ? rest + 360 : rest;
   }
 
-  /** A viewpoint's orientation: turned about +y, then tilted about its own x; 0, 0 is along -z. */
+  /**
+   * Returns a viewpoint's orientation: rotated about +y, then tilted about its own x; 0, 0 looks
+   * along -z.
+   */
   static String orientation(double yaw, double pitch) {
     double w = Degrees.cos(yaw / 2) * Degrees.cos(pitch / 2);
     double x = Degrees.cos(yaw / 2) * Degrees.sin(pitch / 2);

@@ -4,7 +4,7 @@ import java.util.List;
 import org.selectiverenderer.modelling.ParametricModel;
 
 /**
- * An object with its files.
+ * A generated object with its files.
  *
  * @param model version 1, or the only one
  * @param files one for each version

@@ -1,9 +1,9 @@
 package org.selectiverenderer.apartment.versions;
 
 /**
- * A file in {@code inlineNodes/}.
+ * A generated file for {@code inlineNodes/}.
  *
  * @param name the file's name, {@code trashCan_v1.x3d}
- * @param polygons triangles that it holds
+ * @param polygons number of triangles in the file
  */
 public record RecipeFile(String name, int polygons, String text) {}

@@ -7,16 +7,16 @@ import org.selectiverenderer.modelling.ParametricModel;
 import org.selectiverenderer.modelling.Rounding;
 import org.selectiverenderer.modelling.X3dModelWriter;
 
-/** Makes objects' files. Safe for use by several threads. */
+/** Generates the files of objects, in one or two versions. Safe for use by several threads. */
 public final class RecipeVersions {
   private final X3dModelWriter writer = new X3dModelWriter("./selective-renderer apartment");
   private final Reducer reducer = new Reducer();
 
   /**
-   * An object in two versions: the recipe's model with polygons added as far as they are missing,
-   * and that one reduced.
+   * Generates an object in two versions: the recipe's model refined to the polygon count of version
+   * 1, and that model reduced to the count of version 2.
    *
-   * @throws IllegalArgumentException if the counts cannot be had
+   * @throws IllegalArgumentException if a count cannot be reached
    */
   public MadeObject versions(ParametricModel recipe, int original, int reduced) {
     ParametricModel model = ExactCount.refine(Rounding.toGrid(recipe), original);
@@ -33,7 +33,7 @@ public final class RecipeVersions {
     return new MadeObject(model, List.of(first, new RecipeFile(title, reduced, second)));
   }
 
-  /** An object that has one version. */
+  /** Generates an object that has one version. */
   public MadeObject single(ParametricModel recipe) {
     ParametricModel model = Rounding.toGrid(recipe);
     String description = model.polygons() + " polygons";
@@ -45,7 +45,7 @@ public final class RecipeVersions {
     return new RecipeFile(name, model.polygons(), text);
   }
 
-  /** {@code trashCan} as {@code Trash can}. */
+  /** Returns a name as words: {@code trashCan} gives {@code Trash can}. */
   static String words(String name) {
     String spaced =
         name.replaceAll("(?<=[a-z])(?=[A-Z0-9])|(?<=[0-9])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);

@@ -15,7 +15,7 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
-/** The polygon count process (thesis 4.2) from one file's text to another's. */
+/** Runs the polygon count process (thesis 4.2) on a file's text. */
 final class Reducer {
   private static final Path FOLDER = Path.of("");
 
@@ -27,13 +27,14 @@ final class Reducer {
 
   /**
    * @param title the new file's name
-   * @throws IllegalArgumentException if no reduction has exactly so many polygons
+   * @throws IllegalArgumentException if no reduction has exactly this number of polygons
    */
   String reduce(RecipeFile original, int polygons, String title, String description) {
     Model model = read(original);
     List<Mesh> parts = simplifier.simplify(model.meshes(), new Goal.Exactly(polygons)).parts();
     if (count(parts) != polygons) {
-      // A closed surface has an even count: one triangle more than asked for, and that one goes.
+      // A closed surface has an even count: reduce to one triangle more than asked for, then remove
+      // one.
       Goal more = new Goal.Exactly(polygons + 1);
       parts = Undersides.open(simplifier.simplify(model.meshes(), more).parts());
     }

@@ -6,14 +6,17 @@ import java.util.List;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
- * Opens closed models where nobody looks: closed surfaces have even counts, and some of the
- * thesis's are odd.
+ * Opens closed models at their undersides, where nobody looks: closed surfaces have even polygon
+ * counts, and some of the thesis's counts are odd.
  */
 final class Undersides {
 
   private Undersides() {}
 
-  /** The model without its lowest triangle that faces down; its part is seen from both sides. */
+  /**
+   * Returns the model without its lowest triangle that faces down; the part of that triangle
+   * becomes two-sided.
+   */
   static List<Mesh> open(List<Mesh> parts) {
     int part = 0;
     int triangle = 0;
@@ -33,7 +36,10 @@ final class Undersides {
     return opened;
   }
 
-  /** Of its middle, metres; what does not face down is taken for ten metres higher. */
+  /**
+   * Returns the height of a triangle's centroid, metres, plus ten metres if the triangle does not
+   * face down.
+   */
   private static double height(Mesh mesh, int triangle) {
     float[] p = mesh.positions();
     int a = 3 * mesh.indices()[3 * triangle];

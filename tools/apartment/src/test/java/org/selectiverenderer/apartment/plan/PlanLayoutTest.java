@@ -82,10 +82,11 @@ class PlanLayoutTest {
   @Test
   void whatHasNothingBelowIsSaid() {
     assertThatThrownBy(() -> place("box", new On("table", 5, 0, 0, 2), new Floor(4, 0, 0)))
-        .hasMessage("box misses table");
+        .hasMessage("box does not lie above table");
     assertThatThrownBy(() -> place("box", new On("nothing", 0, 0, 0, 2)))
         .hasMessageContaining("nothing");
-    assertThatThrownBy(() -> place("box", new Floor(400, 0, 0))).hasMessage("box misses the floor");
+    assertThatThrownBy(() -> place("box", new Floor(400, 0, 0)))
+        .hasMessage("box does not lie above the floor");
   }
 
   @Test

@@ -12,9 +12,9 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** What makes new areas and Switches, from the menus, the keys and the views. */
+/** The commands that create areas and Switches, for menus, keys and views. */
 public final class AreaCommands {
-  /** What an area does not stand around: other areas, and the scene as a whole. */
+  /** Elements that no area is put around: other areas, and the scene as a whole. */
   private static final Set<String> NO_OBJECTS = Set.of("ProximitySensor", "X3D", "Scene");
 
   private final EnricherSession session;
@@ -23,8 +23,8 @@ public final class AreaCommands {
   private final NodeCommands nodes;
 
   /**
-   * @param probe of the running scene
-   * @param question how names are asked for
+   * @param probe answers queries of the running scene
+   * @param question asks for names
    */
   public AreaCommands(EnricherSession session, SceneProbe probe, NameQuestion question) {
     this.session = session;
@@ -46,8 +46,8 @@ public final class AreaCommands {
   }
 
   /**
-   * Adds an area around what is selected, or around the room that the author looks from when
-   * nothing, an area or the scene as a whole is.
+   * Adds an area around the selected node; around the room in which the preview's viewer is when
+   * nothing, an area or the whole scene is selected.
    */
   public void addAroundSelection() {
     Optional<DocumentElement> around =
@@ -67,7 +67,7 @@ public final class AreaCommands {
   /**
    * Adds an area after asking for its name.
    *
-   * @return whether the author wanted it
+   * @return whether the area was added
    */
   public boolean add(AreaBox box) {
     return question
@@ -76,7 +76,7 @@ public final class AreaCommands {
         .orElse(false);
   }
 
-  /** Wraps what is selected in a Switch, after asking for its name. */
+  /** Wraps the selected node in a Switch, after asking for its name. */
   public void makeSwitch() {
     Optional<DocumentElement> node = selected();
     if (node.isEmpty()) {
@@ -91,12 +91,12 @@ public final class AreaCommands {
         .ifPresent(name -> nodes.wrap(node.get(), name, this));
   }
 
-  /** Asks for another name of what is selected. */
+  /** Asks for another name of the selected node. */
   public void rename() {
     withNamed(node -> nodes.rename(node, question));
   }
 
-  /** Copies what is selected. */
+  /** Duplicates the selected node. */
   public void copy() {
     withNamed(node -> nodes.copy(node, this));
   }
@@ -112,15 +112,15 @@ public final class AreaCommands {
         });
   }
 
-  /** Takes out what is selected. */
+  /** Deletes the selected node. */
   public void delete() {
     withSelected(nodes::delete);
   }
 
   /**
-   * What can be done with the selected node, for its context menu.
+   * Returns the commands for the context menu of the selected node.
    *
-   * @param before takes over what is typed elsewhere, so that the commands see it
+   * @param before commits what is being typed elsewhere, so that the commands see it
    */
   public List<NodeCommand> commands(Runnable before) {
     Predicate<DocumentElement> free = element -> session.document().locked().isEmpty();

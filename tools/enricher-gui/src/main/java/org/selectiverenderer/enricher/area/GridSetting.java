@@ -6,9 +6,9 @@ import org.selectiverenderer.document.area.GridStep;
 import org.selectiverenderer.enricher.settings.EnricherSettings;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The grid that areas snap to, as the author's settings remember it. */
+/** The grid that areas snap to, stored in the author's settings. */
 public final class GridSetting {
-  /** What can be chosen, in the scene's unit; 0 is none. */
+  /** The grid steps that can be chosen, in metres; 0 turns the grid off. */
   public static final List<Double> STEPS = List.of(0.0, 0.01, 0.05, 0.1, 0.25, 0.5, 1.0);
 
   private static final double USUAL = 0.1;
@@ -19,7 +19,7 @@ public final class GridSetting {
     this.settings = settings;
   }
 
-  /** The grid now. */
+  /** The present grid. */
   public GridStep step() {
     String word = settings.word("area.grid", "");
     return STEPS.stream()
@@ -29,12 +29,12 @@ public final class GridSetting {
         .orElse(new GridStep(USUAL));
   }
 
-  /** Another one from now on. */
+  /** Sets another step, in metres. */
   public void use(double step) {
     settings.put("area.grid", DecimalText.rounded(step, 2));
   }
 
-  /** Whether the plan snaps to walls. */
+  /** Whether areas in the plan snap to walls. */
   public boolean walls() {
     return settings.flag("area.walls", true);
   }
@@ -43,7 +43,7 @@ public final class GridSetting {
     settings.put("area.walls", snap);
   }
 
-  /** A step as a menu shows it. */
+  /** Formats a step for a menu. */
   public static String title(double step) {
     return step == 0
         ? Texts.of("area.grid.off")

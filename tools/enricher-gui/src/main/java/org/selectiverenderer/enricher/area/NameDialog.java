@@ -15,12 +15,12 @@ import javax.swing.event.AncestorListener;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Asks for a name in a dialog. */
+/** Asks for a node name in a dialog. */
 public final class NameDialog implements NameQuestion {
   private final Supplier<Component> owner;
 
   /**
-   * @param owner the dialog is put over
+   * @param owner the component over which the dialog opens
    */
   public NameDialog(Supplier<Component> owner) {
     this.owner = owner;
@@ -59,7 +59,7 @@ public final class NameDialog implements NameQuestion {
     }
   }
 
-  /** The dialog would begin with its button. */
+  /** Gives the field the initial focus, which the dialog would give to its button. */
   private static void focus(JComponent field) {
     field.addAncestorListener(
         new AncestorListener() {

@@ -17,11 +17,11 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * What is done with a node that is there: named, copied, deleted, an area put elsewhere. Each is
- * one step of Undo; what cannot be done is told in the status bar.
+ * The commands for existing nodes: rename, copy, delete, and move or resize an area. Each is one
+ * undo step; a refused edit is reported in the status bar.
  */
 public final class NodeCommands {
-  /** How far beside an area its copy is, as part of its width. */
+  /** How far beside an area its copy is put, as a share of its width. */
   private static final double BESIDE = 0.25;
 
   private final EnricherSession session;
@@ -36,12 +36,15 @@ public final class NodeCommands {
     switches = new SwitchEdits(session.enrichment(), session.catalogue());
   }
 
-  /** Makes edits of Switches. */
+  /** The factory of the edits of Switches. */
   public SwitchEdits switches() {
     return switches;
   }
 
-  /** Whether an element is a node of its own, which can have a name and copies. */
+  /**
+   * Whether an element is a node or a prototype instance, and no USE, so that it can be named and
+   * copied.
+   */
   public boolean named(DocumentElement element) {
     boolean node =
         element.name().equals("ProtoInstance")
@@ -49,7 +52,7 @@ public final class NodeCommands {
     return node && element.use().isEmpty();
   }
 
-  /** The area that an element is, if it is one whose place is known. */
+  /** The area that an element is; empty if it is none or its position in the scene is unknown. */
   public Optional<PlacedArea> area(DocumentElement element) {
     return element.attached()
         ? session
@@ -59,7 +62,7 @@ public final class NodeCommands {
         : Optional.empty();
   }
 
-  /** Why a node cannot be called that; empty if it can. */
+  /** Why a node cannot have this name; empty if it can. */
   public Optional<String> complaint(String name) {
     try {
       nodes.check(name);
@@ -69,7 +72,7 @@ public final class NodeCommands {
     }
   }
 
-  /** A name that no node has. */
+  /** Returns a name that no node has, made from the wanted one. */
   public String free(String wanted) {
     return nodes.free(wanted);
   }
@@ -83,7 +86,7 @@ public final class NodeCommands {
     return session.attempt(() -> session.document().perform(edit.get()));
   }
 
-  /** Makes an edit and selects the node of a name. */
+  /** Makes an edit and selects the node of this name. */
   public boolean perform(Supplier<Edit> edit, String name, Object origin) {
     boolean made = perform(edit);
     if (made) {
@@ -111,7 +114,7 @@ public final class NodeCommands {
   /**
    * Gives a node another name.
    *
-   * @return why not; empty if it has it now
+   * @return why it cannot have the name; empty if it has it now
    */
   public Optional<String> rename(DocumentElement node, String name) {
     if (name.strip().equals(node.def().orElse(""))) {
@@ -124,7 +127,10 @@ public final class NodeCommands {
     return why;
   }
 
-  /** Puts a copy of a node beside it and selects it; an area a little aside, so that it is seen. */
+  /**
+   * Puts a copy of a node after it and selects the copy; the copy of an area is shifted a little,
+   * so that it is seen.
+   */
   public void copy(DocumentElement node, Object origin) {
     String name = free(node.def().orElse(node.name()));
     Optional<PlacedArea> area = area(node);
@@ -136,21 +142,22 @@ public final class NodeCommands {
     }
   }
 
-  /** Puts a copy of an area where it is wanted and selects it. */
+  /** Puts a shifted copy of an area into the scene and selects it. */
   public void copy(PlacedArea area, Vector3d shift, Object origin) {
     String name = free(area.name());
     perform(() -> areas.copy(area, name, shift), name, origin);
   }
 
-  /** Takes a node out. */
+  /** Deletes a node. */
   public void delete(DocumentElement node) {
     perform(() -> nodes.remove(node));
   }
 
   /**
-   * Puts an area's box elsewhere.
+   * Moves or resizes an area's box.
    *
-   * @param verb key of the step's name in the bundle, which has the area's name put in
+   * @param verb key of the undo step's name in the bundle {@code area}, whose argument is the
+   *     area's name
    */
   public boolean place(DocumentElement sensor, AreaBox box, String verb) {
     return area(sensor)
@@ -163,12 +170,12 @@ public final class NodeCommands {
     return perform(() -> areas.add(name, box), name, origin);
   }
 
-  /** Puts a node into a Switch and selects that. */
+  /** Wraps a node in a Switch and selects the Switch. */
   boolean wrap(DocumentElement node, String name, Object origin) {
     return perform(() -> switches.wrap(node, name), name, origin);
   }
 
-  /** The Switch that an element is. */
+  /** The Switch that an element is; empty if it is none. */
   public Optional<EnrichedSwitch> switchNode(DocumentElement element) {
     return element.attached() ? session.enrichment().switchNode(element) : Optional.empty();
   }

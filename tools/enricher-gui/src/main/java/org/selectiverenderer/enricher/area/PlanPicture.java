@@ -4,12 +4,12 @@ import java.awt.image.BufferedImage;
 import org.selectiverenderer.geometry.Bounds;
 
 /**
- * A scene from above without what is over a height; a value.
+ * An image of a scene from above, without what lies above a cutting height; a value.
  *
- * @param extent of what is shown, in the scene; the picture covers its X from left to right and its
- *     Z from top to bottom
- * @param image what lies under the cut, transparent where nothing does
- * @param walls where the cut goes through surfaces: x1, z1, x2, z2 of each line
- * @param cut height
+ * @param extent bounds of what is shown, in world coordinates; the image covers X from left to
+ *     right and Z from top to bottom
+ * @param image the surfaces below the cut, transparent where there are none
+ * @param walls the line segments in which the cut meets surfaces: x1, z1, x2, z2 of each
+ * @param cut height of the cut in metres, world Y
  */
 public record PlanPicture(Bounds extent, BufferedImage image, float[] walls, double cut) {}

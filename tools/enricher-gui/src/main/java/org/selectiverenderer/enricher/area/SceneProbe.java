@@ -6,30 +6,30 @@ import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * What is asked of the running scene. Answers come later, on the event dispatch thread; none comes
- * when there is no running scene any more.
+ * Asynchronous queries of the running scene in the preview. Answers come later, on the event
+ * dispatch thread; none comes when there is no running scene any more.
  */
 public interface SceneProbe {
   /**
-   * Where an area around an element would be: its bounds with room to stand beside it, from the
-   * floor up; empty if nothing of it is shown.
+   * Answers the bounds of an area around an element: its own bounds with room to stand beside it,
+   * from the floor up; empty if nothing of it is visible.
    */
   void around(DocumentElement element, Consumer<Optional<Bounds>> answer);
 
-  /** The room that the author looks from: up to its walls, floor and ceiling. */
+  /** Answers the bounds of the room in which the viewer is: up to its walls, floor and ceiling. */
   void room(Consumer<Optional<Bounds>> answer);
 
   /**
-   * A rectangle of the plan with its height: from the floor to the ceiling there.
+   * Answers the box over a rectangle of the plan: from the floor to the ceiling there.
    *
-   * @param footprint whose Y is the height of the cut
+   * @param footprint the rectangle; its Y is the height of the cut
    */
   void raised(Bounds footprint, Consumer<Optional<Bounds>> answer);
 
   /**
-   * The scene from above, cut at a height.
+   * Answers an image of the scene from above, cut at a height.
    *
-   * @param cut height; empty for that of the eye at the start
+   * @param cut height in metres; empty for the eye height at the start viewpoint
    */
   void plan(Optional<Double> cut, Consumer<Optional<PlanPicture>> answer);
 }

@@ -11,43 +11,43 @@ import java.util.Optional;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Paints two pictures and the line between them. Positions are those of the component. */
+/** Paints two pictures and the line between them. Positions are in the component's coordinates. */
 public final class CompareView {
   private static final Color PAPER = new Color(0, 0, 0, 150);
   private static final int PAD = 4;
 
-  /** How near to the line the mouse takes it. */
+  /** Distance at which the mouse grabs the line. */
   private static final int NEAR = 6;
 
   private static final int HANDLE = 9;
 
   private double line = 0.5;
 
-  /** Where the line is, in parts of the width from the left. */
+  /** Position of the line as a share of the width, from the left. */
   public double line() {
     return line;
   }
 
-  /** Puts the line elsewhere. */
+  /** Sets the position of the line. */
   public void line(double part) {
     line = Math.max(0, Math.min(1, part));
   }
 
-  /** Whether the mouse at that place takes the line. */
+  /** Whether a mouse press at a position grabs the line. */
   public boolean takes(Optional<Compared> shown, int x, int width) {
     return shown.filter(other -> other.mode() == CompareMode.WIPE).isPresent()
         && Math.abs(x - line * width) <= NEAR;
   }
 
-  /** How far the picture of the preview is moved to the right, in units of the component. */
+  /** The left edge of the preview's own picture in the component. */
   public static int offset(Optional<Compared> shown, int width) {
     return shown.filter(other -> other.mode() == CompareMode.BESIDE).isPresent() ? width / 2 : 0;
   }
 
   /**
-   * Paints both.
+   * Paints both pictures, the line and their titles.
    *
-   * @param scale pixels of the pictures per unit
+   * @param scale pixels of the pictures per unit of the component
    * @param polygons of the scene as the preview shows it
    */
   public void paint(
@@ -98,7 +98,7 @@ public final class CompareView {
     }
   }
 
-  /** At the top, on its side of the border; left out where there is no room. */
+  /** Paints a title at the top on its side of the border; omits it where there is no room. */
   private static void title(Graphics2D g, String text, int border, int width, boolean right) {
     FontMetrics metrics = g.getFontMetrics();
     int wide = metrics.stringWidth(text) + 2 * PAD;

@@ -3,9 +3,9 @@ package org.selectiverenderer.enricher.compare;
 import java.awt.image.BufferedImage;
 
 /**
- * The scene with all polygons.
+ * The reference image of a comparison: the scene in full detail.
  *
- * @param image of the same size and seen from the same place as the other
+ * @param image of the same size and from the same viewpoint as the preview's picture
  * @param polygons of the whole scene
  */
 public record Compared(CompareMode mode, BufferedImage image, long polygons) {}

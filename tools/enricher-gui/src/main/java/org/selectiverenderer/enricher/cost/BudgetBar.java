@@ -15,8 +15,8 @@ import org.selectiverenderer.enricher.table.SignColors;
 import org.selectiverenderer.validation.budget.BudgetStatus;
 
 /**
- * The polygons of a row as a bar as long as its limit: blue as far as it is used; orange, hatched
- * and beyond a line where it is broken. A sign and words say the same without colours.
+ * Renders the polygons of a row as a bar against its limit: blue up to the limit, orange and
+ * hatched beyond it. A sign and words say the same without colours.
  */
 final class BudgetBar extends DefaultTableCellRenderer {
   private static final long serialVersionUID = 1L;
@@ -53,7 +53,7 @@ final class BudgetBar extends DefaultTableCellRenderer {
       g2.fillRect(0, 0, getWidth(), getHeight());
       bar(g2, status.get());
       g2.dispose();
-      setOpaque(false); // The words go over the bar.
+      setOpaque(false); // The text is painted over the bar.
       super.paintComponent(g);
       setOpaque(true);
     } else {

@@ -13,12 +13,12 @@ import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.validation.settings.BudgetFile;
 
 /**
- * Which settings file of the validator counts for a scene: the one that the author has chosen for
- * the scene's folder, else the nearest of the usual name, else one of that name beside the scene,
- * which is made with its first limit. Safe for use by several threads.
+ * Locates the validator's settings file that applies to a scene: the one that the author has chosen
+ * for the scene's folder, else the nearest of the default name in the folder or its parents, else
+ * one of that name beside the scene, which is created with its first limit. Thread-safe.
  */
 public final class BudgetPlace {
-  /** The usual name. */
+  /** The default file name. */
   public static final String NAME = ".selective-renderer-validate.json";
 
   private static final String KEY = "validate-settings ";
@@ -28,7 +28,7 @@ public final class BudgetPlace {
   private volatile @Nullable Path chosen;
 
   /**
-   * @param scene where the document is saved
+   * @param scene the document's file
    */
   public BudgetPlace(Supplier<Path> scene, EnricherSettings settings) {
     this.scene = scene;
@@ -42,7 +42,7 @@ public final class BudgetPlace {
     return path.getParent() == null ? path : path.getParent();
   }
 
-  /** The file, which need not be there. */
+  /** The file, which need not exist. */
   public Path file() {
     Path wanted = chosen;
     if (wanted != null) {
@@ -57,7 +57,7 @@ public final class BudgetPlace {
     return folder.resolve(NAME);
   }
 
-  /** Takes another file for the scenes of this folder, which is remembered. */
+  /** Uses another file for the scenes of this folder, also after a restart. */
   void choose(Path file) {
     chosen = file.toAbsolutePath().normalize();
     settings.put(KEY + folder(), chosen);
@@ -68,7 +68,7 @@ public final class BudgetPlace {
   }
 
   /**
-   * The settings as they are now.
+   * Reads the present settings.
    *
    * @return empty when the file has faults, which are then in {@code problems}
    * @throws IOException if it cannot be read at all

@@ -23,18 +23,18 @@ import org.selectiverenderer.validation.Budget;
 import org.selectiverenderer.validation.ValidationSettings;
 
 /**
- * Counts the document as it is now, saved or not, after every pause in editing. For the event
- * dispatch thread; counts in a task of the session.
+ * Counts the polygons of the document's present state, saved or not, after every pause in editing.
+ * For the event dispatch thread; counts in a background task of the session.
  */
 final class CostFeed {
-  /** Milliseconds without an edit before the scene is counted anew. */
+  /** Milliseconds without an edit before the scene is counted again. */
   private static final int PAUSE = 500;
 
   /**
-   * What has been found.
+   * The result of a count.
    *
-   * @param rows none where nobody wants to know: nothing is looked at and no limit is set
-   * @param fault of the settings file, a sentence
+   * @param rows empty if nothing was counted, as the panel is hidden and no limit is set
+   * @param fault why the settings file is not usable; empty if it is
    */
   record Found(Optional<List<CostRow>> rows, Optional<String> fault) {}
 
@@ -43,7 +43,10 @@ final class CostFeed {
   private final Consumer<Found> listener;
   private final SceneCounter counter = new SceneCounter();
 
-  /** One counts at a time; who waits and is cancelled meanwhile frees its thread at once. */
+  /**
+   * Lets one task count at a time; a task that is cancelled while it waits frees its thread at
+   * once.
+   */
   private final Lock turn = new ReentrantLock();
 
   private final DocumentListener onChange = change -> changed();
@@ -66,7 +69,7 @@ final class CostFeed {
     pause.restart();
   }
 
-  /** Says whether somebody looks. */
+  /** Sets whether the panel is visible. */
   void seen(boolean now) {
     seen = now;
     if (seen && stale && task == null) {
@@ -74,7 +77,10 @@ final class CostFeed {
     }
   }
 
-  /** Files that the scene names may be others now, though nothing tells it by their times. */
+  /**
+   * Forgets the files that the scene names, which may have changed without a new time stamp, and
+   * counts again.
+   */
   void forget() {
     counter.forget();
     now();
@@ -89,7 +95,7 @@ final class CostFeed {
   void now() {
     cancel();
     if (session.document().tree().isEmpty()) {
-      return; // Of a text that is not well formed the last count stays.
+      return; // While the text is not well formed, the last count stays.
     }
     Snapshot snapshot = session.document().snapshot();
     Path file = session.file().path().toAbsolutePath();

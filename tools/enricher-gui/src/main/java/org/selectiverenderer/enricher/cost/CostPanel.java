@@ -29,8 +29,8 @@ import org.selectiverenderer.polygon.count.StateShares;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * What the scene costs: polygons of its parts in their states against limits, and what each object
- * has of the chosen state. For the event dispatch thread.
+ * Shows the polygon cost of the scene: polygons of its parts in each state against limits, and the
+ * share of each object in the selected state. For the event dispatch thread.
  */
 public final class CostPanel extends JPanel {
   private static final long serialVersionUID = 1L;
@@ -56,11 +56,11 @@ public final class CostPanel extends JPanel {
   private transient Optional<CostRow> chosen = Optional.empty();
   private boolean following;
 
-  /** What was counted while the author writes a limit; shown when that is written. */
+  /** A count that arrived while the author edits a limit; shown when editing ends. */
   private transient Optional<List<CostRow>> waiting = Optional.empty();
 
   /**
-   * @param settingsChanged hears that the settings file has other limits, or is another one
+   * @param settingsChanged runs when the limits or the settings file change
    */
   public CostPanel(EnricherSession session, BudgetPlace place, Runnable settingsChanged) {
     super(new MigLayout("insets 4 8 4 8, fill", "[grow,fill]", "[grow,fill][]"));
@@ -144,7 +144,7 @@ public final class CostPanel extends JPanel {
             });
   }
 
-  /** Says in each limit's cell what it is for, where one can be set. */
+  /** Renders a limit with a tooltip that says whether one can be set. */
   private final class LimitCell extends DefaultTableCellRenderer {
     private static final long serialVersionUID = 1L;
 
@@ -155,7 +155,7 @@ public final class CostPanel extends JPanel {
       boolean can = states.row(row).limitable();
       setToolTipText(Texts.of(can ? "cost.limittip" : "cost.nolimit"));
       if (can && states.row(row).limit().isEmpty()) {
-        setText("\u2026"); // here one can be written
+        setText("\u2026"); // a limit can be set here
       }
       return this;
     }
@@ -195,7 +195,7 @@ public final class CostPanel extends JPanel {
     }
   }
 
-  /** Marks the object that is selected elsewhere. */
+  /** Selects the row of the object that is selected in other views. */
   private void follow() {
     int row =
         session
@@ -221,11 +221,11 @@ public final class CostPanel extends JPanel {
     tellFile(found.fault());
   }
 
-  /** Shows what was counted, when the author writes no limit any more. */
+  /** Shows a waiting count when the author has finished editing a limit. */
   private final class Written implements CellEditorListener {
     @Override
     public void editingStopped(ChangeEvent event) {
-      EventQueue.invokeLater(this::showWaiting); // when the table has taken the limit over
+      EventQueue.invokeLater(this::showWaiting); // after the table has set the value
     }
 
     @Override
@@ -240,7 +240,7 @@ public final class CostPanel extends JPanel {
     }
   }
 
-  /** Whether a count is kept back until the author has written a limit. */
+  /** Whether a count waits until the author has finished editing a limit. */
   boolean waits() {
     return waiting.isPresent();
   }
@@ -268,7 +268,7 @@ public final class CostPanel extends JPanel {
     showObjects();
   }
 
-  /** Tells the first limit that held before and holds no more. */
+  /** Reports the first limit that was kept before and is exceeded now. */
   private void warn(List<CostRow> rows) {
     for (CostRow row : rows) {
       boolean held = before.stream().anyMatch(old -> old.same(row) && !old.broken());
@@ -293,7 +293,7 @@ public final class CostPanel extends JPanel {
     follow();
   }
 
-  /** What the list of objects leaves out; all of the scene while no object is enriched. */
+  /** Describes the polygons that the list of objects leaves out. */
   private static String rest(StateShares shares) {
     return shares.objects().isEmpty()
         ? Texts.of("cost.plain")
@@ -307,7 +307,7 @@ public final class CostPanel extends JPanel {
     file.setToolTipText(fault.orElseGet(() -> place.file().toString()));
   }
 
-  /** Writes a limit to the settings file, or takes it away, and counts anew. */
+  /** Writes a limit to the settings file, or removes it, and counts again. */
   private void limit(CostRow row, Optional<Long> most) {
     session
         .tasks()
@@ -340,14 +340,14 @@ public final class CostPanel extends JPanel {
     }
   }
 
-  /** Takes another settings file. */
+  /** Uses another settings file. */
   void use(Path other) {
     place.choose(other);
     tellFile(Optional.empty());
     settingsAreOther();
   }
 
-  /** Counts anew: files that the scene names may be others now. */
+  /** Counts again, as files that the scene names may have changed. */
   public void lookAtFilesAgain() {
     feed.forget();
   }

@@ -15,15 +15,15 @@ import org.selectiverenderer.validation.budget.BudgetStatus;
 import org.selectiverenderer.validation.settings.BudgetFile;
 
 /**
- * A part of the scene in a state; a value.
+ * A row of the cost table: a part of the scene in a state of its Switches; a value.
  *
  * @param scope DEF of the group; empty for the whole scene
- * @param schemas of the state; none of all polygons and of the worst state
- * @param percent of all polygons of the part; negative where that is not known
- * @param limit as the settings file has it
- * @param status of the limit
- * @param limitable whether a limit can be set for just this
- * @param shares what the polygons come from
+ * @param schemas active schemas of the state; none for {@code ALL} and {@code WORST}
+ * @param percent share of all polygons of the part; negative where unknown
+ * @param limit the budget in the settings file
+ * @param status whether the limit is kept
+ * @param limitable whether a limit can be set for this row
+ * @param shares how many polygons each object contributes
  */
 record CostRow(
     String scope,
@@ -35,17 +35,17 @@ record CostRow(
     Optional<BudgetStatus> status,
     boolean limitable,
     Optional<StateShares> shares) {
-  /** Which state. */
+  /** The kind of state. */
   enum Kind {
     /** All objects at their most detailed. */
     ALL,
     LOADED,
     STATE,
-    /** The most that a viewer can cause, whichever way. */
+    /** The state with the most polygons that a viewer can reach. */
     WORST
   }
 
-  /** The budget that this would have. */
+  /** The budget for this row with a limit. */
   Budget budget(long most) {
     return new Budget(scope, schemas, most);
   }
@@ -54,12 +54,15 @@ record CostRow(
     return status.filter(BudgetStatus::broken).isPresent();
   }
 
-  /** Whether this is the same part and state, with other numbers. */
+  /** Whether another row is about the same part and state. */
   boolean same(CostRow other) {
     return kind == other.kind && scope.equals(other.scope) && schemas.equals(other.schemas);
   }
 
-  /** The rows of a scene: part by part all, as loaded, its states, the worst; limits of others. */
+  /**
+   * Returns the rows of a scene: for each part full detail, as loaded, its states and the worst;
+   * then limits that fit none of these.
+   */
   static List<CostRow> of(Counted counted, List<Budget> budgets) {
     Making making = new Making(counted.model(), new ArrayList<>(budgets));
     for (ScopeCount scope : counted.statistics().scopes()) {
@@ -133,7 +136,7 @@ record CostRow(
               shares));
     }
 
-    /** The whole scene, if it is no part by itself, and what else has limits. */
+    /** Adds the whole scene, if it is not counted as a part, and the remaining limits. */
     void rest() {
       if (rows.stream().noneMatch(row -> row.scope().isEmpty())) {
         worst("", 0, List.of());

@@ -13,8 +13,8 @@ import javax.swing.table.TableModel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A table of costs. It tells in a tooltip what a narrow column cuts off, and scrolls sideways only
- * where there is no room for the least widths of its columns.
+ * A table of costs. Tooltips show what narrow columns cut off; the table scrolls horizontally only
+ * where its columns do not fit at their minimum widths.
  */
 final class CostTable extends JTable {
   private static final long serialVersionUID = 1L;
@@ -31,14 +31,15 @@ final class CostTable extends JTable {
     setRowHeight(Math.round(getFontMetrics(getFont()).getHeight() * 1.4f));
     for (String key : List.of("F8", "F6")) {
       getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
-          .put(KeyStroke.getKeyStroke(key), "none"); // the window's
+          .put(KeyStroke.getKeyStroke(key), "none"); // left to the window's menus
     }
   }
 
   /**
-   * Says how wide a column is.
+   * Sets preferred and minimum width of a column, in letters.
    *
-   * @param letters that it would like to show, and shows at least
+   * @param letters preferred width
+   * @param least minimum width
    */
   CostTable column(int index, int letters, int least) {
     int letter = getFontMetrics(getFont()).charWidth('n');
@@ -48,7 +49,7 @@ final class CostTable extends JTable {
     return this;
   }
 
-  /** The same for a column of numbers. */
+  /** Does the same for a column of numbers, which are aligned to the right. */
   CostTable numbers(int index, int letters, int least) {
     DefaultTableCellRenderer right = new DefaultTableCellRenderer();
     right.setHorizontalAlignment(SwingConstants.TRAILING);

@@ -6,7 +6,7 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.validation.budget.BudgetStatus;
 
-/** What is said of rows. */
+/** Formats rows of the cost table as text. */
 final class CostWords {
   private CostWords() {}
 
@@ -32,7 +32,7 @@ final class CostWords {
     return row.percent() < 0 ? "" : DecimalText.fixed(row.percent(), 1) + " %";
   }
 
-  /** How the row stands to its limit; empty where there is none. */
+  /** How many polygons are left or too many against the limit; empty where there is none. */
   static Optional<String> verdict(CostRow row) {
     return row.status()
         .map(
@@ -45,7 +45,7 @@ final class CostWords {
                             status.budget().polygons() - status.worst().polygons())));
   }
 
-  /** A sentence for the status bar about a limit that holds no more. */
+  /** The status bar's sentence about a limit that is exceeded now. */
   static String warning(CostRow row, BudgetStatus status) {
     return Texts.of(
         "cost.broken",

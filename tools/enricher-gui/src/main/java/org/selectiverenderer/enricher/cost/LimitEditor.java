@@ -4,7 +4,7 @@ import javax.swing.DefaultCellEditor;
 import javax.swing.JTextField;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Edits a limit in its cell. What is no number stays there, marked, until it is one. */
+/** The cell editor of a limit. It stays open and marked until the text is a number or empty. */
 final class LimitEditor extends DefaultCellEditor {
   private static final long serialVersionUID = 1L;
 

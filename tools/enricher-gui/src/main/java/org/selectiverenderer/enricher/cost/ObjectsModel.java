@@ -10,7 +10,7 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.polygon.count.StateShares;
 import org.selectiverenderer.polygon.count.StateShares.ObjectShare;
 
-/** What each object has of a state's polygons, the most first. */
+/** The table model of the polygons that each object contributes to a state, the largest first. */
 final class ObjectsModel extends RowTableModel<ObjectShare> {
   static final int OBJECT = 0;
   static final int POLYGONS = 1;

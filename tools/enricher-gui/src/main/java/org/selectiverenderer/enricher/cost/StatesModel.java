@@ -7,7 +7,7 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Parts of the scene in their states, with limits that can be written. */
+/** The table model of the scene's parts in their states, with editable limits. */
 final class StatesModel extends RowTableModel<CostRow> {
   static final int SCOPE = 0;
   static final int STATE = 1;
@@ -17,13 +17,13 @@ final class StatesModel extends RowTableModel<CostRow> {
   static final int BAR = 5;
   private static final long serialVersionUID = 1L;
 
-  /** More digits than any scene has polygons. */
+  /** Most digits of a limit. */
   private static final int DIGITS = 15;
 
   private final transient BiConsumer<CostRow, Optional<Long>> limits;
 
   /**
-   * @param limits hears what the author writes; empty for no limit
+   * @param limits called with the limit that the author sets; empty for no limit
    */
   StatesModel(BiConsumer<CostRow, Optional<Long>> limits) {
     super(
@@ -57,7 +57,7 @@ final class StatesModel extends RowTableModel<CostRow> {
     return column == LIMIT && row(row).limitable();
   }
 
-  /** The number that an author means: digits, in groups or not; empty if it is none. */
+  /** Parses a number with or without group separators; empty if it is none. */
   static Optional<Long> number(String text) {
     String digits = text.strip().replaceAll("[\\s,.'\u2019\u00a0\u202f]", "");
     return digits.matches("[0-9]{1," + DIGITS + "}")
@@ -65,7 +65,7 @@ final class StatesModel extends RowTableModel<CostRow> {
         : Optional.empty();
   }
 
-  /** Takes a number, or nothing for no limit. */
+  /** Sets a limit; an empty text removes it. */
   @Override
   public void setValueAt(Object value, int row, int column) {
     String text = String.valueOf(value);

@@ -1,7 +1,7 @@
 /**
- * What the scene costs, below the table of schemas: polygons of each part of the scene in each
- * state that the areas bring about, against limits that the author sets; and what each object has
- * of them.
+ * The polygon cost of the scene, shown below the table of schemas: polygons of each part of the
+ * scene in each state that the areas bring about, against limits that the author sets; and the
+ * share of each object.
  *
  * <p>Nothing is counted here: {@link org.selectiverenderer.polygon.count.SceneCounter} counts as
  * {@code polygons} does and keeps the files that have not changed, {@link
@@ -9,12 +9,12 @@
  * limits are the {@code budgets} of the validator's settings file, which {@link
  * org.selectiverenderer.validation.settings.BudgetFile} changes in place.
  *
- * <p>The flow: an edit of the document, a pause, {@code CostFeed} takes a snapshot to a task of the
- * session, where settings are read and polygons counted; the task's {@code CostRow}s are values and
- * go to {@code CostPanel} on the event dispatch thread. While nobody sees the panel and no limit is
- * set nothing is counted. A limit that held and holds no more is said in the status bar; the
- * validator's own finding (SR501) is in the list of problems, since {@code BudgetPlace} gives both
- * the same settings.
+ * <p>The flow: after an edit of the document and a pause, {@code CostFeed} takes a snapshot to a
+ * task of the session, which reads the settings and counts the polygons; the resulting {@code
+ * CostRow}s are values and go to {@code CostPanel} on the event dispatch thread. While the panel is
+ * hidden and no limit is set, nothing is counted. A limit that is newly exceeded is reported in the
+ * status bar; the validator's own finding (SR501) is in the list of problems, since {@code
+ * BudgetPlace} gives both the same settings.
  *
  * <p>In: the session, the settings file. Out: the settings file, selections. Uses {@code
  * enricher.session}, {@code enricher.settings}, {@code enricher.table}, {@code enricher.text},

@@ -3,7 +3,10 @@ package org.selectiverenderer.enricher.diff;
 import java.awt.Color;
 import javax.swing.UIManager;
 
-/** Colours of lines, made of the theme's: a tint of green or red that its text is readable on. */
+/**
+ * Background colours of diff lines: the theme's background with a tint on which its text stays
+ * readable.
+ */
 final class DiffColors {
   private static final Color GREEN = new Color(0x2E, 0xA0, 0x43);
   private static final Color RED = new Color(0xF8, 0x51, 0x49);

@@ -23,7 +23,7 @@ import org.selectiverenderer.enricher.text.Letters;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.experiment.window.PackedWindow;
 
-/** Shows what saving will change in the file, and asks whether to. */
+/** Shows the changes that saving will make to the file, and asks whether to save. */
 @SuppressWarnings("serial") // never written
 public final class DiffDialog extends JDialog {
   private static final long serialVersionUID = 1L;
@@ -109,7 +109,7 @@ public final class DiffDialog extends JDialog {
                 summary.setText(Texts.of("diff.unread", String.valueOf(failure.getMessage()))));
   }
 
-  /** A file that is gone is an empty one. */
+  /** Compares the document with its file; a missing file counts as empty. */
   private static DiffLines diff(Path file, Snapshot snapshot) throws IOException {
     String name = String.valueOf(file.getFileName());
     String before =
@@ -139,7 +139,7 @@ public final class DiffDialog extends JDialog {
   private void enableButtons(boolean changes) {
     previous.setEnabled(changes);
     next.setEnabled(changes);
-    save.setEnabled(true); // a file that cannot be compared with may be saved all the same
+    save.setEnabled(true); // saving is possible even if the file cannot be read
   }
 
   @Override
@@ -153,7 +153,7 @@ public final class DiffDialog extends JDialog {
     dispose();
   }
 
-  /** Shows the dialog, waits, and says whether the author wants to save. */
+  /** Shows the dialog, waits, and returns whether the author wants to save. */
   public boolean confirmed() {
     setVisible(true);
     return confirmed;

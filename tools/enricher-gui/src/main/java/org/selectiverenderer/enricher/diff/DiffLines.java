@@ -10,7 +10,7 @@ import org.selectiverenderer.enricher.text.Texts;
  * @param changes indices of the first line of each run of added and removed lines, in order
  */
 record DiffLines(List<Line> lines, List<Integer> changes) {
-  /** What a line of a diff is. */
+  /** The kind of a line of a diff. */
   enum Kind {
     FILE("diff.line.file"),
     PLACE("diff.line.place"),
@@ -24,14 +24,14 @@ record DiffLines(List<Line> lines, List<Integer> changes) {
       this.key = key;
     }
 
-    /** How it is read out. */
+    /** The kind as a screen reader says it. */
     String word() {
       return Texts.of(key);
     }
   }
 
   /**
-   * @param text with the sign in front, without the end of the line
+   * @param text with the leading sign, without the line end
    */
   record Line(Kind kind, String text) {}
 
@@ -40,7 +40,7 @@ record DiffLines(List<Line> lines, List<Integer> changes) {
     changes = List.copyOf(changes);
   }
 
-  /** Reads what {@code UnifiedDiff} writes. */
+  /** Parses the output of {@code UnifiedDiff}. */
   static DiffLines of(String diff) {
     List<Line> lines = new ArrayList<>();
     List<Integer> changes = new ArrayList<>();
@@ -80,7 +80,7 @@ record DiffLines(List<Line> lines, List<Integer> changes) {
     return lines.stream().filter(line -> line.kind() == Kind.REMOVED).count();
   }
 
-  /** The first change behind a line; the first of all behind the last. */
+  /** The first change after a line; after the last change the first of all. */
   int next(int line) {
     return changes.stream().filter(at -> at > line).findFirst().orElse(first());
   }

@@ -11,7 +11,7 @@ import javax.swing.UIManager;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * The lines of a diff. Only those on the screen are ever laid out, so a million of them scroll like
+ * A list of the lines of a diff. Only visible lines are laid out, so a million of them scroll like
  * ten.
  */
 @SuppressWarnings("serial") // never written
@@ -90,7 +90,7 @@ final class DiffView extends JList<DiffLines.Line> {
       setBackground(DiffColors.background(line.kind()));
       setFont(
           line.kind() == DiffLines.Kind.FILE ? list.getFont().deriveFont(Font.BOLD) : getFont());
-      // The selected line keeps its colour, which says what it is; a bar in front marks it.
+      // The selected line keeps the colour of its kind; a bar in front marks it.
       setBorder(
           BorderFactory.createMatteBorder(
               0, 4, 0, 0, selected ? UIManager.getColor("Component.focusColor") : getBackground()));

@@ -32,8 +32,8 @@ import org.selectiverenderer.experiment.window.PackedWindow;
 import org.selectiverenderer.x3d.source.DocumentFault;
 
 /**
- * Shows the document and what another program has made of its file side by side, with what of both
- * is taken, and lets the author decide where both have changed the same lines.
+ * Shows the document and its changed file side by side, marks which lines of both are taken, and
+ * lets the author decide where both have changed the same lines.
  */
 @SuppressWarnings("serial") // never written
 public final class MergeDialog extends JDialog {
@@ -179,7 +179,7 @@ public final class MergeDialog extends JDialog {
             DecimalText.grouped(rows.undecided())));
   }
 
-  /** A result that no program can read is told before it is taken. */
+  /** Confirms the merge; warns first if the result is not well-formed XML. */
   private void confirm() {
     Optional<DocumentFault> fault = fault();
     if (fault.isPresent() && !warned) {
@@ -203,13 +203,13 @@ public final class MergeDialog extends JDialog {
     }
   }
 
-  /** Shows the dialog, waits, and gives the decisions; empty if the author wants none. */
+  /** Shows the dialog, waits, and returns the decisions; empty if the author cancels. */
   public Optional<List<Choice>> decided() {
     setVisible(true);
     return choices();
   }
 
-  /** The decisions that were made; empty if the author wanted none. */
+  /** The decisions; empty if the author has not confirmed them. */
   Optional<List<Choice>> choices() {
     return confirmed ? Optional.of(rows.choices()) : Optional.empty();
   }
@@ -239,7 +239,10 @@ public final class MergeDialog extends JDialog {
     }
   }
 
-  /** Taken lines are green, those left out red and struck by a sign; what is open is blue. */
+  /**
+   * Renders taken lines green with a plus, dropped lines red with a minus, and undecided lines
+   * blue.
+   */
   private final class LineRenderer extends DefaultTableCellRenderer {
     private static final long serialVersionUID = 1L;
 
@@ -263,7 +266,7 @@ public final class MergeDialog extends JDialog {
       boolean marked = selected().filter(at -> at.conflict() == line.conflict()).isPresent();
       setBackground(color);
       setFont(marked ? shown.getFont().deriveFont(Font.BOLD) : shown.getFont());
-      putClientProperty("html.disable", true); // a line of a scene is no page
+      putClientProperty("html.disable", true); // else a line beginning with <html> is HTML
       return this;
     }
   }

@@ -7,14 +7,14 @@ import org.selectiverenderer.document.file.LineMerge;
 import org.selectiverenderer.document.file.LineMerge.Choice;
 import org.selectiverenderer.document.file.LineMerge.Kind;
 
-/** Two texts side by side, line by line, and how far their conflicts are decided. */
+/** The rows of two texts side by side, and the decisions about their conflicts. */
 final class MergeRows {
   private static final int CONTEXT = 3;
 
   /**
-   * A line of both texts.
+   * A row with a line of each text.
    *
-   * @param part the index of its part; -1 for lines that are left out
+   * @param part the index of its part; -1 for a gap of unchanged lines
    * @param conflict the number of its conflict from 0; -1 for none
    */
   record Row(int part, int conflict, Kind kind, String mine, String theirs) {}
@@ -89,7 +89,7 @@ final class MergeRows {
     choices.set(conflict, Optional.of(choice));
   }
 
-  /** Whether a side of a row is in the result; empty where that is not decided. */
+  /** Whether a side of a row is in the result; empty while undecided. */
   Optional<Boolean> taken(Row row, boolean mine) {
     return switch (row.kind()) {
       case SAME -> Optional.of(true);
@@ -100,7 +100,7 @@ final class MergeRows {
     };
   }
 
-  /** The first row of the next conflict behind a row, or of the first; -1 for none. */
+  /** The first row of the next conflict after a row, or else of the first conflict; -1 for none. */
   int next(int row) {
     int first = -1;
     for (int i = 0; i < rows.size(); i++) {
@@ -115,12 +115,12 @@ final class MergeRows {
     return first;
   }
 
-  /** All decisions, when all are made. */
+  /** The decisions, once all are made. */
   List<Choice> choices() {
     return choices.stream().map(Optional::orElseThrow).toList();
   }
 
-  /** The text that comes out, when all is decided. */
+  /** The merged text, once all conflicts are decided. */
   String text() {
     return merge.text(choices());
   }

@@ -1,5 +1,6 @@
 /**
- * What saving will change in the file, line by line, before it is saved.
+ * Shows line by line what saving will change in the file, and merges with changes of other
+ * programs.
  *
  * <p>In: a document and its file. Out: the author's yes or no. Uses {@code enricher.session},
  * {@code enricher.task}, {@code document} and {@code document.file}.

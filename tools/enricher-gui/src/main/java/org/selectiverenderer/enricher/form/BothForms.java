@@ -5,7 +5,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 
-/** Forms of one node, one below the other. */
+/** A form composed of other forms of one node, one below the other. */
 record BothForms(JComponent component, List<Form> forms) implements Form {
   static BothForms of(Form... forms) {
     JPanel panel = new JPanel(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]"));

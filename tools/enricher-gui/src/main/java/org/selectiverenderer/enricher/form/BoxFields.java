@@ -23,8 +23,8 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Where an area is: centre and size in the scene, whatever it stands in, and which other areas it
- * lies over or belongs together with.
+ * Edits the box of an area: centre and size in world coordinates, whatever transforms are around
+ * it; and names the areas that it overlaps or belongs together with.
  */
 final class BoxFields {
   private static final String[] AXES = {"X", "Y", "Z"};
@@ -146,7 +146,7 @@ final class BoxFields {
     return panel;
   }
 
-  /** Says what the numbers are and what else is there. */
+  /** Shows the present box, its coordinate frame and the related areas. */
   void follow() {
     Optional<PlacedArea> area = nodes.area(element);
     say(frame, area.map(BoxFields::about).orElseGet(this::unknown));

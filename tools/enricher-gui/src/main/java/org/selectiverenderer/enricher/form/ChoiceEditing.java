@@ -10,11 +10,11 @@ import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * What is said of one choice of a Switch, as texts that an author edits. Each change is one edit of
- * the document; a text that means nothing is not written, and the answer says why.
+ * The metadata of one choice of a Switch as texts that an author edits. Each change is one edit of
+ * the document; an invalid text is not written, and the answer says why.
  */
 final class ChoiceEditing {
-  /** What stands for a type that is not said. */
+  /** The text for a type that is not set. */
   static String none() {
     return DegreeInput.none();
   }
@@ -56,13 +56,13 @@ final class ChoiceEditing {
     return SchemaList.format(values().schemas());
   }
 
-  /** Says of which type it is. */
+  /** Sets the consistency type; returns why that fails, empty if it does not. */
   Optional<String> type(String word) {
     ChoiceValues before = values();
     return write(new ChoiceValues(ConsistencyType.of(word), before.degree(), before.schemas()));
   }
 
-  /** Says how consistent it is. */
+  /** Sets the degree of consistency; returns what is wrong with the text, empty for nothing. */
   Optional<String> degree(String text) {
     ChoiceValues before = values();
     Input<Optional<Degree>> input = DegreeInput.parse(text);
@@ -73,7 +73,7 @@ final class ChoiceEditing {
     return write(new ChoiceValues(before.type(), degree, before.schemas()));
   }
 
-  /** Says to which schemas it belongs. */
+  /** Sets the schemas; returns what is wrong with the text, empty for nothing. */
   Optional<String> schemas(String text) {
     Input<List<String>> input = SchemaList.parse(text);
     if (input instanceof Input.Wrong<List<String>> wrong) {

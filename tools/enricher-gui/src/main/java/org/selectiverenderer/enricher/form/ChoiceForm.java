@@ -18,7 +18,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyType;
 
-/** One choice of a Switch (a row of thesis Fig 44): the version, and what is said of it. */
+/** The form of one choice of a Switch (a row of thesis Fig 44): the version and its metadata. */
 final class ChoiceForm {
   private final EnricherSession session;
   private final VersionPictures pictures;
@@ -52,7 +52,7 @@ final class ChoiceForm {
     JComboBox<String> degree = new JComboBox<>(new String[] {DegreeInput.none(), "low", "high"});
     degree.setEditable(true);
     JTextField typed = (JTextField) degree.getEditor().getEditorComponent();
-    typed.setColumns(4); // as long as the longest degree, without what the editor keeps in reserve
+    typed.setColumns(4); // fits the longest degree
     name(degree, Texts.of("form.degree", number), HelpTopic.DEGREE);
     name(typed, Texts.of("form.degree", number), HelpTopic.DEGREE);
     typed.setName("Typed degree of choice " + number);
@@ -118,7 +118,7 @@ final class ChoiceForm {
         : choice.url();
   }
 
-  /** The file's name: folders would push it out of view. */
+  /** The file name without its folders, which would push it out of view. */
   private static String shortly(ChoiceNode choice) {
     String where = where(choice);
     return choice.url().isEmpty() ? where : where.substring(where.lastIndexOf('/') + 1);
@@ -128,7 +128,7 @@ final class ChoiceForm {
     return panel;
   }
 
-  /** Has the picture taken; when it is known on which screen it will be. */
+  /** Requests the thumbnail, once the screen and thus its resolution are known. */
   void load() {
     if (loading == null) {
       loading =
@@ -151,7 +151,7 @@ final class ChoiceForm {
     polygons.getAccessibleContext().setAccessibleName(sentence);
   }
 
-  /** Whether it is the form of that choice. */
+  /** Whether this is the form of a choice. */
   boolean fits(ChoiceNode other) {
     return choice.element() == other.element() && choice.url().equals(other.url());
   }

@@ -22,8 +22,8 @@ final class ColorSwatch extends JButton {
   private final transient Supplier<String> text;
 
   /**
-   * @param text the colour as X3D text; shown as nothing where it is none
-   * @param chosen takes another one
+   * @param text the colour as X3D text; an invalid one is shown as the background
+   * @param chosen called with the colour that the author chooses
    */
   ColorSwatch(String name, Supplier<String> text, Function<String, Optional<String>> chosen) {
     this.text = text;
@@ -46,7 +46,7 @@ final class ColorSwatch extends JButton {
     return part(colour.getRed()) + " " + part(colour.getGreen()) + " " + part(colour.getBlue());
   }
 
-  /** Three decimals tell all 256 steps apart. */
+  /** Formats a component with three decimals, which distinguish all 256 steps. */
   private static String part(int of255) {
     String digits = String.format(Locale.ROOT, "%.3f", of255 / 255.0);
     return digits.replaceFirst("0+$", "").replaceFirst("\\.$", "");

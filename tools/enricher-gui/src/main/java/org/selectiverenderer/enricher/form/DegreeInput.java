@@ -4,9 +4,12 @@ import java.util.Optional;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.Degree;
 
-/** A degree of consistency as an author types it: low, high, a number from 0 to 1, or none. */
+/**
+ * Parses and formats a degree of consistency as an author types it: low, high, a number from 0 to
+ * 1, or none.
+ */
 final class DegreeInput {
-  /** What stands for nothing said. */
+  /** The text for a degree that is not set. */
   static String none() {
     return Texts.of("form.none");
   }

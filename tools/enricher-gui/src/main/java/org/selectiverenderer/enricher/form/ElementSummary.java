@@ -11,15 +11,15 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.Entities;
 
 /**
- * What is to be known of an element that has no form.
+ * What the form panel says of an element that has no metadata form.
  *
- * @param path names of the elements round it, from the outermost
+ * @param path names of the elements around it, from the outermost
  * @param around the nearest Switch or ProximitySensor that it stands in
- * @param advice what can be done, as a sentence; versions can be made if the name is given
+ * @param advice a sentence about what can be done with it
  */
 record ElementSummary(
     String path, Optional<DocumentElement> around, String advice, boolean versions) {
-  /** Characters of an entity that are shown. */
+  /** Most characters of an entity that are shown. */
   private static final int SHOWN = 600;
 
   static ElementSummary of(SceneDocument document, NodeCatalogue catalogue, DocumentElement node) {
@@ -60,7 +60,7 @@ record ElementSummary(
         object && named && free && document.locked().isEmpty());
   }
 
-  /** What a reference to an entity stands for. */
+  /** Describes what an entity reference stands for. */
   private static String reference(SceneDocument document, DocumentElement node) {
     String name = node.name().substring(1, node.name().length() - 1);
     Optional<Entities.Declared> declared = document.entities().find(name);

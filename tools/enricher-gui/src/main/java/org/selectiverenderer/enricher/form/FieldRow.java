@@ -18,7 +18,10 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** One field of a node: its name, what edits it, and what gives it its default back. */
+/**
+ * A row with a field of a node: its name, the control that edits it, and a button that resets it to
+ * its default.
+ */
 final class FieldRow {
   private final EnricherSession session;
   private final DocumentElement element;
@@ -103,7 +106,7 @@ final class FieldRow {
         new FocusAdapter() {
           @Override
           public void focusGained(FocusEvent event) {
-            rows.scrollRectToVisible(control.getBounds()); // texts do not do it themselves
+            rows.scrollRectToVisible(control.getBounds()); // a text field does not
           }
         });
   }
@@ -116,7 +119,7 @@ final class FieldRow {
     return field.written().orElse(field.defaultText());
   }
 
-  /** An emptied text of a field with a default is that default again. */
+  /** Writes a value to the document; an empty text resets the field to its default. */
   private Optional<String> write(String text) {
     if (busy || text.equals(read())) {
       return Optional.empty();
@@ -143,7 +146,7 @@ final class FieldRow {
     }
   }
 
-  /** Shows what the document says now, and marks what is wrong there. */
+  /** Shows the present value in the document, and marks it if it is invalid. */
   void follow(NodeField now) {
     field = now;
     boolean free = session.document().locked().isEmpty() && field.readOnly().isEmpty();

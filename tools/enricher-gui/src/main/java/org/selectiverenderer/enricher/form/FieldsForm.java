@@ -17,8 +17,9 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The fields of any node: those that are written, and on request all that it may have, with types,
- * defaults and ranges of the catalogue. Each change is one edit of one attribute.
+ * The form of the fields of any node: those that are written in the source, and on request all that
+ * its type has, with types, defaults and ranges of the node catalogue. Each change is one edit of
+ * one attribute.
  */
 final class FieldsForm implements Form {
   private final EnricherSession session;
@@ -31,7 +32,7 @@ final class FieldsForm implements Form {
   private List<FieldRow> shown = List.of();
   private List<String> names = List.of();
 
-  /** Whether all fields are wanted; outlives the form of one node. */
+  /** Whether all fields are shown; shared by the forms of successive nodes. */
   static final class Choice {
     private boolean all;
   }

@@ -20,13 +20,15 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * What is wrong with the selected node, each with the button that mends it. Its room is always the
- * same, whatever there is to say, so that no field moves under the mouse.
+ * Lists the findings about the selected node, each with a button that fixes it where a fix is
+ * known. Its height is constant, so that no field moves under the mouse.
  */
 final class FindingsBox extends JPanel {
   private static final long serialVersionUID = 1L;
 
-  /** The room: the count, and two findings with their buttons; more are scrolled to. */
+  /**
+   * Height in lines: the count and two findings with their buttons; further ones are scrolled to.
+   */
   private static final int LINES = 9;
 
   private final transient EnricherSession session;
@@ -74,7 +76,7 @@ final class FindingsBox extends JPanel {
     title.setEnabled(!shown.isEmpty());
   }
 
-  /** Shows what is said of an element. */
+  /** Shows the findings about an element. */
   void show(Optional<DocumentElement> element) {
     List<ElementFinding> now = element.map(this::findings).orElse(List.of());
     if (same(now)) {
@@ -131,7 +133,7 @@ final class FindingsBox extends JPanel {
             });
   }
 
-  /** The finding that says so now: what it refers to is that of the newest text. */
+  /** Applies the fix of the present finding at an index, as earlier ones refer to an older text. */
   private void mend(int index) {
     shown
         .get(index)

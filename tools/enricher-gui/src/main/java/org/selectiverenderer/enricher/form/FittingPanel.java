@@ -6,7 +6,7 @@ import javax.swing.JPanel;
 import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 
-/** As wide as there is room, as high as it needs. */
+/** A panel for a scroll pane: as wide as the viewport, as high as it prefers. */
 final class FittingPanel extends JPanel implements Scrollable {
   private static final long serialVersionUID = 1L;
 

@@ -2,19 +2,19 @@ package org.selectiverenderer.enricher.form;
 
 import javax.swing.JComponent;
 
-/** A form of one element. */
+/** A form that edits or describes one element of the document. */
 interface Form {
   JComponent component();
 
-  /** Whether its controls are still the right ones for the element. */
+  /** Whether its controls still fit the element; else the form is built again. */
   boolean fits();
 
-  /** Shows what the document says now. */
+  /** Updates the controls from the document. */
   void follow();
 
   /** Writes what has been typed. */
   void commit();
 
-  /** Nothing is asked of it any more. */
+  /** Releases what the form holds; it is not used any more. */
   void dispose();
 }

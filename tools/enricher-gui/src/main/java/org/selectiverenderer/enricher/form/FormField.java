@@ -13,13 +13,15 @@ import javax.swing.JTextField;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps a control and the document in agreement. What is typed is written when it is done (Enter,
- * another control); what means nothing stays in the control, marked, with the reason under it. A
- * change of the document shows in the control, except where it does not concern what is being
- * typed.
+ * Binds a control to a value in the document. What is typed is written on Enter and on focus loss;
+ * an invalid text stays in the control, marked, with the reason under it. A change of the document
+ * shows in the control, unless that value did not change while the author types.
  */
 final class FormField {
-  /** The document's side: a text, and what writes another one and says why it cannot. */
+  /**
+   * The value in the document: reads it as a text, and writes another text or returns why that is
+   * invalid.
+   */
   record Source(Supplier<String> read, Function<String, Optional<String>> write) {}
 
   private final JComponent marked;
@@ -28,7 +30,7 @@ final class FormField {
   private final Consumer<String> show;
   private final Source source;
 
-  /** What is said of the control to those who do not see it; a tooltip may be markup. */
+  /** The accessible description of the control while its text is valid. */
   private final @Nullable String described;
 
   private @Nullable String shown;
@@ -51,7 +53,7 @@ final class FormField {
     follow();
   }
 
-  /** A text. */
+  /** Binds a text field. */
   static FormField of(JTextField text, JLabel complaint, Source source) {
     FormField field = new FormField(text, complaint, text::getText, text::setText, source);
     text.addActionListener(event -> field.commit());
@@ -59,7 +61,7 @@ final class FormField {
     return field;
   }
 
-  /** Some words, or what is typed if the box allows that. */
+  /** Binds a combo box, editable or not. */
   static FormField of(JComboBox<String> box, JLabel complaint, Source source) {
     FormField field =
         new FormField(
@@ -107,13 +109,13 @@ final class FormField {
       busy = false;
     }
     if (wrong.isEmpty()) {
-      shown = null; // What was not written goes; what was is shown as it is spelled.
+      shown = null; // Shows the value as the document spells it.
       follow();
     }
     mark(wrong);
   }
 
-  /** Shows what the document says. */
+  /** Updates the control from the document. */
   void follow() {
     String now = source.read().get();
     if (busy || now.equals(shown)) {
@@ -129,12 +131,12 @@ final class FormField {
     mark(Optional.empty());
   }
 
-  /** Nothing that is typed counts any more. */
+  /** Ends the binding; later input is ignored. */
   void close() {
     closed = true;
   }
 
-  /** Says what is wrong with what the document has. */
+  /** Marks the control with what is wrong with the value in the document. */
   void complain(String why) {
     if (typed.get().equals(shown)) {
       mark(Optional.of(why));

@@ -17,9 +17,9 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The form of the selected node (thesis Figs 44, 46): a Switch with a row for each choice, a
- * ProximitySensor with its schemas; of other elements what they are and what can be done. Each
- * change is one edit of the document; the form follows the document and the selection.
+ * The panel with the form of the selected node (thesis Figs 44, 46): a Switch with a row for each
+ * choice, a ProximitySensor with its schemas, and for other elements a summary with what can be
+ * done. Each change is one edit of the document; the form follows the document and the selection.
  *
  * <p>For the event dispatch thread.
  */
@@ -41,7 +41,7 @@ public final class FormPanel extends JPanel {
   private transient @Nullable Form form;
 
   /**
-   * @param pictures of versions; stay with who made them
+   * @param pictures renders the thumbnails of versions; owned and closed by the caller
    */
   public FormPanel(EnricherSession session, VersionPictures pictures) {
     super(new MigLayout("insets 0, wrap 1, hidemode 3, gapy 0", "[grow,fill]", "[grow,fill][]"));
@@ -65,12 +65,12 @@ public final class FormPanel extends JPanel {
     rebuild();
   }
 
-  /** What to do when the author wants versions of an element. */
+  /** Sets what opens the versions dialog for an element. */
   public void onMakeVersions(Consumer<DocumentElement> action) {
     makeVersions = action;
   }
 
-  /** Writes what has been typed so far: before saving, and before undoing. */
+  /** Writes what has been typed so far; called before saving and undoing. */
   public void commit() {
     if (form != null) {
       form.commit();
@@ -96,7 +96,7 @@ public final class FormPanel extends JPanel {
   private void rebuild() {
     if (form != null) {
       Form old = form;
-      form = null; // Its controls lose the focus now, and have nothing to say any more.
+      form = null; // Its controls lose the focus now and must not write any more.
       old.dispose();
     }
     element = session.selection().orElse(null);
@@ -117,7 +117,7 @@ public final class FormPanel extends JPanel {
     body.repaint();
   }
 
-  /** Whether the selected node is one that findings are about: their room comes with the form. */
+  /** Whether the selected node is a Switch or sensor, which findings are about. */
   private boolean described() {
     return element != null
         && (session.enrichment().switchNode(element).isPresent()
@@ -174,7 +174,7 @@ public final class FormPanel extends JPanel {
     return of.def().or(of::use).orElse(Texts.of("form.nameless", of.name()));
   }
 
-  /** Follows nothing any more. */
+  /** Stops following the session. */
   public void dispose() {
     session.removeSelectionListener(onSelection);
     session.document().removeListener(onChange);

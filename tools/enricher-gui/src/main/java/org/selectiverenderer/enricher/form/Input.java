@@ -1,14 +1,14 @@
 package org.selectiverenderer.enricher.form;
 
-/** What an author typed, understood or not. */
+/** The result of parsing what an author typed. */
 sealed interface Input<T> {
-  /** It means something. */
+  /** The text is valid. */
   record Valid<T>(T value) implements Input<T> {}
 
   /**
-   * It cannot be written.
+   * The text is invalid.
    *
-   * @param why and what would be right, as a sentence
+   * @param why a sentence that says what is wrong and what would be right
    */
   record Wrong<T>(String why) implements Input<T> {}
 }

@@ -10,11 +10,11 @@ import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The labels of forms. */
+/** Creates the labels and read-only texts of forms. */
 final class Labels {
   private Labels() {}
 
-  /** Of a control, which Alt and a letter go to. */
+  /** Creates the label of a control. */
   static JLabel of(String text, JComponent control) {
     JLabel label = new JLabel(text);
     label.setLabelFor(control);
@@ -22,7 +22,7 @@ final class Labels {
   }
 
   /**
-   * The same, with the name that the thesis has for it (4.2.2) and that stands in the scene.
+   * Creates the label of a control, with the name of its metadata (thesis 4.2.2) as tooltip.
    *
    * @param name of the metadata
    */
@@ -33,7 +33,7 @@ final class Labels {
     return label;
   }
 
-  /** Small letters with the names of the thesis, as the header of what is below it. */
+  /** Creates a small header with the metadata names of the thesis. */
   static JTextArea names(String... names) {
     JTextArea area = sentences(Texts.of("terms.names", String.join(", ", names)));
     area.setFont(UIManager.getFont("small.font"));
@@ -41,7 +41,7 @@ final class Labels {
     return area;
   }
 
-  /** A sentence under a control that says what is wrong in it. */
+  /** Creates a red label for what is wrong with a control's text. */
   static JLabel complaint() {
     JLabel label =
         new JLabel() {
@@ -58,8 +58,8 @@ final class Labels {
   }
 
   /**
-   * A line that is always there for what may be wrong in the controls above: nothing moves under
-   * the mouse when it is said.
+   * Creates a line of constant height for error messages, so that nothing moves under the mouse
+   * when one appears.
    */
   static JPanel room(JLabel... complaints) {
     JPanel line =
@@ -80,7 +80,7 @@ final class Labels {
     return line;
   }
 
-  /** Sentences that are broken into lines as there is room. */
+  /** Creates a read-only text that wraps at the available width. */
   static JTextArea sentences(String text) {
     JTextArea area = new JTextArea(text);
     area.setEditable(false);

@@ -13,7 +13,10 @@ import org.selectiverenderer.enricher.text.MenuTitle;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The name of an area or an object, and what is done with it as a whole: copy, delete. */
+/**
+ * The row with the name of an area or object, and buttons for it as a whole, such as copy and
+ * delete.
+ */
 final class NameRow {
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
@@ -46,7 +49,7 @@ final class NameRow {
     add("area.delete", "area.delete.tip", "Delete node", event -> nodes.delete(element));
   }
 
-  /** A button more, with texts of these keys. */
+  /** Adds a button whose text and tooltip have these keys. */
   void add(String text, String tip, String name, ActionListener does) {
     JButton button = new JButton(MenuTitle.of(Texts.of(text)).words());
     button.setToolTipText(Texts.of(tip));

@@ -2,7 +2,7 @@ package org.selectiverenderer.enricher.form;
 
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Reads lengths as authors type them: with a point, or the comma of other keyboards. */
+/** Parses lengths with a decimal point or a decimal comma. */
 final class NumberInput {
   private NumberInput() {}
 
@@ -13,7 +13,7 @@ final class NumberInput {
         return new Input.Valid<>(value);
       }
     } catch (NumberFormatException e) {
-      // told below, as what is not finite is
+      // reported below, together with values that are not finite
     }
     return new Input.Wrong<>(Texts.of("area.box.number", text.isBlank() ? "\u2423" : text.strip()));
   }

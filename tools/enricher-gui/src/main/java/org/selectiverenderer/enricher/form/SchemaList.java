@@ -8,9 +8,9 @@ import java.util.stream.Collectors;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Schemas as an author types them: names separated by commas. A name that has a comma in it or
- * begins with a quotation mark stands in quotation marks, each of its own twice, as in tables; any
- * other quotation mark is a part of the name.
+ * Parses, formats and completes a list of schemas as an author types it: names separated by commas.
+ * A name that contains a comma or begins with a quotation mark is quoted, with its own quotation
+ * marks doubled, as in CSV; any other quotation mark is part of the name.
  */
 final class SchemaList {
   private static final char MARK = '"';
@@ -18,9 +18,9 @@ final class SchemaList {
   private SchemaList() {}
 
   /**
-   * A list with one of its names completed.
+   * A list with a completed name.
    *
-   * @param caret where the author goes on typing
+   * @param caret the new caret position
    */
   record Completed(String text, int caret) {}
 
@@ -46,7 +46,8 @@ final class SchemaList {
   }
 
   /**
-   * Where the part that begins there ends: at a comma outside of quotation marks, or at the end.
+   * Returns the end of the item that begins at an offset: a comma outside of quotation marks, or
+   * the end of the text.
    */
   private static int end(String text, int from) {
     int first = from;
@@ -58,7 +59,10 @@ final class SchemaList {
     return comma < 0 ? text.length() : comma;
   }
 
-  /** The offset behind the quotation that begins there; the text's end for one that is open. */
+  /**
+   * Returns the offset after the quotation that begins at an offset; the end of the text if it is
+   * not closed.
+   */
   private static int closed(String text, int from) {
     int close = text.indexOf(MARK, from + 1);
     while (close >= 0 && text.startsWith("\"", close + 1)) {
@@ -79,7 +83,7 @@ final class SchemaList {
     return open ? Optional.of(Texts.of("form.quotation")) : Optional.empty();
   }
 
-  /** What stands in quotation marks, if anything does; the last one may lack. */
+  /** Returns an item without its quotation marks; the closing one may be missing. */
   private static String plain(String part) {
     if (!part.startsWith("\"")) {
       return part;
@@ -98,8 +102,8 @@ final class SchemaList {
   }
 
   /**
-   * The known schemas that the name at the caret may become: those that begin with it, then those
-   * that have it within; not those that the list has elsewhere.
+   * Returns the known schemas that complete the name at the caret: those that begin with it, then
+   * those that contain it, without those that are in the list already.
    */
   static List<String> proposals(String text, int caret, List<String> known) {
     String begun =
@@ -119,14 +123,14 @@ final class SchemaList {
     return first;
   }
 
-  /** Puts a schema in the place of the name at the caret. */
+  /** Replaces the name at the caret by a schema. */
   static Completed complete(String text, int caret, String schema) {
     int from = from(text, caret);
     String before = text.substring(0, from) + (from == 0 ? "" : " ") + quoted(schema);
     return new Completed(before + text.substring(to(text, caret)), before.length());
   }
 
-  /** Where the part with the caret begins. */
+  /** Returns the start of the item with the caret. */
   private static int from(String text, int caret) {
     int from = 0;
     for (int end = end(text, 0); end < caret; end = end(text, from)) {

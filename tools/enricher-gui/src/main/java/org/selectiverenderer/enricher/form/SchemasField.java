@@ -14,8 +14,8 @@ import org.selectiverenderer.enricher.proposal.ProposalList;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * A text of schemas separated by commas that proposes those which the scene knows: while one types,
- * or on Ctrl+Space.
+ * A text field for schemas separated by commas that proposes the schemas of the scene while one
+ * types, or on Ctrl+Space.
  */
 final class SchemasField extends JTextField {
   private static final long serialVersionUID = 1L;
@@ -65,15 +65,15 @@ final class SchemasField extends JTextField {
     return event.getKeyChar() == '\b';
   }
 
-  /** Whether the list is in view. */
+  /** Whether the list of proposals is open. */
   boolean proposing() {
     return proposals.open();
   }
 
   /**
-   * Shows what may stand at the caret.
+   * Shows the proposals for the name at the caret.
    *
-   * @param asked whether the author wants proposals even before typing
+   * @param asked whether the author asked for proposals, also without a typed letter
    */
   private void propose(boolean asked) {
     int caret = getCaretPosition();

@@ -8,7 +8,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The schemas of an area, as texts that an author edits; otherwise as {@link ChoiceEditing}. */
+/** The schemas of an area as texts that an author edits; works like {@link ChoiceEditing}. */
 final class SensorEditing {
   private final EnricherSession session;
   private final DocumentElement element;
@@ -37,12 +37,12 @@ final class SensorEditing {
     return SchemaList.format(schemas().exit());
   }
 
-  /** Says what entering activates. */
+  /** Sets the schemas that entering activates; returns what is wrong with the text. */
   Optional<String> enter(String text) {
     return write(text, names -> new SensorSchemas(names, schemas().exit()));
   }
 
-  /** Says what leaving activates. */
+  /** Sets the schemas that leaving activates; returns what is wrong with the text. */
   Optional<String> exit(String text) {
     return write(text, names -> new SensorSchemas(schemas().enter(), names));
   }

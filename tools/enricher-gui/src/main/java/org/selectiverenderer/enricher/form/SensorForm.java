@@ -18,7 +18,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Letters;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The form of a ProximitySensor (thesis Fig 47): its name, its schemas and where it is. */
+/** The form of a ProximitySensor (thesis Fig 47): its name, its schemas and its box. */
 final class SensorForm implements Form {
   private final EnricherSession session;
   private final EnrichedSensor node;

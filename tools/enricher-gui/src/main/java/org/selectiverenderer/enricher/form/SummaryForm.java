@@ -10,7 +10,10 @@ import org.selectiverenderer.enricher.text.Letters;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** What is shown of an element without a form: where it stands and what can be done. */
+/**
+ * The form of an element without metadata: its position in the document and what can be done with
+ * it.
+ */
 final class SummaryForm implements Form {
   private final EnricherSession session;
   private final DocumentElement element;
@@ -18,7 +21,7 @@ final class SummaryForm implements Form {
   private final JPanel panel = new JPanel(new MigLayout("insets 0, wrap 1", "[grow,fill]"));
 
   /**
-   * @param makeVersions of an element with a name
+   * @param makeVersions opens the versions dialog for an element with a DEF name
    */
   SummaryForm(
       EnricherSession session, DocumentElement element, Consumer<DocumentElement> makeVersions) {
@@ -60,16 +63,16 @@ final class SummaryForm implements Form {
 
   @Override
   public void follow() {
-    // All of it is in the summary.
+    // The summary has no state of its own; fits() compares all of it.
   }
 
   @Override
   public void commit() {
-    // Nothing is typed.
+    // It has no input.
   }
 
   @Override
   public void dispose() {
-    // It waits for nothing.
+    // It listens to nothing.
   }
 }

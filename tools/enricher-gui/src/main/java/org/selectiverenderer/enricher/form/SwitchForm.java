@@ -17,9 +17,12 @@ import org.selectiverenderer.enricher.text.Letters;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The form of a Switch: its name, what shows at the start, one choice under the other. */
+/**
+ * The form of a Switch: its name, the choice shown at the start, and its choices one below the
+ * other.
+ */
 final class SwitchForm implements Form {
-  /** Choices that are shown at once; more are shown when asked for. */
+  /** Choices shown per page; a button shows the next page. */
   private static final int PAGE = 20;
 
   private final EnricherSession session;

@@ -22,7 +22,10 @@ import org.selectiverenderer.enricher.text.MenuTitle;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** What is done with a Switch as a whole: what shows at the start, choices more, unwrapping. */
+/**
+ * The controls of a Switch as a whole: which choice shows at the start, adding choices, unwrapping;
+ * and the buttons of each choice.
+ */
 final class SwitchTools {
   private final EnricherSession session;
   private final NodeCommands nodes;
@@ -125,12 +128,15 @@ final class SwitchTools {
     }
   }
 
-  /** Adds a choice that is a file. */
+  /** Adds a choice that inlines a file. */
   void add(File file) {
     edit(now -> nodes.switches().addInline(now, url(file.toPath())));
   }
 
-  /** As the scene names it: relative to its folder where both are on one disk. */
+  /**
+   * Returns the url of a file: relative to the scene's folder where both are on one drive, else
+   * absolute.
+   */
   private String url(Path file) {
     Path folder = session.file().path().toAbsolutePath().getParent();
     Path path = file.toAbsolutePath().normalize();
@@ -140,7 +146,7 @@ final class SwitchTools {
         : path.toUri().toString();
   }
 
-  /** Buttons that move and take out a choice. */
+  /** Creates the buttons that move and delete a choice. */
   JPanel buttons(int index, int size) {
     JPanel row = new JPanel(new MigLayout("insets 0, gapx 2", ""));
     List<JButton> all = new ArrayList<>();

@@ -21,11 +21,14 @@ import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Finds the model of one choice and has its picture taken: the file that an Inline names, or what
- * stands in the scene itself.
+ * Finds the model of one choice, the file that an Inline names or the choice's own text, and
+ * requests its thumbnail.
  */
 final class VersionLoading {
-  /** A version in the scene itself that is longer has no picture: its text would be copied. */
+  /**
+   * Most characters of a version in the scene itself, as its text is copied; longer ones get no
+   * picture.
+   */
   private static final int LONGEST = 4_000_000;
 
   private final EnricherSession session;
@@ -37,9 +40,9 @@ final class VersionLoading {
   private VersionPictures.@Nullable Request request;
 
   /**
-   * @param pixels of the picture
-   * @param taken hears the picture and the polygons
-   * @param failed hears why there is none
+   * @param pixels size of the picture in device pixels
+   * @param taken called with the picture and the number of polygons
+   * @param failed called with the reason if there is none
    */
   VersionLoading(
       EnricherSession session,
@@ -83,7 +86,7 @@ final class VersionLoading {
         .orElseThrow(() -> new IOException(Texts.of("form.nofile")));
   }
 
-  /** The choice alone, as a scene of its own. */
+  /** Returns the choice as a scene of its own; empty for a USE or a very long text. */
   private Optional<VersionSource> inScene(DocumentElement element, Path scene) {
     SceneDocument document = session.document();
     if (element.use().isPresent() || element.end() - element.start() > LONGEST) {

@@ -10,7 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
 
-/** The picture of a version; a plain field until there is one. */
+/** The thumbnail of a version; an empty frame until the picture is there. */
 final class VersionThumbnail extends JPanel {
   private static final long serialVersionUID = 1L;
   private static final int WIDTH = 96;
@@ -26,7 +26,7 @@ final class VersionThumbnail extends JPanel {
     setMinimumSize(size);
   }
 
-  /** The size that a picture for it should have, in the screen's own pixels. */
+  /** The size of its picture in device pixels. */
   Dimension pixels() {
     double scale =
         getGraphicsConfiguration() == null

@@ -1,6 +1,6 @@
 /**
- * The form of the selected Switch, ProximitySensor or other element (thesis Figs 44, 46): text in,
- * edits out.
+ * The form of the selected Switch, ProximitySensor or other element (thesis Figs 44, 46), which
+ * turns what the author types into edits of the document.
  *
  * <p>In: a session, pictures of versions. Out: edits of the document. Uses {@code
  * enricher.session}, {@code enricher.task}, {@code enricher.text}, {@code enricher.proposal},

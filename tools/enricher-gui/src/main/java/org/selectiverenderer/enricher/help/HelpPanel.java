@@ -19,8 +19,8 @@ import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The help beside the author's work: first what the control with the focus, or else the selected
- * node, is about, then the way of working and all words.
+ * The context-sensitive help: first the topic of the control with the focus, or else of the
+ * selected node, then the workflow and all terms.
  *
  * <p>For the event dispatch thread.
  */
@@ -73,7 +73,10 @@ public final class HelpPanel extends JPanel {
     }
   }
 
-  /** One reads the help without its turning to something else; other windows are not explained. */
+  /**
+   * Returns whether a component that gets the focus changes the topic: one of this window, but not
+   * of the help itself, so that it can be read.
+   */
   private boolean mine(Component owner) {
     Window window = SwingUtilities.getWindowAncestor(this);
     return window != null
@@ -87,7 +90,7 @@ public final class HelpPanel extends JPanel {
     }
   }
 
-  /** Explains a rule of the validator, until the author turns to something else. */
+  /** Shows the explanation of a validator rule, until the focus or the selection changes. */
   public void explain(Rule rule) {
     shown = null;
     page.setText(HelpTexts.rule(rule));
@@ -100,7 +103,7 @@ public final class HelpPanel extends JPanel {
     page.setCaretPosition(0);
   }
 
-  /** Follows nothing any more. */
+  /** Stops following selection and focus. */
   public void dispose() {
     session.removeSelectionListener(onSelection);
     KeyboardFocusManager.getCurrentKeyboardFocusManager()

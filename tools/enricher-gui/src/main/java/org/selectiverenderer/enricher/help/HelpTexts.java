@@ -6,14 +6,14 @@ import org.selectiverenderer.base.markup.Markup;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.validation.Rule;
 
-/** The vocabulary in the author's words (thesis 4.2.2). */
+/** Builds the HTML pages of the help, with the terms of thesis 4.2.2 in the author's words. */
 final class HelpTexts {
   private static final List<HelpTopic> TERMS =
       List.of(HelpTopic.TYPE, HelpTopic.DEGREE, HelpTopic.SCHEMAS, HelpTopic.ENTER, HelpTopic.EXIT);
 
   private HelpTexts() {}
 
-  /** What {@code validate --explain} says of a rule. */
+  /** Returns a page with what {@code validate --explain} says about a rule. */
   static String rule(Rule rule) {
     return """
         <html><body style="margin: 8px">
@@ -37,7 +37,7 @@ final class HelpTexts {
   }
 
   /**
-   * All of it.
+   * Returns the whole help page.
    *
    * @param topic explained first
    */

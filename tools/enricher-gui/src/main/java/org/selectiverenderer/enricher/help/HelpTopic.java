@@ -6,7 +6,7 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** What the help can explain. A control says by a property which topic it is about. */
+/** The topics of the help. A control has its topic as a client property. */
 public enum HelpTopic {
   SWITCH("switch"),
   SENSOR("sensor"),
@@ -16,7 +16,7 @@ public enum HelpTopic {
   ENTER("enter"),
   EXIT("exit");
 
-  /** Letters of a line of a tooltip. */
+  /** Most characters of a line of a tooltip. */
   private static final int LINE = 50;
 
   private static final String PROPERTY = "enricher.helpTopic";
@@ -31,19 +31,19 @@ public enum HelpTopic {
     return Texts.of(key);
   }
 
-  /** What it means, as sentences without the last full stop. */
+  /** The explanation, as sentences without the last full stop. */
   public String text() {
     return Texts.of(key + ".text");
   }
 
-  /** Makes a control one about this topic: its tooltip, and what the help shows with it. */
+  /** Sets this topic for a control: its tooltip, and what the help shows while it has the focus. */
   public void explain(JComponent control) {
     mark(control);
-    control.setToolTipText(lines(text())); // Not markup, which would be read aloud.
+    control.setToolTipText(lines(text())); // Not HTML, whose tags a screen reader would read aloud.
     control.getAccessibleContext().setAccessibleDescription(text());
   }
 
-  /** The same in lines, as tooltips do not break them. */
+  /** Breaks a text into lines, as tooltips do not wrap. */
   private static String lines(String sentences) {
     StringBuilder lines = new StringBuilder();
     int length = 0;
@@ -55,12 +55,12 @@ public enum HelpTopic {
     return lines.toString();
   }
 
-  /** Makes all in a component be about this topic, unless it is about one of its own. */
+  /** Sets this topic for a component and all in it that have no topic of their own. */
   public void mark(JComponent component) {
     component.putClientProperty(PROPERTY, this);
   }
 
-  /** The topic of a component, or of what it stands in. */
+  /** The topic of a component or of the nearest container around it. */
   public static Optional<HelpTopic> of(Component component) {
     for (Container at = component instanceof Container c ? c : component.getParent();
         at != null;

@@ -5,12 +5,12 @@ import java.util.function.Predicate;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Something that can be done with a node.
+ * A command of a node's context menu.
  *
- * @param id names it for tests
- * @param title as the menu shows it; {@code &} before the letter that chooses it
- * @param fits whether it can be done with that node now; greyed where not
- * @param work does it
+ * @param id the component name of the menu item, for tests
+ * @param title the text of the menu item, with {@code &} before its mnemonic letter
+ * @param fits whether the command is enabled for a node
+ * @param work executes the command
  */
 public record NodeCommand(
     String id, String title, Predicate<DocumentElement> fits, Consumer<DocumentElement> work) {}

@@ -16,7 +16,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Cut, copy, paste, delete and comment of any node, each one step of Undo. */
+/** The commands that cut, copy, paste, delete or comment out any node, each as one undo step. */
 public final class NodeEditing {
   private final EnricherSession session;
   private final Clipboard clipboard;

@@ -28,7 +28,7 @@ public final class NodeMenu {
     this.session = session;
   }
 
-  /** Adds commands below those that are there, behind a line. */
+  /** Adds a group of commands below a separator. */
   public void add(List<NodeCommand> commands) {
     groups.add(List.copyOf(commands));
   }
@@ -44,7 +44,7 @@ public final class NodeMenu {
     }
   }
 
-  /** Appends what can be done with the selected node; nothing while none is selected. */
+  /** Appends the commands for the selected node to a menu; none while no node is selected. */
   public void fill(JPopupMenu menu) {
     Optional<DocumentElement> selected = session.selection().filter(DocumentElement::attached);
     if (selected.isEmpty()) {
@@ -65,7 +65,7 @@ public final class NodeMenu {
     }
   }
 
-  /** Shows the menu of the selected node; where none is, says so. */
+  /** Shows the menu of the selected node; reports it if none is selected. */
   public void show(Component over, Point at) {
     JPopupMenu menu = new JPopupMenu();
     menu.setName("nodeMenu");
@@ -77,7 +77,10 @@ public final class NodeMenu {
     }
   }
 
-  /** Opens with the mouse on a row of a tree, which is selected, and with the keys for menus. */
+  /**
+   * Opens the menu on a tree by the popup trigger of the mouse, which also selects the row, and by
+   * the context menu keys.
+   */
   public void attach(JTree tree) {
     tree.addMouseListener(
         new MouseAdapter() {

@@ -1,9 +1,9 @@
 package org.selectiverenderer.enricher.overview;
 
 /**
- * A cell of the table.
+ * The position of a cell in the overview table.
  *
- * @param row of the table as it is shown
- * @param column of the model: 0 is the object's name
+ * @param row row of the filtered and sorted table
+ * @param column column of the model: 0 is the object's name
  */
 record CellAt(int row, int column) {}

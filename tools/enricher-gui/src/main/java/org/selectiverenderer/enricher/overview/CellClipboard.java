@@ -11,9 +11,9 @@ import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Cells to and from text with tabs, as spreadsheets have it. A text whose first line begins with
- * {@code object} has names: its cells go to the objects and schemas of these names, wherever they
- * stand.
+ * Converts cells to and from tab-separated text, as spreadsheets use it. A text whose first line
+ * begins with {@code object} has a header: its cells go to the objects and schemas that it names,
+ * wherever these are in the table.
  */
 final class CellClipboard {
   private static final String OBJECT = "object";
@@ -23,7 +23,7 @@ final class CellClipboard {
     this.model = model;
   }
 
-  /** The rectangle around some cells as text. */
+  /** Returns the bounding rectangle of some cells as text. */
   String copy(List<CellAt> cells, boolean withNames) {
     TreeSet<Integer> rows = new TreeSet<>();
     TreeSet<Integer> columns = new TreeSet<>();
@@ -50,10 +50,11 @@ final class CellClipboard {
   }
 
   /**
-   * What a text puts where.
+   * Returns the cell values that a text sets.
    *
-   * @param selected where it goes to, its first cell at the first of them; one value fills them all
-   * @throws EditRefused if something in it is no degree, or does not fit
+   * @param selected the target cells: a block goes to their upper left corner, a single value fills
+   *     all of them
+   * @throws EditRefused if a value is no degree, or the block does not fit into the table
    */
   Map<CellAt, CellInput> paste(String text, List<CellAt> selected) {
     List<List<String>> lines =

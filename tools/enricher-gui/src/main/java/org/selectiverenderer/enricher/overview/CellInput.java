@@ -5,15 +5,15 @@ import java.util.Optional;
 import org.selectiverenderer.schema.Degree;
 
 /**
- * What an author writes into a cell: {@code high} or {@code h}, {@code low} or {@code l}, a number
- * from 0 to 1 with a point or a comma, or nothing, which empties the cell.
+ * A value that an author writes into a cell: {@code high} or {@code h}, {@code low} or {@code l}, a
+ * number from 0 to 1 with a decimal point or comma, or nothing, which clears the cell.
  *
  * @param degree empty to clear
  */
 record CellInput(Optional<Degree> degree) {
-  /** What is meant by a text; empty if it is none of these. */
+  /** Parses a text; empty if it is none of these. */
   static Optional<CellInput> of(String text) {
-    // A cell shows a degree that follows from the version alone in parentheses.
+    // A cell shows a degree in parentheses where it only follows from the version's position.
     String word = text.strip().toLowerCase(Locale.ROOT).replaceAll("[()]", "");
     return switch (word) {
       case "" -> Optional.of(new CellInput(Optional.empty()));

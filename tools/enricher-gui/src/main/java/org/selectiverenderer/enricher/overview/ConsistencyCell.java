@@ -5,7 +5,7 @@ import javax.swing.JTable;
 import javax.swing.table.DefaultTableCellRenderer;
 import org.jspecify.annotations.Nullable;
 
-/** A degree with the sign and the tint of what it stands for. */
+/** Renders a degree with the symbol and the tint of the consistency type. */
 final class ConsistencyCell extends DefaultTableCellRenderer {
   private static final long serialVersionUID = 1L;
 

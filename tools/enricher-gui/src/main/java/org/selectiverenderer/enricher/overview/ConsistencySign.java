@@ -15,7 +15,7 @@ import org.selectiverenderer.enricher.table.SignColors;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyType;
 
-/** What a cell says of an object and a schema, told by a sign of its own as well as by colour. */
+/** The symbol of the consistency of an object with a schema: a shape as well as a colour. */
 enum ConsistencySign {
   /** A filled disc. */
   CONSISTENT(Optional.of(SignColors.CALM)),
@@ -51,7 +51,7 @@ enum ConsistencySign {
     };
   }
 
-  /** As an author reads it. */
+  /** The meaning in words, as the legend shows it. */
   String words() {
     return switch (this) {
       case CONSISTENT -> Texts.of("overview.consistent");
@@ -62,7 +62,7 @@ enum ConsistencySign {
     };
   }
 
-  /** The ground of a cell on the ground of its table. */
+  /** The background of a cell: the table's background with a tint. */
   Color ground(Color plain) {
     return colour.map(tint -> SignColors.tint(plain, tint)).orElse(plain);
   }

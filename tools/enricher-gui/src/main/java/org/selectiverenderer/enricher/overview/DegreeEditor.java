@@ -4,7 +4,7 @@ import javax.swing.DefaultCellEditor;
 import javax.swing.JComboBox;
 import javax.swing.text.JTextComponent;
 
-/** Edits a degree in its cell: a list of the usual ones, or any number from 0 to 1. */
+/** The cell editor of a degree: a list of common degrees, or any number from 0 to 1. */
 @SuppressWarnings("serial") // never written
 final class DegreeEditor extends DefaultCellEditor {
   private static final long serialVersionUID = 1L;
@@ -21,7 +21,7 @@ final class DegreeEditor extends DefaultCellEditor {
     setClickCountToStart(2);
   }
 
-  /** Begins anew with a character that the author has typed. */
+  /** Starts editing with a character that the author has typed. */
   void begin(char first) {
     box.requestFocusInWindow();
     JTextComponent text = (JTextComponent) box.getEditor().getEditorComponent();
@@ -29,7 +29,7 @@ final class DegreeEditor extends DefaultCellEditor {
     text.requestFocusInWindow();
   }
 
-  /** What is no degree stays in the editor, marked, until it is one or is given up. */
+  /** Ends editing if the text is a degree; otherwise marks the editor and stays open. */
   @Override
   public boolean stopCellEditing() {
     String text = String.valueOf(box.getEditor().getItem());

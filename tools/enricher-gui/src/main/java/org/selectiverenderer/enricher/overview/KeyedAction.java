@@ -6,15 +6,15 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** Something to do, with its name and its key, for a menu, a button and the keyboard alike. */
+/** An action with a name and an accelerator key, for a menu, a button and the keyboard alike. */
 @SuppressWarnings("serial") // never written
 final class KeyedAction extends AbstractAction {
   private static final long serialVersionUID = 1L;
   private final Runnable work;
 
   /**
-   * @param key as {@link KeyStroke#getKeyStroke(String)} has it; {@code menu} is the key that the
-   *     system uses with menus
+   * @param key the accelerator as {@link KeyStroke#getKeyStroke(String)} reads it; {@code menu} is
+   *     the modifier of menu shortcuts on this system (Ctrl, or Command on macOS)
    */
   KeyedAction(String name, String key, Runnable work) {
     super(name);
@@ -31,7 +31,7 @@ final class KeyedAction extends AbstractAction {
         : stroke;
   }
 
-  /** Lets its key work while a component or one in it has the focus. */
+  /** Binds the key in a component and all components in it. */
   KeyedAction in(JComponent component) {
     Object key = getValue(ACCELERATOR_KEY);
     component

@@ -17,7 +17,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The whole metadata of an object or area to the system's clipboard, and from it to others. */
+/** Copies all metadata of an object or area to the system clipboard, and pastes it to others. */
 public final class MetadataClipboard {
   private final EnricherSession session;
   private final Clipboard clipboard;
@@ -31,12 +31,12 @@ public final class MetadataClipboard {
     this.clipboard = clipboard;
   }
 
-  /** Whether an element, or one around it, is an object or area that can have metadata. */
+  /** Whether an element, or one around it, is an object or area, which can have metadata. */
   public boolean fits(DocumentElement element) {
     return enriched(element).isPresent();
   }
 
-  /** Copies what the first of some elements, or the Switch or sensor around it, has. */
+  /** Copies the metadata of the first of some elements, or of the Switch or sensor around it. */
   public void copy(List<DocumentElement> from) {
     Optional<String> text =
         from.stream()
@@ -53,7 +53,7 @@ public final class MetadataClipboard {
     session.message(Texts.of(text.isPresent() ? "overview.copied" : "overview.nocopy"));
   }
 
-  /** Gives it to elements, or the Switches and sensors around them, as one step. */
+  /** Pastes the metadata to elements, or the Switches and sensors around them, as one undo step. */
   public void paste(List<DocumentElement> to) {
     List<EnrichedSwitch> objects = new ArrayList<>();
     List<EnrichedSensor> areas = new ArrayList<>();
@@ -80,7 +80,7 @@ public final class MetadataClipboard {
     }
   }
 
-  /** The element itself or the nearest around it that has such metadata. */
+  /** The nearest Switch or sensor: the element itself or one around it. */
   private Optional<DocumentElement> enriched(DocumentElement element) {
     Optional<DocumentElement> at = Optional.of(element);
     while (at.isPresent()

@@ -14,7 +14,7 @@ import org.selectiverenderer.document.EditRefused;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.Degree;
 
-/** What can be done with the selected cells, by key and by menu. */
+/** The actions on the selected cells, bound to keys and in the context menu. */
 final class OverviewActions {
   private final SchemaTable table;
   private final OverviewTableModel model;
@@ -27,8 +27,8 @@ final class OverviewActions {
   final KeyedAction sort;
 
   /**
-   * @param metadata of whole objects
-   * @param say shows the author why something was not done
+   * @param metadata copies and pastes the metadata of whole objects
+   * @param say shows a message below the table
    */
   OverviewActions(
       SchemaTable table,
@@ -98,7 +98,7 @@ final class OverviewActions {
     return menu;
   }
 
-  /** Fills the selected cells, or empties them. */
+  /** Sets the degree of the selected cells, or clears them. */
   void fill(Optional<Degree> degree) {
     List<CellAt> selected = table.selectedCells();
     if (selected.isEmpty()) {
@@ -116,7 +116,10 @@ final class OverviewActions {
     table.keepingSelection(() -> model.sort(model.order().clicked(column)));
   }
 
-  /** All cells of the columns in which cells are selected: with a filter, a whole room at once. */
+  /**
+   * Selects all shown cells of the selected columns; with a filter, such as a room's objects at
+   * once.
+   */
   private void selectColumn() {
     if (table.getRowCount() > 0 && table.getSelectedColumnCount() > 0) {
       table.setRowSelectionInterval(0, table.getRowCount() - 1);

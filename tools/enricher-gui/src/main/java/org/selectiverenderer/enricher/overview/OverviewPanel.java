@@ -21,8 +21,8 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The schema overview: all objects by all schemas, filled in place. Its rows are the session's
- * selection. For the event dispatch thread.
+ * The schema overview: an editable table of all objects by all schemas. Its selected row and the
+ * session's selection follow each other. For the event dispatch thread.
  */
 @SuppressWarnings("serial") // never written
 public final class OverviewPanel extends JPanel {
@@ -94,7 +94,7 @@ public final class OverviewPanel extends JPanel {
     return tools;
   }
 
-  /** In as many lines as a narrow window makes of it. */
+  /** Creates a panel whose components wrap into further lines in a narrow window. */
   private static JPanel lines() {
     JPanel lines = new JPanel();
     WrappingLines.in(lines, 4, 1);
@@ -142,7 +142,7 @@ public final class OverviewPanel extends JPanel {
     JButton button = new JButton(action);
     button.setToolTipText(help);
     button.getAccessibleContext().setAccessibleDescription(help);
-    button.setFocusable(false); // its key works in the table, where the selection is
+    button.setFocusable(false); // keeps the focus and the selection in the table
     return button;
   }
 
@@ -211,7 +211,10 @@ public final class OverviewPanel extends JPanel {
     count();
   }
 
-  /** What nobody sees is read again when it is looked at: of many objects that takes a while. */
+  /**
+   * Refreshes the table, or when it is hidden only once it is shown again, as many objects take a
+   * while.
+   */
   private void changed() {
     if (isShowing()) {
       refresh();
@@ -260,7 +263,7 @@ public final class OverviewPanel extends JPanel {
     }
   }
 
-  /** Makes an edit and does it; where one of both is refused, the author is told why. */
+  /** Creates and performs an edit; tells the author why if either is refused. */
   private void make(Supplier<Edit> edit) {
     session.attempt(() -> session.document().perform(edit.get()));
   }
@@ -273,7 +276,7 @@ public final class OverviewPanel extends JPanel {
     }
   }
 
-  /** Does something that changes the selection of the table or the session, but not the other's. */
+  /** Runs a change whose selection events must not be passed on between table and session. */
   private void follow(Runnable change) {
     boolean before = following;
     following = true;
@@ -284,7 +287,7 @@ public final class OverviewPanel extends JPanel {
     }
   }
 
-  /** Lets go of the session. */
+  /** Stops following the session. */
   public void dispose() {
     session.document().removeListener(changes);
     session.removeSelectionListener(selection);

@@ -12,11 +12,11 @@ import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The rows of the table: the objects that its filter shows, in its order. They keep their places
- * while cells are edited, so that nothing jumps away under the author's hands.
+ * The rows of the table: the objects that its filter accepts, in its sort order. Rows keep their
+ * places while cells are edited, so that nothing moves away under the author's mouse.
  */
 final class OverviewRows {
-  /** Reads a cell. */
+  /** Reads the degree in a cell. */
   interface Degrees {
     Optional<Degree> of(EnrichedSwitch node, String schema);
   }
@@ -31,7 +31,7 @@ final class OverviewRows {
     this.degrees = degrees;
   }
 
-  /** Filters and sorts anew. */
+  /** Filters and sorts all rows again. */
   void arrange(
       List<EnrichedSwitch> objects, List<String> columns, RowFilter filter, RowOrder order) {
     List<EnrichedSwitch> shown = new ArrayList<>();
@@ -42,7 +42,7 @@ final class OverviewRows {
       shown.sort(order.descending() ? byName.reversed() : byName);
     } else if (order.column() > 0 && order.column() <= columns.size()) {
       String schema = columns.get(order.column() - 1);
-      // Empty cells are the last ones either way: one sorts to see what is filled.
+      // Empty cells come last in both directions, as one sorts to see what is filled.
       Comparator<Double> values =
           order.descending() ? Comparator.reverseOrder() : Comparator.naturalOrder();
       shown.sort(
@@ -57,7 +57,7 @@ final class OverviewRows {
     }
   }
 
-  /** Takes the new values into the rows as they stand; false, and no change, if a row is gone. */
+  /** Updates the rows in their present order; returns false, without a change, if a row is gone. */
   boolean stay() {
     List<EnrichedSwitch> fresh = new ArrayList<>(rows.size());
     for (EnrichedSwitch row : rows) {
@@ -79,7 +79,7 @@ final class OverviewRows {
     return rows.get(row);
   }
 
-  /** The row of an object or of what stands in it; -1 if it is not shown. */
+  /** The row of an object or of the object around an element; -1 if it is not shown. */
   int row(DocumentElement element) {
     for (Optional<DocumentElement> at = Optional.of(element); at.isPresent(); ) {
       Integer row = places.get(at.get());

@@ -28,8 +28,8 @@ import org.selectiverenderer.schema.Degree;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Objects by schemas as a table: column 0 has the objects' names, the others a schema each, their
- * cells the degree. Cells are read when they are painted.
+ * The table model of objects by schemas: column 0 has the objects' names, each other column a
+ * schema, whose cells hold the degree. Cells are computed when they are painted.
  */
 @SuppressWarnings("serial") // never written
 final class OverviewTableModel extends AbstractTableModel {
@@ -46,7 +46,7 @@ final class OverviewTableModel extends AbstractTableModel {
   private RowOrder order = RowOrder.DOCUMENT;
 
   /**
-   * @param make makes an edit and does it, and says so where that is refused
+   * @param make creates and performs an edit, and tells the author if it is refused
    */
   OverviewTableModel(Enrichment enrichment, Consumer<Supplier<Edit>> make) {
     this.enrichment = enrichment;
@@ -78,7 +78,7 @@ final class OverviewTableModel extends AbstractTableModel {
     }
   }
 
-  /** Schemas that are there still keep their places, others come behind. */
+  /** Returns the new schemas; those known before keep their order, others follow. */
   private static List<String> stable(List<String> before, List<String> now) {
     Set<String> stable = new LinkedHashSet<>(before);
     stable.retainAll(new HashSet<>(now));
@@ -106,7 +106,7 @@ final class OverviewTableModel extends AbstractTableModel {
     fireTableDataChanged();
   }
 
-  /** How many objects there are, shown or not. */
+  /** The number of objects, shown or not. */
   int objectCount() {
     return overview.objects().size();
   }
@@ -115,12 +115,12 @@ final class OverviewTableModel extends AbstractTableModel {
     return rows.node(row);
   }
 
-  /** The row of an object or of what stands in it; -1 if it is not shown. */
+  /** The row of an object or of the object around an element; -1 if it is not shown. */
   int row(DocumentElement element) {
     return rows.row(element);
   }
 
-  /** The schema of a column from 1 on. */
+  /** The schema of a column, from 1. */
   String schema(int column) {
     return columns.get(column - 1);
   }
@@ -129,20 +129,20 @@ final class OverviewTableModel extends AbstractTableModel {
     return columns;
   }
 
-  /** What is wrong with the schema of a column. */
+  /** The finding about the schema of a column; empty for none. */
   Optional<ElementFinding> mark(int column) {
     return column == 0 ? Optional.empty() : Optional.ofNullable(marks.get(schema(column)));
   }
 
-  /** All that is wrong with schemas. */
+  /** All findings about schemas. */
   List<ElementFinding> marks() {
     return List.copyOf(marks.values());
   }
 
   /**
-   * Gives a schema a column although nothing names it yet.
+   * Adds a column for a schema that nothing in the scene names yet.
    *
-   * @throws EditRefused if there is such a column, or no name
+   * @throws EditRefused if there is such a column, or the name is invalid
    */
   void addSchema(String name) {
     String schema = name.strip();
@@ -161,7 +161,7 @@ final class OverviewTableModel extends AbstractTableModel {
     refresh();
   }
 
-  /** A schema has got another name; a column that nothing names is renamed, too. */
+  /** Follows the renaming of a schema, also of a column that nothing in the scene names. */
   void renamed(String from, String to) {
     if (added.remove(from) && !to.isBlank()) {
       added.add(to.strip());
@@ -169,13 +169,13 @@ final class OverviewTableModel extends AbstractTableModel {
     refresh();
   }
 
-  /** A schema is not named any more and needs no column. */
+  /** Follows the removal of a schema, whose column goes. */
   void removed(String schema) {
     added.remove(schema);
     refresh();
   }
 
-  /** Fills cells with a degree, or empties them, as one step; column 0 is left alone. */
+  /** Sets cells to a degree, or clears them, as one undo step; ignores column 0. */
   void fill(Collection<CellAt> cells, Optional<Degree> degree) {
     List<Place> filled =
         cells.stream().filter(c -> c.column() > 0).map(this::place).distinct().toList();
@@ -185,7 +185,7 @@ final class OverviewTableModel extends AbstractTableModel {
     }
   }
 
-  /** Fills cells with a degree each, as one step. */
+  /** Sets each cell to its own degree, as one undo step. */
   void put(Map<CellAt, CellInput> cells) {
     Map<Place, Optional<Degree>> wanted = new LinkedHashMap<>();
     cells.forEach((at, input) -> wanted.put(place(at), input.degree()));
@@ -200,7 +200,9 @@ final class OverviewTableModel extends AbstractTableModel {
     return new Place(rows.node(cell.row()), schema(cell.column()));
   }
 
-  /** The degree that a cell stands for, given or by its version's place; empty for none. */
+  /**
+   * The degree of a cell: as given in the metadata, else by the version's position; empty for none.
+   */
   private Optional<Degree> degree(EnrichedSwitch node, String schema) {
     return overview.cell(node, schema).map(cell -> degree(node, cell));
   }
@@ -209,12 +211,12 @@ final class OverviewTableModel extends AbstractTableModel {
     return cell.degree().orElse(VersionLadder.degree(cell.choice(), node.choices().size()));
   }
 
-  /** What a cell stands for. */
+  /** The symbol of a cell. */
   ConsistencySign sign(int row, int column) {
     return ConsistencySign.of(overview.cell(rows.node(row), schema(column)));
   }
 
-  /** What a cell's tooltip says. */
+  /** The tooltip of a cell. */
   String explanation(int row, int column) {
     EnrichedSwitch node = rows.node(row);
     if (column == 0) {
@@ -259,7 +261,10 @@ final class OverviewTableModel extends AbstractTableModel {
     return String.class;
   }
 
-  /** The degree as in the metadata; in parentheses where only the version says it. */
+  /**
+   * Returns the degree as in the metadata; in parentheses where it only follows from the version's
+   * position.
+   */
   @Override
   public Object getValueAt(int row, int column) {
     EnrichedSwitch node = rows.node(row);
@@ -281,7 +286,7 @@ final class OverviewTableModel extends AbstractTableModel {
     return column > 0;
   }
 
-  /** Takes what the author wrote; what is no degree changes nothing. */
+  /** Sets the degree that the author wrote; an invalid text changes nothing. */
   @Override
   public void setValueAt(Object value, int row, int column) {
     if (!getValueAt(row, column).equals(value)) {

@@ -5,16 +5,16 @@ import org.selectiverenderer.document.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Which objects the table shows.
+ * The filter of the table: which objects it shows.
  *
- * @param name part of an object's name, in any case; empty for all
- * @param which of those
+ * @param name part of an object's name, case-insensitive; empty for all
+ * @param which further restriction by metadata
  */
 record RowFilter(String name, Which which) {
   /** All objects. */
   static final RowFilter NONE = new RowFilter("", Which.ALL);
 
-  /** Objects by how far they are enriched. */
+  /** The restriction by metadata: all objects, those without schemas, those with findings. */
   enum Which {
     ALL("overview.filter.all"),
     BARE("overview.filter.bare"),

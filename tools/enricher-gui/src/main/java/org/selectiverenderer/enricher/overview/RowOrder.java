@@ -1,7 +1,7 @@
 package org.selectiverenderer.enricher.overview;
 
 /**
- * How the rows are sorted.
+ * The sort order of the rows.
  *
  * @param column of the model: 0 is the object's name; -1 for the order of the document
  */
@@ -9,7 +9,7 @@ record RowOrder(int column, boolean descending) {
   /** As in the document. */
   static final RowOrder DOCUMENT = new RowOrder(-1, false);
 
-  /** The order after a click on a column's head: up, down, as in the document. */
+  /** The order after a click on a column header: ascending, descending, then document order. */
   RowOrder clicked(int other) {
     if (column != other) {
       return new RowOrder(other, false);

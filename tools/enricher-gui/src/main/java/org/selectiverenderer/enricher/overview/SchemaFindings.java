@@ -18,7 +18,10 @@ import org.selectiverenderer.enricher.text.Letters;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Schemas that no area activates or no object has, with a way to each and its fix. */
+/**
+ * Lists the schemas that no area activates or no object belongs to, with buttons that show and fix
+ * each.
+ */
 @SuppressWarnings("serial") // never written
 final class SchemaFindings extends JPanel {
   private static final long serialVersionUID = 1L;

@@ -12,7 +12,10 @@ import javax.swing.table.TableCellRenderer;
 import org.selectiverenderer.document.ElementFinding;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The head of a column: its name, which way it is sorted, and a mark where its schema is amiss. */
+/**
+ * Renders a column header: its name, the sort direction, and a warning sign where there is a
+ * finding about its schema.
+ */
 final class SchemaHeader implements TableCellRenderer {
   private final OverviewTableModel model;
   private LookAndFeel theme = UIManager.getLookAndFeel();
@@ -26,7 +29,7 @@ final class SchemaHeader implements TableCellRenderer {
   public Component getTableCellRendererComponent(
       JTable table, Object value, boolean selected, boolean focused, int row, int viewColumn) {
     if (UIManager.getLookAndFeel() != theme) {
-      theme = UIManager.getLookAndFeel(); // Swing renews plain renderers only
+      theme = UIManager.getLookAndFeel(); // Swing updates default renderers only
       plain = new JTableHeader().getDefaultRenderer();
     }
     Component component =

@@ -6,7 +6,7 @@ import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 import javax.swing.JTextField;
 
-/** Asks for the name of a schema. */
+/** Asks for the name of a schema in a dialog. */
 final class SchemaNaming {
   private final JComponent parent;
 
@@ -15,9 +15,9 @@ final class SchemaNaming {
   }
 
   /**
-   * The name that the author gives.
+   * Returns the name that the author types.
    *
-   * @return empty if they think better of it
+   * @return empty if the author cancels
    */
   Optional<String> ask(String title, String question, String proposed) {
     JTextField field = new JTextField(proposed, 24);
@@ -33,8 +33,8 @@ final class SchemaNaming {
   }
 
   /**
-   * Begins in the field whenever the dialog gets the focus; a request before that is lost where a
-   * window manager gives the focus later.
+   * An option pane that focuses its field whenever the dialog gets the focus; a request before that
+   * is lost where a window manager gives the focus later.
    */
   @SuppressWarnings("serial") // never written
   private static final class FieldFirst extends JOptionPane {

@@ -18,8 +18,9 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The cells of the overview and, in a table of its own that does not scroll sideways, the objects'
- * names. Selecting works in cells; what is written into one cell of a selection goes to all.
+ * The table of the overview; the objects' names are in a second table that does not scroll
+ * horizontally. Selection is by cells, and a value written into one cell of a selection goes to all
+ * of them.
  */
 @SuppressWarnings("serial") // never written
 final class SchemaTable extends JTable {
@@ -40,7 +41,7 @@ final class SchemaTable extends JTable {
     setDefaultRenderer(String.class, new ConsistencyCell(model));
     setSurrendersFocusOnKeystroke(true);
     putClientProperty("terminateEditOnFocusLost", true);
-    putClientProperty("JTable.autoStartsEdit", false); // letters are commands here
+    putClientProperty("JTable.autoStartsEdit", false); // letters are shortcuts here
     setShowGrid(true);
     setColumns();
     dress(this);
@@ -49,7 +50,7 @@ final class SchemaTable extends JTable {
     getAccessibleContext().setAccessibleDescription(Texts.of("overview.table.keys"));
   }
 
-  /** The names beside the cells. */
+  /** The row header with the objects' names. */
   @SuppressWarnings("serial") // never written
   private static final class NameTable extends JTable {
     private static final long serialVersionUID = 1L;
@@ -64,7 +65,7 @@ final class SchemaTable extends JTable {
       }
       setSelectionModel(rows);
       setShowGrid(true);
-      setFocusable(false); // the keyboard works in the cells
+      setFocusable(false); // keeps the focus in the cells
       getAccessibleContext().setAccessibleName(Texts.of("overview.objects"));
     }
 
@@ -98,7 +99,7 @@ final class SchemaTable extends JTable {
         });
   }
 
-  /** A scroll pane with names and cells. */
+  /** Creates a scroll pane with names and cells. */
   JScrollPane scrolling() {
     JScrollPane pane = new JScrollPane(this);
     pane.setRowHeaderView(names);
@@ -109,7 +110,7 @@ final class SchemaTable extends JTable {
   }
 
   private void setColumns() {
-    // All at once: a table lays itself out after each column that comes or goes.
+    // A new column model, as a table lays itself out after every single column change.
     DefaultTableColumnModel columns = new DefaultTableColumnModel();
     columns.setSelectionModel(getColumnModel().getSelectionModel());
     columns.getSelectionModel().clearSelection();
@@ -127,13 +128,13 @@ final class SchemaTable extends JTable {
   @Override
   public void tableChanged(TableModelEvent event) {
     super.tableChanged(event);
-    // The table hears of its model before its own fields are set.
+    // The constructor of JTable calls this before the fields here are set.
     if (model != null && event.getFirstRow() == TableModelEvent.HEADER_ROW) {
       setColumns();
     }
   }
 
-  /** Does something to the model and selects the same objects and schemas again. */
+  /** Changes the model and selects the same objects and schemas again. */
   void keepingSelection(Runnable change) {
     List<DocumentElement> rows = new ArrayList<>();
     for (int row : getSelectedRows()) {
@@ -169,7 +170,7 @@ final class SchemaTable extends JTable {
     names.getTableHeader().repaint();
   }
 
-  /** The cells that are selected, row by row. */
+  /** The selected cells, row by row. */
   List<CellAt> selectedCells() {
     List<CellAt> cells = new ArrayList<>();
     for (int row : getSelectedRows()) {
@@ -189,7 +190,7 @@ final class SchemaTable extends JTable {
     return elements;
   }
 
-  /** The schema of the column that the cursor is in. */
+  /** The schema of the lead selection's column; empty for none. */
   Optional<String> currentSchema() {
     int column = getColumnModel().getSelectionModel().getLeadSelectionIndex();
     return column < 0 || column >= getColumnCount()
@@ -197,7 +198,7 @@ final class SchemaTable extends JTable {
         : Optional.of(model.schema(convertColumnIndexToModel(column)));
   }
 
-  /** Shows an object's row and selects it. */
+  /** Selects an object's row and scrolls to it. */
   void show(DocumentElement element) {
     int row = model.row(element);
     if (row < 0) {
@@ -213,7 +214,7 @@ final class SchemaTable extends JTable {
     scrollRectToVisible(getCellRect(row, Math.max(0, getSelectedColumn()), true));
   }
 
-  /** Begins to write a number into the cell of the cursor. */
+  /** Starts editing the lead cell with a typed character. */
   void write(char first) {
     int row = getSelectionModel().getLeadSelectionIndex();
     int column = getColumnModel().getSelectionModel().getLeadSelectionIndex();
@@ -222,7 +223,7 @@ final class SchemaTable extends JTable {
     }
   }
 
-  /** What is written into one of the selected cells goes to all of them. */
+  /** Sets a value; one written into a selected cell goes to all selected cells. */
   @Override
   public void setValueAt(Object value, int row, int column) {
     List<CellAt> cells = selectedCells();

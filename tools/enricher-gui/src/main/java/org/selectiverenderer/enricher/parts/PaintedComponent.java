@@ -6,7 +6,7 @@ import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 
-/** A view that paints itself and takes mouse and keys: a canvas to who cannot see it. */
+/** A focusable component that paints itself; assistive technology sees it as a canvas. */
 public abstract class PaintedComponent extends JComponent implements Accessible {
   private static final long serialVersionUID = 1L;
 

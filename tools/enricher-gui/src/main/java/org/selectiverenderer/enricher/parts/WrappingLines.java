@@ -10,8 +10,8 @@ import java.awt.event.ComponentEvent;
 import javax.swing.JComponent;
 
 /**
- * As many parts in a line as there is room for, the others in lines below. The height depends on
- * the width that is given.
+ * A flow layout whose preferred height includes the lines that components wrap into at the present
+ * width.
  */
 public final class WrappingLines extends FlowLayout {
   private static final long serialVersionUID = 1L;
@@ -21,10 +21,10 @@ public final class WrappingLines extends FlowLayout {
   }
 
   /**
-   * Lays a component out so.
+   * Installs the layout in a component.
    *
-   * @param between pixels beside parts
-   * @param lines pixels above and below them
+   * @param between horizontal gap in pixels
+   * @param lines vertical gap in pixels
    */
   public static void in(JComponent container, int between, int lines) {
     container.setLayout(new WrappingLines(between, lines));

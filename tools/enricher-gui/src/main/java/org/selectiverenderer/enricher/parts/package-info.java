@@ -1,9 +1,9 @@
 /**
- * What several views are made of: {@code WrappingLines} puts parts in lines as wide as there is
- * room for, {@code PaintedComponent} is what paints itself and tells a screen reader so.
+ * Swing components and layouts that several views share: {@code WrappingLines} wraps components
+ * into as many lines as the width needs, {@code PaintedComponent} is a custom-painted component
+ * that is accessible as a canvas.
  *
- * <p>In: components, their room. Out: their places. Uses nothing of ours. For the event dispatch
- * thread.
+ * <p>Uses nothing of ours. For the event dispatch thread.
  */
 @NullMarked
 package org.selectiverenderer.enricher.parts;

@@ -3,30 +3,30 @@ package org.selectiverenderer.enricher.plan;
 import org.selectiverenderer.geometry.Bounds;
 
 /**
- * What a drag over the plan does to a rectangle. Sides are -1, 0 or 1: which edge follows the
- * pointer on that axis, or none; both 0 move it.
+ * A drag in the plan that moves or resizes a rectangle. For each axis -1 or 1 says that the lesser
+ * or greater edge follows the pointer, 0 that none does; both 0 move the rectangle.
  *
  * @param start the rectangle when the drag began
- * @param sideX of X
- * @param sideZ of Z
- * @param x where the drag began
- * @param z likewise
+ * @param sideX the edge on the X axis
+ * @param sideZ the edge on the Z axis
+ * @param x world X at which the drag began
+ * @param z world Z at which the drag began
  */
 record PlanDrag(Bounds start, int sideX, int sideZ, double x, double z) {
-  /** No side becomes shorter than this. */
+  /** Least length of a side in metres. */
   static final double LEAST = 0.05;
 
-  /** Keeps a coordinate of an axis, 0 for X and 1 for Z, to something. */
+  /** Snaps a coordinate on an axis, 0 for X and 1 for Z, to a wall or the grid. */
   interface Snapping {
     double at(int axis, double value);
 
-    /** Whether that is a wall, which goes before the grid. */
+    /** Whether the coordinate snaps to a wall, which has priority over the grid. */
     default boolean wall(int axis, double value) {
       return false;
     }
   }
 
-  /** The rectangle when the pointer is at a place; heights stay. */
+  /** Returns the rectangle for a pointer position; heights stay. */
   Bounds at(double nowX, double nowZ, Snapping snap) {
     if (sideX == 0 && sideZ == 0) {
       double dx = shift(0, start.minX(), start.maxX(), nowX - x, snap);
@@ -56,7 +56,10 @@ record PlanDrag(Bounds start, int sideX, int sideZ, double x, double z) {
     return new Bounds(minX, start.minY(), minZ, maxX, start.maxY(), maxZ);
   }
 
-  /** By the edge that comes to a wall, else by the one that is kept to something nearer by. */
+  /**
+   * Returns the shift that snaps the edge that meets a wall, else the edge that is nearer to its
+   * snapping coordinate.
+   */
   private static double shift(int axis, double min, double max, double by, Snapping snap) {
     double low = snap.at(axis, min + by) - min;
     double high = snap.at(axis, max + by) - max;
@@ -67,7 +70,7 @@ record PlanDrag(Bounds start, int sideX, int sideZ, double x, double z) {
     return Math.abs(high - by) < Math.abs(low - by) ? high : low;
   }
 
-  /** A new rectangle between two corners. */
+  /** Returns a new rectangle between two corners. */
   static Bounds between(double x1, double z1, double x2, double z2, double y) {
     return new Bounds(Math.min(x1, x2), y, Math.min(z1, z2), Math.max(x1, x2), y, Math.max(z1, z2));
   }

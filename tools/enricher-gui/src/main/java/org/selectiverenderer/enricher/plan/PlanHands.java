@@ -22,14 +22,14 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.geometry.Bounds;
 
 /**
- * The author's mouse over the plan: a drag over the ground draws an area, one of an area moves it,
- * one of a grip resizes it; the right or middle button shifts the plan, the wheel comes nearer.
+ * Handles the mouse in the plan: dragging over the ground draws an area, dragging an area moves it,
+ * dragging a handle resizes it; the right or middle button pans, the wheel zooms.
  */
 final class PlanHands extends MouseAdapter {
-  /** How far a click may be dragged. */
+  /** Pixels that the mouse may move during a click. */
   private static final int STILL = 4;
 
-  /** How near a wall pulls, in units of the screen. */
+  /** Distance in pixels within which an edge snaps to a wall. */
   private static final double PULL = 8;
 
   private static final double NEARER_PER_NOTCH = 1.15;
@@ -79,7 +79,10 @@ final class PlanHands extends MouseAdapter {
         });
   }
 
-  /** Not before the plan is there: until then nobody sees where the areas and the rooms are. */
+  /**
+   * Whether areas can be edited: not before the plan image is there, as the author would not see
+   * the rooms.
+   */
   private boolean writable() {
     return view.picture().isPresent()
         && session.document().locked().isEmpty()
@@ -92,7 +95,7 @@ final class PlanHands extends MouseAdapter {
         .findFirst();
   }
 
-  /** The grip of the selected area at a place; sides of X and Z. */
+  /** Returns the resize handle of the selected area at a pixel, as its sides on X and Z. */
   private Optional<int[]> grip(double x, double y) {
     Optional<PlacedArea> selected = view.selected().filter(each -> !each.frame().turned());
     if (selected.isEmpty()) {
@@ -250,7 +253,7 @@ final class PlanHands extends MouseAdapter {
     }
   }
 
-  /** A turned area keeps its own size. */
+  /** Returns the box after a drag; a rotated area is only moved. */
   private static AreaBox placed(PlacedArea area, PlanDrag drag, Bounds now) {
     Vector3d shift =
         new Vector3d(now.minX() - drag.start().minX(), 0, now.minZ() - drag.start().minZ());
@@ -260,8 +263,8 @@ final class PlanHands extends MouseAdapter {
   }
 
   /**
-   * Makes an area of a rectangle, from the floor to the ceiling there. The rectangle is seen until
-   * the author has given a name, or thought better of it.
+   * Creates an area over a rectangle, from the floor to the ceiling there. The rectangle stays
+   * visible until the author has named the area or cancelled.
    */
   void draw(Bounds rectangle) {
     if (rectangle.width() >= PlanDrag.LEAST && rectangle.depth() >= PlanDrag.LEAST) {
@@ -275,14 +278,14 @@ final class PlanHands extends MouseAdapter {
                   found.ifPresent(bounds -> commands.add(AreaBox.of(bounds)));
                 } finally {
                   if (view.drawing().equals(Optional.of(rectangle))) {
-                    view.drawing(null, null); // Else another one is drawn already.
+                    view.drawing(null, null); // Else the author already draws another one.
                   }
                 }
               });
     }
   }
 
-  /** Takes back what is being dragged; what the button does until it is let go means nothing. */
+  /** Cancels the drag; mouse events are ignored until the button is released. */
   void takeBack() {
     ended = view.drawing().isPresent();
     cancel();

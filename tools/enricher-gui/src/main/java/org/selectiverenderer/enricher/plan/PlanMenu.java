@@ -13,7 +13,7 @@ import org.selectiverenderer.enricher.text.MenuTitle;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.Bounds;
 
-/** What is done with the selected area from its context menu and by keys. */
+/** The commands for the selected area in the plan, for its context menu and keys. */
 final class PlanMenu {
   private final PlanView view;
   private final AreaCommands commands;
@@ -39,7 +39,8 @@ final class PlanMenu {
   }
 
   /**
-   * A copy where the plan is looked at: in its middle, or beside the copied one if that is seen.
+   * Pastes a copy of the copied area: beside it if it is visible, else in the middle of the visible
+   * part.
    */
   void paste() {
     PlacedArea from = copied;

@@ -30,11 +30,14 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The plan with its bar: areas drawn, moved, resized, named, copied and deleted from above. */
+/**
+ * The floor plan with its tool bar, in which areas are drawn, moved, resized, named, copied and
+ * deleted.
+ */
 public final class PlanPanel extends JPanel {
   private static final long serialVersionUID = 1L;
 
-  /** Milliseconds after a change when the preview has loaded it, most likely. */
+  /** Milliseconds after a change, by which the preview has usually loaded it. */
   private static final int PAUSE = 900;
 
   private final transient EnricherSession session;
@@ -55,8 +58,8 @@ public final class PlanPanel extends JPanel {
   private boolean filling;
 
   /**
-   * @param commands that make areas
-   * @param question how names are asked for
+   * @param commands creates and edits areas
+   * @param question asks for names
    */
   public PlanPanel(
       EnricherSession session, AreaCommands commands, NameQuestion question, GridSetting grid) {
@@ -182,7 +185,7 @@ public final class PlanPanel extends JPanel {
     view.scale(view.scale().zoomed(factor, view.getWidth() / 2.0, view.getHeight() / 2.0));
   }
 
-  /** Selects another area, counted in the order of the document. */
+  /** Selects another area, by steps in document order. */
   private void next(int by) {
     List<PlacedArea> all = areas();
     if (!all.isEmpty()) {
@@ -226,7 +229,7 @@ public final class PlanPanel extends JPanel {
     }
   }
 
-  /** Has the plan drawn anew; what the preview has loaded by now. */
+  /** Requests a new plan image of what the preview has loaded. */
   private void refresh() {
     if (isShowing()) {
       commands.probe().plan(height, found -> found.ifPresentOrElse(this::show, later::restart));
@@ -240,7 +243,7 @@ public final class PlanPanel extends JPanel {
     view.show(plan);
   }
 
-  /** Follows nothing any more. */
+  /** Stops following the session. */
   public void dispose() {
     later.stop();
     session.removeSelectionListener(onSelection);

@@ -5,16 +5,16 @@ import java.awt.geom.Rectangle2D;
 import org.selectiverenderer.geometry.Bounds;
 
 /**
- * From the scene's ground to the screen: X to the right, Z down.
+ * The transform from the ground plane (world X and Z) to the screen: X to the right, Z down.
  *
- * @param left X at the left edge
- * @param top Z at the upper edge
- * @param scale units of the screen for one of the scene, above 0
+ * @param left world X at the left edge
+ * @param top world Z at the upper edge
+ * @param scale pixels per metre, above 0
  */
 record PlanScale(double left, double top, double scale) {
   private static final double MARGIN = 0.06;
 
-  /** All of a box in a component of a size. */
+  /** Returns the transform that fits a box into a component of a size, with a margin. */
   static PlanScale fitting(Bounds all, int width, int height) {
     double w = Math.max(1e-3, all.width()) * (1 + 2 * MARGIN);
     double d = Math.max(1e-3, all.depth()) * (1 + 2 * MARGIN);
@@ -50,7 +50,7 @@ record PlanScale(double left, double top, double scale) {
     return new PlanScale(left - dx / scale, top - dy / scale, scale);
   }
 
-  /** Nearer to a place of the screen, which stays where it is. */
+  /** Zooms about a pixel, which keeps its world position. */
   PlanScale zoomed(double factor, double atX, double atY) {
     double next = scale * factor;
     return new PlanScale(x(atX) - atX / next, z(atY) - atY / next, next);

@@ -3,12 +3,12 @@ package org.selectiverenderer.enricher.plan;
 import java.util.OptionalDouble;
 import org.selectiverenderer.enricher.area.PlanPicture;
 
-/** The walls of a plan, to which edges of areas keep. */
+/** Snaps the edges of areas to the walls of a plan. */
 final class PlanSnap {
-  /** Shorter pieces are no wall, in the scene's unit. */
+  /** Least length of a wall segment that counts, in metres. */
   private static final double WALL = 0.2;
 
-  /** How far from straight along an axis a wall may be, per length. */
+  /** Largest slope of a wall that counts as parallel to an axis. */
   private static final double STRAIGHT = 0.01;
 
   private final float[] walls;
@@ -18,12 +18,12 @@ final class PlanSnap {
   }
 
   /**
-   * The wall that a coordinate keeps to.
+   * Returns the coordinate of the nearest wall; empty if none is near.
    *
    * @param axis 0 for X, 1 for Z
-   * @param value where the author is
-   * @param across where on the other axis
-   * @param near how far a wall pulls
+   * @param value coordinate of the edge on that axis
+   * @param across coordinate of the pointer on the other axis
+   * @param near largest distance in metres
    */
   OptionalDouble wall(int axis, double value, double across, double near) {
     OptionalDouble best = OptionalDouble.empty();

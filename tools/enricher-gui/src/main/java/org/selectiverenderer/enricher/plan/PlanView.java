@@ -26,7 +26,10 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Paints the plan: what is under the cut, walls, areas, and what is being drawn. */
+/**
+ * The component that paints the plan: the image below the cut, walls, areas, and the rectangle
+ * being drawn.
+ */
 final class PlanView extends PaintedComponent {
   private static final long serialVersionUID = 1L;
   private static final Color PAPER = new Color(0xf4f2ee);
@@ -36,7 +39,7 @@ final class PlanView extends PaintedComponent {
   private static final Color SELECTED = new Color(0xd86f00);
   private static final int GRIP = 4;
 
-  /** Lines of the grid nearer than this would be a grey. */
+  /** Least distance in pixels between grid lines. */
   private static final double CLOSEST = 7;
 
   private final transient Supplier<List<PlacedArea>> areas;
@@ -44,7 +47,9 @@ final class PlanView extends PaintedComponent {
   private transient @Nullable PlanPicture picture;
   private transient @Nullable PlanScale scale;
 
-  /** For which size of the view all of the plan was made to fit; null when the author chose. */
+  /**
+   * The component size for which the plan was fitted; null once the author has zoomed or panned.
+   */
   private transient @Nullable Dimension fitted;
 
   private transient @Nullable Bounds drawn;
@@ -80,7 +85,7 @@ final class PlanView extends PaintedComponent {
     return Optional.ofNullable(picture);
   }
 
-  /** Shows lines of a grid; 0 for none. */
+  /** Shows a grid of a step in metres; 0 for none. */
   void grid(double step) {
     grid = step;
     repaint();
@@ -114,7 +119,7 @@ final class PlanView extends PaintedComponent {
    * Shows a rectangle that is being drawn or an area that is being changed.
    *
    * @param rectangle null for none
-   * @param of null for a new one
+   * @param of the area being changed; null for a new one
    */
   void drawing(@Nullable Bounds rectangle, @Nullable PlacedArea of) {
     drawn = rectangle;
@@ -126,7 +131,7 @@ final class PlanView extends PaintedComponent {
     return Optional.ofNullable(drawn);
   }
 
-  /** The areas, the selected one first, then the smallest first: in the order of being hit. */
+  /** The areas in hit-test order: the selected one first, then from the smallest to the largest. */
   List<PlacedArea> hitOrder() {
     List<PlacedArea> all = new ArrayList<>(areas.get());
     all.sort(
@@ -150,12 +155,12 @@ final class PlanView extends PaintedComponent {
     return areas.get().stream().filter(this::selected).findFirst();
   }
 
-  /** The bounds of an area in the scene, turned or not. */
+  /** The axis-aligned bounds of an area in world coordinates. */
   static Bounds bounds(PlacedArea area) {
     return area.solid().map(solid -> solid.bounds()).orElse(area.box().bounds());
   }
 
-  /** The grips of a rectangle: -1, 0, 1 for each axis. */
+  /** Returns a resize handle of a rectangle; sides are -1, 0 or 1 for each axis. */
   static Rectangle2D grip(Rectangle2D of, int sideX, int sideZ) {
     double x = of.getCenterX() + sideX * of.getWidth() / 2;
     double y = of.getCenterY() + sideZ * of.getHeight() / 2;

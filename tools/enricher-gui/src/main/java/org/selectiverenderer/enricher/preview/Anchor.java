@@ -4,8 +4,8 @@ import java.util.Optional;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * What an element of the document and a node of the running scene have in common: the DEF name, and
- * the place in the text that was loaded.
+ * Identifies a node both in the document and in the running scene: by its DEF name, and by the
+ * position of its start tag in the text that was loaded.
  *
  * @param line of the start tag, from 1
  * @param column of the start tag, from 1

@@ -22,9 +22,12 @@ import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.nodes.NodeMetadata;
 
-/** The boxes of a scene's ProximitySensors: as marks, as labels, and what stands in them. */
+/**
+ * The boxes of a scene's ProximitySensors: draws them as box marks and labels, and counts the
+ * polygons in each.
+ */
 final class AreaBoxes {
-  /** Shapes times boxes beyond which polygons are not counted per area. */
+  /** Largest product of shapes and areas for which polygons are counted per area. */
   private static final long MOST_TESTS = 2_000_000;
 
   private static final float[] EDGES = {0.10f, 0.45f, 0.95f, 0.9f};
@@ -33,7 +36,8 @@ final class AreaBoxes {
   private static final float[] SELECTED_SIDES = {1.00f, 0.70f, 0.10f, 0.12f};
 
   /**
-   * Where a label may stand, the best first: on top, at the top of a side, in the middle of one.
+   * Candidate points for a label in the unit cube, the best first: middle of the top, top edges,
+   * centre, faces, corners.
    */
   private static final double[][] LABEL_POINTS = {
     {0, 0.5, 0}, {0, 0.5, 0.5}, {0, 0.5, -0.5}, {0.5, 0.5, 0}, {-0.5, 0.5, 0},
@@ -41,7 +45,7 @@ final class AreaBoxes {
     {0.5, 0.5, 0.5}, {-0.5, 0.5, 0.5}, {0.5, 0.5, -0.5}, {-0.5, 0.5, -0.5}, {0, -0.5, 0}
   };
 
-  /** How far from the edge of the picture, as a part of it. */
+  /** Least distance of a label from the edge of the picture, as a share of the picture. */
   private static final double LABEL_MARGIN = 0.04;
 
   /** A sensor of the document. */
@@ -55,7 +59,7 @@ final class AreaBoxes {
   AreaBoxes(World world, PreviewNodes nodes) {
     this.world = world;
     this.nodes = nodes;
-    SchemaReader reader = new SchemaReader(problem -> {}); // The document's findings tell them.
+    SchemaReader reader = new SchemaReader(problem -> {}); // The document's findings report them.
     for (Node node : nodes.all()) {
       if (node instanceof ProximitySensorNode sensor) {
         areas.add(
@@ -68,7 +72,7 @@ final class AreaBoxes {
     }
   }
 
-  /** Counts anew what stands in each area: shapes shown whose middle is in the box. */
+  /** Counts the polygons in each area: those of shown shapes whose centre is in its box. */
   void count() {
     List<ShapeInstance> shapes = world.instances().shapes();
     if ((long) shapes.size() * areas.size() > MOST_TESTS) {
@@ -100,7 +104,10 @@ final class AreaBoxes {
     return false;
   }
 
-  /** Each takes the cube of side 1 about the origin to a box of the sensor in the world. */
+  /**
+   * Returns the matrices that map the unit cube about the origin to the boxes of a sensor in the
+   * world, one per instance.
+   */
   private List<Matrix4d> places(Node sensor) {
     float[] c = sensor.floats("center");
     float[] s = sensor.floats("size");
@@ -129,9 +136,9 @@ final class AreaBoxes {
   }
 
   /**
-   * The labels of the boxes that are in the picture, in its pixels.
+   * Returns the labels of the boxes that are in the picture, in its pixels.
    *
-   * @param seen whether a point of the world is in sight
+   * @param seen whether a world point is visible from the viewer
    */
   List<PreviewFrame.Label> labels(
       Camera camera, @Nullable Node selected, Predicate<Vector3dc> seen) {
@@ -159,7 +166,9 @@ final class AreaBoxes {
     return labels;
   }
 
-  /** The first of the points for a label that is in the picture: 0..1 from the upper left. */
+  /**
+   * Returns the first label point that is visible in the picture, from 0 to 1 from the upper left.
+   */
   private static Optional<Vector2d> inPicture(
       Matrix4d place, Camera camera, Predicate<Vector3dc> seen) {
     for (double[] candidate : LABEL_POINTS) {
@@ -177,7 +186,7 @@ final class AreaBoxes {
     return Optional.empty();
   }
 
-  /** The box around all boxes of a sensor; empty if it has none. */
+  /** The bounding box of all boxes of a sensor; empty if it has none. */
   Optional<Bounds> bounds(Node sensor) {
     Bounds cube = new Bounds(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5);
     List<Matrix4d> places =

@@ -13,24 +13,26 @@ import org.selectiverenderer.document.area.PlacedArea;
 import org.selectiverenderer.runtime.camera.Camera;
 
 /**
- * A handle of an area's box that is dragged: a face along its own direction, or the middle over the
- * ground, or up and down where the ground is seen from the side. A value but for the camera, which
+ * A drag of a handle of an area's box: a face moves along its normal; the centre moves over the
+ * ground, or vertically where the ground is seen edge-on. A value except for the camera, which
  * nobody changes. Pixels count from the upper left of the picture.
  *
- * @param area as it was when the drag began
- * @param handle 0 to 5: the face at the lesser or greater X, Y, Z; 6: the middle
+ * @param area the area when the drag began
+ * @param handle 0 to 5: the face at the lesser or greater X, Y, Z; 6: the centre
  * @param camera of the picture
- * @param x where the drag began
- * @param y likewise
+ * @param x pixel x at which the drag began
+ * @param y pixel y at which the drag began
  */
 record AreaDrag(PlacedArea area, int handle, Camera camera, double x, double y) {
   static final int MIDDLE = 6;
   static final int HANDLES = 7;
 
-  /** No side becomes shorter than this. */
+  /** Least length of a side in metres. */
   private static final double LEAST = 0.05;
 
-  /** Below this sine of the angle between line of sight and ground, the ground is no plane. */
+  /**
+   * Least sine of the angle between line of sight and ground for which a drag follows the ground.
+   */
   private static final double GRAZING = 0.2;
 
   private int axis() {
@@ -41,7 +43,7 @@ record AreaDrag(PlacedArea area, int handle, Camera camera, double x, double y) 
     return handle % 2 == 0 ? -1 : 1;
   }
 
-  /** Where a handle of an area is in the scene. */
+  /** The world position of a handle of an area. */
   static Vector3d place(PlacedArea area, int handle) {
     Vector3d at = new Vector3d(area.box().centre());
     if (handle != MIDDLE) {
@@ -52,7 +54,7 @@ record AreaDrag(PlacedArea area, int handle, Camera camera, double x, double y) 
     return at;
   }
 
-  /** Where a place of the scene is in the picture; empty behind the eye. */
+  /** Projects a world point to pixels of the picture; empty if it is behind the viewer. */
   static Optional<Vector2d> inPicture(Vector3dc place, Camera camera) {
     Vector4d point = new Vector4d(place, 1);
     camera.projection().transform(camera.view().transform(point));
@@ -64,7 +66,7 @@ record AreaDrag(PlacedArea area, int handle, Camera camera, double x, double y) 
         : Optional.empty();
   }
 
-  /** The box when the pointer is at a pixel. */
+  /** Returns the box for a pointer position. */
   AreaBox at(double nowX, double nowY, GridStep grid) {
     return handle == MIDDLE ? moved(nowX, nowY, grid) : resized(nowX, nowY, grid);
   }
@@ -82,7 +84,9 @@ record AreaDrag(PlacedArea area, int handle, Camera camera, double x, double y) 
     return new AreaBox(centre, newSize);
   }
 
-  /** How far along a line the pointer is: where the line of sight comes nearest to it. */
+  /**
+   * Returns the parameter along a line at which the pointer's line of sight comes nearest to it.
+   */
   private double along(Vector3dc origin, Vector3dc direction, double px, double py) {
     Vector3d eye = new Vector3d();
     Vector3d sight = sight(px, py, eye);
@@ -90,7 +94,7 @@ record AreaDrag(PlacedArea area, int handle, Camera camera, double x, double y) 
     double both = direction.dot(sight);
     double across = 1 - both * both;
     if (across < 1e-4) {
-      return 0; // looks along the line: nothing is meant
+      return 0; // the line of sight is parallel to the line
     }
     return (between.dot(direction) - both * between.dot(sight)) / across;
   }
@@ -130,7 +134,7 @@ record AreaDrag(PlacedArea area, int handle, Camera camera, double x, double y) 
     return distance > 0 ? Optional.of(eye.fma(distance, sight)) : Optional.empty();
   }
 
-  /** The line of sight through a pixel: its direction, of length 1, and where it begins. */
+  /** Returns the unit direction of the line of sight through a pixel, and sets its origin. */
   private Vector3d sight(double px, double py, Vector3d origin) {
     Matrix4dc inverse = camera.projection().mul(camera.view(), new Matrix4d()).invert();
     double right = 2 * px / camera.width() - 1;

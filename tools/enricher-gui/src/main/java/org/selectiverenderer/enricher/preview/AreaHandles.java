@@ -26,10 +26,10 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * The handles of the selected area's box in the picture: six on its faces, one in the middle.
- * Dragging one shows the box as it would be, in the running scene only; letting go is one edit.
- * Escape takes the drag back; Alt turns the grid off. It hears the mouse before {@link
- * PictureHands} and consumes what it uses.
+ * The handles of the selected area's box in the picture: six on its faces, one at its centre.
+ * Dragging one shows the changed box in the running scene only; releasing the mouse makes one edit.
+ * Escape cancels the drag; Alt turns the grid off. It receives mouse events before {@link
+ * PictureHands} and consumes those that it uses.
  */
 final class AreaHandles extends MouseAdapter {
   private static final double RADIUS = 6;
@@ -48,10 +48,10 @@ final class AreaHandles extends MouseAdapter {
   private @Nullable AreaDrag drag;
   private AreaBox dragged;
 
-  /** Whether the button is still down of a drag that was taken back: it means nothing more. */
+  /** Whether the drag was cancelled while the mouse button is still down. */
   private boolean takenBack;
 
-  /** Shows a box in the running scene. */
+  /** Shows a changed box in the running scene. */
   @FunctionalInterface
   interface LiveBox {
     void show(PlacedArea area, AreaBox box);
@@ -79,7 +79,7 @@ final class AreaHandles extends MouseAdapter {
     view.overlay(this::paint);
   }
 
-  /** Shows the handles or not. */
+  /** Shows or hides the handles. */
   void shown(boolean show) {
     shown = show;
     view.repaint();
@@ -92,7 +92,7 @@ final class AreaHandles extends MouseAdapter {
     return shown && looking ? session.selection().flatMap(nodes::area) : Optional.empty();
   }
 
-  /** The handle at a position of the view; the nearest one of several, -1 for none. */
+  /** Returns the nearest handle at a position of the view; -1 for none. */
   private int at(PlacedArea area, PreviewFrame frame, double x, double y) {
     double scale = view.scale();
     int found = -1;
@@ -125,7 +125,7 @@ final class AreaHandles extends MouseAdapter {
         : -1;
   }
 
-  /** Where the mouse is in the picture that has the handles. */
+  /** The mouse position in the picture that has the handles, right of a reference image. */
   private double x(MouseEvent event) {
     return event.getX() - view.left();
   }
@@ -176,7 +176,7 @@ final class AreaHandles extends MouseAdapter {
       boolean made =
           nodes.place(
               done.area().element(), dragged, done.handle() == AreaDrag.MIDDLE ? "move" : "resize");
-      if (!made) { // No edit comes that would show it where it is.
+      if (!made) { // No edit follows that would reset the shown box.
         live.show(done.area(), done.area().box());
       }
       view.repaint();

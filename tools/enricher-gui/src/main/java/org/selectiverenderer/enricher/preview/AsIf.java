@@ -15,9 +15,9 @@ import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.schema.nodes.NodeMetadata;
 
 /**
- * Shows a scene as if the viewer were in an area with any set of schemas. What each Switch shows is
- * decided by {@link Activation}, as under the controller, from the choices that the scene starts
- * with.
+ * Shows a scene as if the viewer were in an area with a chosen set of schemas. As in the
+ * controller, {@link Activation} decides what each Switch shows, starting from the scene's initial
+ * choices.
  */
 final class AsIf {
   private static final String AREA = "as if";
@@ -27,11 +27,11 @@ final class AsIf {
   private final Cascade cascade;
 
   /**
-   * @param switches of the scene and of what it inlines, as the controller sees them
+   * @param switches the Switches of the scene and of its inlined files
    */
   AsIf(Collection<SwitchNode> switches, Cascade cascade) {
     this.cascade = cascade;
-    SchemaReader reader = new SchemaReader(problem -> {}); // The document's findings tell them.
+    SchemaReader reader = new SchemaReader(problem -> {}); // The document's findings report them.
     for (SwitchNode versions : switches) {
       atStart.put(versions, versions.whichChoice());
       Optional<SwitchSchemas> schemas =
@@ -41,15 +41,16 @@ final class AsIf {
     }
   }
 
-  /** Every Switch shows what it shows at the start of the scene. */
+  /** Resets every Switch to its initial choice. */
   void reset() {
     atStart.forEach(this::show);
   }
 
   /**
-   * Shows the scene under schemas.
+   * Shows the scene as under some active schemas.
    *
-   * @param schemas of which later ones overrule earlier ones; none for the start of the scene
+   * @param schemas active schemas, of which later ones overrule earlier ones; none for the initial
+   *     choices
    */
   void apply(List<String> schemas) {
     reset();
@@ -61,13 +62,13 @@ final class AsIf {
     }
   }
 
-  /** Every enriched Switch shows its most detailed version. */
+  /** Sets every enriched Switch to its most detailed version. */
   void detailed() {
     reset();
     enriched.forEach((node, known) -> show(node, known.mostDetailed()));
   }
 
-  /** Shows one version of one object, until the next call of another method. */
+  /** Shows a version of one object, until another method is called. */
   void version(SwitchNode node, int choice) {
     show(node, choice);
   }

@@ -16,8 +16,8 @@ import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Lets the author check schemas in a popup. The order of checking is the order of entering: what is
- * checked later overrules.
+ * A popup with a check box for each schema, to simulate a set of active schemas. The order of
+ * checking is the order of entering: a schema checked later overrules earlier ones.
  */
 final class AsIfChooser {
   private final Supplier<List<String>> known;
@@ -26,7 +26,7 @@ final class AsIfChooser {
 
   /**
    * @param known the schemas of the scene
-   * @param chosen hears the schemas checked, in the order of checking
+   * @param chosen called with the checked schemas, in the order of checking
    */
   AsIfChooser(Supplier<List<String>> known, Consumer<List<String>> chosen) {
     this.known = known;

@@ -7,7 +7,10 @@ import org.selectiverenderer.base.problem.Location;
 import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Finds elements of the document in the running scene, and the other way round. */
+/**
+ * Maps elements of the document to anchors, which the running scene resolves, and picked anchors
+ * back to elements.
+ */
 final class DocumentAnchors {
   private final SceneDocument document;
 
@@ -15,12 +18,12 @@ final class DocumentAnchors {
     this.document = document;
   }
 
-  /** What stands for the scene as a whole; empty while the text is not well formed. */
+  /** The element of the whole scene; empty while the text is not well formed. */
   Optional<DocumentElement> scene() {
     return document.tree().map(tree -> tree.scene().orElse(tree.root()));
   }
 
-  /** Of an element and those around it, the nearest first. */
+  /** Returns the anchors of an element and of those around it, the nearest first. */
   List<Anchor> of(DocumentElement element) {
     List<Anchor> anchors = new ArrayList<>();
     Optional<DocumentElement> at = Optional.of(element).filter(DocumentElement::attached);
@@ -37,7 +40,10 @@ final class DocumentAnchors {
     return anchors;
   }
 
-  /** By its name, or by its place while the text is still the one that was loaded. */
+  /**
+   * Finds a picked element by its DEF name, or by its position while the text is still the one that
+   * was loaded.
+   */
   Optional<DocumentElement> element(PreviewStage.Picked picked) {
     Anchor anchor = picked.anchor();
     return document

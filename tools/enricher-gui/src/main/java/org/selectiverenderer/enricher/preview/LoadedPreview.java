@@ -14,16 +14,16 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
 /**
- * A world ready to be looked at. Whoever takes it over closes it.
+ * A loaded world that is ready to be shown. Its owner closes it.
  *
- * @param revision of the document; 0 for a file
+ * @param revision the document's revision; 0 for a file
  */
 record LoadedPreview(World world, SceneLoader loader, long revision) implements AutoCloseable {
   /**
-   * Reads the text of a document and the files that it names.
+   * Loads a document's snapshot and the files that it names.
    *
    * @param folder against which urls are resolved
-   * @param access what the scene may name besides its own files
+   * @param access folders and hosts that the scene may read from
    * @throws IOException with a one-line message when it cannot be read at all
    */
   static LoadedPreview of(Snapshot snapshot, Path folder, ContentAccess access) throws IOException {
@@ -31,14 +31,14 @@ record LoadedPreview(World world, SceneLoader loader, long revision) implements 
   }
 
   /**
-   * Reads a scene from bytes and the files that it names.
+   * Loads a scene from bytes and the files that it names.
    *
    * @throws IOException with a one-line message when it cannot be read at all
    */
   static LoadedPreview of(
       String name, byte[] bytes, Path folder, ContentAccess access, long revision)
       throws IOException {
-    Problems problems = new Problems(); // The document's own checks tell them.
+    Problems problems = new Problems(); // The document's own checks report them.
     SceneLoader loader =
         new SceneLoader(
             NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), access, problems);

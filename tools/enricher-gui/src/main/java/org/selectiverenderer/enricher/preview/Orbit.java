@@ -8,11 +8,11 @@ import org.selectiverenderer.runtime.viewer.Framing;
 import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
- * An author's eye: turns about a point, shifts and comes nearer. World coordinates, Y up; the eye
- * looks along the -Z axis of its own frame and never rolls by turning.
+ * An orbit camera: turns about a pivot, pans and zooms. World coordinates, Y up; it looks along the
+ * -Z axis of its own frame, and turning never rolls it.
  */
 final class Orbit {
-  /** How far from straight up and down the eye stays, in radians. */
+  /** Least angle between line of sight and vertical, in radians. */
   private static final double POLE = Math.toRadians(1);
 
   private static final double NEARER_PER_NOTCH = 0.85;
@@ -27,9 +27,9 @@ final class Orbit {
   }
 
   /**
-   * Takes a place over.
+   * Sets the camera's pose.
    *
-   * @param distance of the point to turn about, straight ahead
+   * @param distance distance in metres of the pivot, straight ahead
    */
   void place(Pose pose, double distance) {
     position.set(pose.position());
@@ -38,7 +38,7 @@ final class Orbit {
     position.fma(distance, forward(), pivot);
   }
 
-  /** Turns about another point from now on. */
+  /** Sets the pivot. */
   void pivot(Vector3dc point) {
     pivot.set(point);
   }
@@ -48,7 +48,7 @@ final class Orbit {
   }
 
   /**
-   * Turns about the point.
+   * Turns about the pivot.
    *
    * @param yaw radians about the world's Y axis
    * @param pitch radians up
@@ -64,10 +64,10 @@ final class Orbit {
   }
 
   /**
-   * Shifts eye and point.
+   * Pans camera and pivot.
    *
-   * @param right in parts of the smaller side of the picture, at the distance of the point
-   * @param up likewise
+   * @param right shift as a share of the picture's smaller side, at the distance of the pivot
+   * @param up shift upwards, in the same unit
    */
   void pan(double right, double up) {
     double unit = 2 * Math.tan(fieldOfView / 2) * position.distance(pivot);
@@ -76,19 +76,19 @@ final class Orbit {
     pivot.add(shift);
   }
 
-  /** Comes nearer to the point by a seventh of the distance per notch. */
+  /** Zooms towards the pivot, by 15 % of the distance per notch of the wheel. */
   void zoom(double notches) {
     position.sub(pivot).mul(Math.pow(NEARER_PER_NOTCH, notches)).add(pivot);
   }
 
-  /** Looks at a box as a whole in the present direction. */
+  /** Frames a box, keeping the present direction. */
   void frame(Bounds box) {
     pivot.set(box.min()).add(box.max()).mul(0.5);
     pivot.fma(-Framing.distance(box, orientation, fieldOfView), forward(), position);
   }
 
   /**
-   * Looks in a direction from now on.
+   * Sets the direction.
    *
    * @param yaw radians to the left of -Z
    * @param pitch radians up

@@ -9,7 +9,10 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.selectiverenderer.enricher.session.EnricherSession;
 
-/** A click selects the node of the document that it means, and the other button shows its menu. */
+/**
+ * Handles clicks in the preview: a left click selects the picked node in the document, a right
+ * click shows its context menu.
+ */
 final class PictureClicks implements PictureHands.Clicks {
   private final PictureView view;
   private final PreviewThread thread;
@@ -19,7 +22,7 @@ final class PictureClicks implements PictureHands.Clicks {
   private BiConsumer<Component, Point> menu = (over, at) -> {};
 
   /**
-   * @param origin of what is selected
+   * @param origin the view that is passed as the origin of the selection
    */
   PictureClicks(PictureView view, PreviewThread thread, EnricherSession session, Object origin) {
     this.view = view;
@@ -29,7 +32,7 @@ final class PictureClicks implements PictureHands.Clicks {
     this.origin = origin;
   }
 
-  /** What shows the menu of the selected node: over which component, where. */
+  /** Sets what shows the context menu of the selected node, over a component at a point. */
   void onMenu(BiConsumer<Component, Point> shown) {
     menu = shown;
   }
@@ -53,7 +56,7 @@ final class PictureClicks implements PictureHands.Clicks {
         pixelY,
         false,
         picked -> {
-          // Where nothing is, the scene as a whole is meant.
+          // A click on the background selects the whole scene.
           picked.ifPresentOrElse(
               this::select,
               () -> anchors.scene().ifPresent(element -> session.select(element, origin)));

@@ -13,15 +13,15 @@ import org.selectiverenderer.runtime.walk.Controls;
 import org.selectiverenderer.runtime.walk.MouseButton;
 
 /**
- * The author's mouse and keys over the picture. Looking: dragging turns about what is under the
- * pointer, with Shift or another button shifts; the wheel comes nearer; a click selects. Walking:
- * as in {@code run}.
+ * Handles mouse and keys in the preview. While the author looks, dragging orbits about the point
+ * under the pointer, dragging with Shift or another button pans, the wheel zooms and a click
+ * selects. While the author walks, it navigates as in {@code run}.
  */
 final class PictureHands extends MouseAdapter implements KeyListener {
-  /** Radians that the eye turns per unit dragged: a third of a degree. */
+  /** Radians that the camera turns per unit dragged: a third of a degree. */
   private static final double TURN = Math.toRadians(1 / 3.0);
 
-  /** How far a click may be dragged. */
+  /** Distance that the mouse may move during a click. */
   private static final int STILL = 4;
 
   private final PictureView view;
@@ -33,10 +33,10 @@ final class PictureHands extends MouseAdapter implements KeyListener {
   private int lastY;
   private boolean dragged;
 
-  /** Whether the line between two pictures is dragged. */
+  /** Whether the line of the comparison is being dragged. */
   private boolean line;
 
-  /** What a click means. */
+  /** Receives clicks on labels and on the scene. */
   interface Clicks {
     void label(PreviewFrame.Label label);
 
@@ -45,7 +45,7 @@ final class PictureHands extends MouseAdapter implements KeyListener {
      */
     void scene(int pixelX, int pixelY, boolean innermost);
 
-    /** The other button has selected something, or nothing, and wants its menu. */
+    /** The right button was clicked, for the context menu of what is there. */
     void menu(MouseEvent event, int pixelX, int pixelY);
   }
 
@@ -83,7 +83,7 @@ final class PictureHands extends MouseAdapter implements KeyListener {
   @Override
   public void mousePressed(MouseEvent event) {
     if (event.isConsumed()) {
-      return; // a handle of an area has it
+      return; // by a handle of an area
     }
     view.requestFocusInWindow();
     pressX = event.getX();

@@ -10,14 +10,14 @@ import javax.swing.KeyStroke;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * The keys of the picture while the author looks, each with what the list of keys says that it
- * does. Keys of the walk are consumed before.
+ * The key bindings of the preview while the author looks, each with its description for the list of
+ * shortcuts. Keys of the walk are consumed before them.
  */
 final class PictureKeys {
   private static final double STEP = Math.toRadians(5);
   private static final double SHIFT = 0.05;
 
-  /** Before the name of an action: what it does, in the bundles. */
+  /** Prefix of the bundle keys that describe the actions. */
   private static final String KEYS = "preview.key.";
 
   private final JComponent picture;
@@ -27,7 +27,7 @@ final class PictureKeys {
   }
 
   /**
-   * @param name of the action, of which the bundles say what it does
+   * @param name the action's name, whose description is in the bundles
    */
   void put(String stroke, String name, Runnable does) {
     picture.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(stroke), name);
@@ -47,7 +47,9 @@ final class PictureKeys {
     };
   }
 
-  /** Turns, shifts and brings nearer what is seen, and chooses versions of what is selected. */
+  /**
+   * Binds the keys that orbit, pan and zoom, and those that choose versions of the selected object.
+   */
   void look(PictureView view, PreviewThread thread) {
     put("V", "nextVersion", () -> thread.tell(stage -> stage.version(+1)));
     put("shift V", "ownVersion", () -> thread.tell(stage -> stage.version(0)));

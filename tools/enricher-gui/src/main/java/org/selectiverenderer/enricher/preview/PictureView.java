@@ -21,15 +21,15 @@ import org.selectiverenderer.enricher.parts.PaintedComponent;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Shows frames with their labels and a few lines about them. The picture has the pixels of the
- * screen; positions of this component are turned into them by {@link #toPixels}.
+ * Shows preview frames with labels and lines of text. The picture has device pixels; {@link
+ * #toPixels} converts positions of this component to them.
  */
 final class PictureView extends PaintedComponent {
   private static final long serialVersionUID = 1L;
   private static final Color PAPER = new Color(0, 0, 0, 150);
   private static final Color PAPER_SELECTED = new Color(150, 80, 0, 200);
 
-  /** Of areas behind walls: what is under such a label shows through. */
+  /** Background of labels of areas behind walls, translucent. */
   private static final Color PAPER_HIDDEN = new Color(0, 0, 0, 60);
 
   private static final Color INK_HIDDEN = new Color(255, 255, 255, 140);
@@ -52,7 +52,7 @@ final class PictureView extends PaintedComponent {
     repaint();
   }
 
-  /** Paints over every picture. */
+  /** Sets what is painted over every picture. */
   void overlay(BiConsumer<Graphics2D, PreviewFrame> painter) {
     overlay = painter;
   }
@@ -61,7 +61,7 @@ final class PictureView extends PaintedComponent {
     return Optional.ofNullable(frame);
   }
 
-  /** Pixels of the screen per unit of this component. */
+  /** Device pixels per unit of this component. */
   double scale() {
     return getGraphicsConfiguration() == null
         ? 1
@@ -72,22 +72,22 @@ final class PictureView extends PaintedComponent {
     return (int) Math.round(position * scale());
   }
 
-  /** Where the scene as the preview shows it begins: the other picture may stand at its left. */
+  /** The left edge of the preview's own picture, beside which a reference image may be. */
   int left() {
     return CompareView.offset(frame().flatMap(PreviewFrame::compared), getWidth());
   }
 
-  /** How two pictures are shown. */
+  /** The painter of comparisons. */
   CompareView comparison() {
     return comparison;
   }
 
-  /** Whether the mouse at that place takes the line between two pictures. */
+  /** Whether a mouse press at a position grabs the line of a comparison. */
   boolean takesLine(int x) {
     return comparison.takes(frame().flatMap(PreviewFrame::compared), x, getWidth());
   }
 
-  /** Puts that line elsewhere. */
+  /** Sets the position of that line, as a share of the width. */
   void line(double part) {
     comparison.line(part);
     repaint();
@@ -101,7 +101,7 @@ final class PictureView extends PaintedComponent {
         .findFirst();
   }
 
-  /** What stands in the lower left corner. */
+  /** Returns the lines of text in the lower left corner. */
   static List<String> lines(PreviewFrame frame) {
     List<String> lines = new ArrayList<>();
     if (frame.walking()) {
@@ -177,7 +177,7 @@ final class PictureView extends PaintedComponent {
     g2.dispose();
   }
 
-  /** The selected label last, over the others. */
+  /** Paints the labels, the selected one last and over the others. */
   private void paintLabels(Graphics2D g, PreviewFrame of, double scale) {
     FontMetrics metrics = g.getFontMetrics();
     List<Shown> all = new ArrayList<>();

@@ -14,18 +14,18 @@ import org.selectiverenderer.runtime.instance.ShownBounds;
 import org.selectiverenderer.runtime.instance.Surface;
 
 /**
- * Draws a scene from above without what is over a height: triangles by their height into a picture,
- * and a line where the cut goes through one. On the processor, since it is done once for a state of
- * a scene, and a picture of a plan has no perspective, light or texture.
+ * Draws the floor plan of a scene: rasterizes the triangles below the cut from above with a height
+ * buffer, and collects the line segments in which the cut meets triangles. Runs on the CPU, since
+ * it is done once for a state of a scene, and a plan has no perspective, lights or textures.
  */
 final class PlanMaker {
-  /** Pixels of the longer side. */
+  /** Pixels of the image's longer side. */
   private static final int PIXELS = 1800;
 
-  /** What lets much through is not drawn: soft shadows, glass. */
+  /** Least opacity of what is drawn, so that glass and soft shadows are left out. */
   private static final float OPAQUE = 0.6f;
 
-  /** Lines of walls beyond which no more are kept. */
+  /** Most wall segments that are kept. */
   private static final int MOST_WALLS = 400_000;
 
   private final Bounds extent;
@@ -51,8 +51,8 @@ final class PlanMaker {
   }
 
   /**
-   * @param cut height
-   * @return empty if nothing is shown that fills some ground
+   * @param cut height of the cut in metres, world Y
+   * @return empty if nothing visible covers any ground
    */
   static Optional<PlanPicture> of(Collection<ShapeInstance> shapes, double cut) {
     Optional<Bounds> extent =
@@ -100,7 +100,7 @@ final class PlanMaker {
     }
   }
 
-  /** A texture's colours are not looked up: a light grey stands for them. */
+  /** Returns a surface's colour; a light grey for textured ones, whose texture is not sampled. */
   private static float[] colour(Surface surface) {
     if (surface.texture() != null) {
       return new float[] {0.82f, 0.8f, 0.77f};
@@ -116,7 +116,7 @@ final class PlanMaker {
     return pale;
   }
 
-  /** Where a triangle goes through the cut. */
+  /** Adds the line segment in which the cut meets a triangle. */
   private void wall(Vector3d[] at) {
     float[] line = new float[4];
     int ends = 0;
@@ -148,7 +148,7 @@ final class PlanMaker {
     double cz = (c.z - extent.minZ()) * scale;
     double area = (bx - ax) * (cz - az) - (cx - ax) * (bz - az);
     if (Math.abs(area) < 1e-9) {
-      return; // upright
+      return; // vertical
     }
     int rgb = shaded(a, b, c, colour);
     int x0 = (int) Math.max(0, Math.floor(Math.min(ax, Math.min(bx, cx))));
@@ -172,7 +172,7 @@ final class PlanMaker {
     }
   }
 
-  /** Flat things are light, steep ones dark. */
+  /** Shades a triangle: horizontal ones light, steep ones dark. */
   private static int shaded(Vector3d a, Vector3d b, Vector3d c, float[] colour) {
     Vector3d normal = b.sub(a, new Vector3d()).cross(c.sub(a, new Vector3d())).normalize();
     double light = 0.45 + 0.5 * Math.abs(normal.y) + 0.05 * normal.x * Math.signum(normal.y);

@@ -12,8 +12,8 @@ import org.selectiverenderer.enricher.compare.CompareMode;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * The buttons over the picture, which say how the scene is shown, and what they tell the preview's
- * thread. For the event dispatch thread.
+ * The tool bar above the picture, whose buttons set how the scene is shown and send commands to the
+ * preview's thread. For the event dispatch thread.
  */
 final class PreviewBar extends WrappingBar {
   private static final long serialVersionUID = 1L;
@@ -30,7 +30,7 @@ final class PreviewBar extends WrappingBar {
   private transient Consumer<Boolean> onBoxes = shown -> {};
 
   /**
-   * @param picture has the keyboard while the author walks
+   * @param picture the component that gets the focus while the author walks
    * @param schemas of the scene
    */
   PreviewBar(PreviewThread thread, JComponent picture, Supplier<List<String>> schemas) {
@@ -68,14 +68,14 @@ final class PreviewBar extends WrappingBar {
     return button;
   }
 
-  /** Adds a button behind those that choose what is shown. */
+  /** Adds a button after those that choose what is shown. */
   void addAction(String text, String tip, Runnable does) {
     JButton added = button(text, tip, does);
     added.setName(text);
     add(added, getComponentIndex(wireframe) + 1);
   }
 
-  /** Hears whether the sensors' boxes are drawn, when that changes. */
+  /** Sets the listener for whether the sensors' boxes are drawn. */
   void onBoxes(Consumer<Boolean> listener) {
     onBoxes = listener;
   }
@@ -87,12 +87,12 @@ final class PreviewBar extends WrappingBar {
     picture.requestFocusInWindow();
   }
 
-  /** Whether the button says that the author walks. */
+  /** Whether the Walk button is selected. */
   boolean walks() {
     return walk.isSelected();
   }
 
-  /** The walk has begun or ended without the button. */
+  /** Follows a walk that began or ended otherwise than by the button. */
   void walked(boolean walking) {
     if (walk.isSelected() != walking) {
       walk.setSelected(walking);
@@ -116,7 +116,7 @@ final class PreviewBar extends WrappingBar {
           default ->
               Texts.of(
                   "preview.asif.some",
-                  DecimalText.grouped(schemas.size())); // The picture names them.
+                  DecimalText.grouped(schemas.size())); // The picture lists their names.
         });
     thread.tell(stage -> stage.asIf(schemas));
   }
@@ -132,7 +132,7 @@ final class PreviewBar extends WrappingBar {
     thread.tell(stage -> stage.compare(mode));
   }
 
-  /** Draws the sensors' boxes or not. */
+  /** Shows or hides the sensors' boxes. */
   void boxes(boolean show) {
     boxes.setSelected(show);
     onBoxes.accept(show);
@@ -156,7 +156,7 @@ final class PreviewBar extends WrappingBar {
     thread.tell(stage -> stage.viewpoint(steps));
   }
 
-  /** Gives the picture the keys that do what the buttons do. */
+  /** Binds the keys of the buttons. */
   void keys(PictureKeys keys) {
     keys.put("W", "walk", walk::doClick);
     keys.put("I", "asIf", asIfButton::doClick);

@@ -7,7 +7,10 @@ import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** What is said under the picture: that the scene is loaded, why it is not, what is left out. */
+/**
+ * The status line below the picture: whether the scene is being loaded, why it is not shown, and
+ * which layers are left out.
+ */
 final class PreviewFoot extends JPanel {
   private static final long serialVersionUID = 1L;
 
@@ -17,7 +20,7 @@ final class PreviewFoot extends JPanel {
   private final JLabel message = new JLabel(NOTHING);
   private final JProgressBar progress = new JProgressBar();
 
-  /** What is said where the scene has layers that are not shown. */
+  /** The message about layers that are not shown. */
   private String layersLeftOut = NOTHING;
 
   PreviewFoot() {
@@ -40,14 +43,14 @@ final class PreviewFoot extends JPanel {
     message.setText(NOTHING);
   }
 
-  /** The picture is not of the newest state; a sentence says why. */
+  /** Shows why the picture is not of the newest state of the document. */
   void stale(String sentence) {
     progress.setVisible(false);
     message.setText(sentence);
     message.setToolTipText(sentence);
   }
 
-  /** Says that the picture is not all of the scene, unless something else is said. */
+  /** Shows how many layers are left out, unless another message is shown. */
   void layersLeftOut(int others) {
     String before = layersLeftOut;
     layersLeftOut =

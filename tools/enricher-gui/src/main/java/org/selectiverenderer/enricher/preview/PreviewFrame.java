@@ -8,22 +8,22 @@ import org.selectiverenderer.runtime.camera.Camera;
 import org.selectiverenderer.schema.SensorSchemas;
 
 /**
- * A picture of the scene and what is to be said about it; a value.
+ * A rendered frame of the preview with the texts about it; a value.
  *
- * @param image in pixels of the screen
- * @param camera that it is seen with
+ * @param image in device pixels
+ * @param camera the camera of the frame
  * @param labels of the sensor boxes; none when they are not shown
- * @param polygons of the whole scene in its present versions
+ * @param polygons polygons of the whole scene in its present versions
  * @param drawn polygons after culling
- * @param areas that the viewer walks in, in the order of entering
- * @param schemas in force, by walking or as if
+ * @param areas areas that the walking viewer is in, in the order of entering
+ * @param schemas active schemas, by walking or by simulation
  * @param walking whether the author walks
- * @param selected the name of what is outlined, if anything is
- * @param otherLayers layers of the scene that are seen, but not in this picture
- * @param revision of the document that is shown
- * @param drawnBy what OpenGL says of itself
- * @param compared the scene with all polygons, if the author compares
- * @param version what is said of an object whose version the author has chosen
+ * @param selected the name of the outlined node; empty for none
+ * @param otherLayers number of visible layers that this picture leaves out
+ * @param revision the document's revision that is shown
+ * @param drawnBy the OpenGL renderer and version
+ * @param compared the reference image, if the author compares
+ * @param version a sentence about the object whose version the author has chosen
  */
 record PreviewFrame(
     BufferedImage image,
@@ -41,7 +41,7 @@ record PreviewFrame(
     Optional<Compared> compared,
     Optional<String> version) {
 
-  /** The same picture, of which something else is said. */
+  /** Returns the same picture with other labels and another revision. */
   PreviewFrame with(List<Label> otherLabels, long newRevision) {
     return new PreviewFrame(
         image,
@@ -63,12 +63,12 @@ record PreviewFrame(
   /**
    * The label of a sensor's box.
    *
-   * @param x of its middle in pixels from the left
-   * @param y of its foot in pixels from the top
+   * @param x its horizontal centre in pixels from the left
+   * @param y its lower edge in pixels from the top
    * @param name the DEF name
-   * @param polygons of what stands in the box, if they were counted
-   * @param hidden whether all of the box where a label may stand is behind something
-   * @param anchor of the sensor
+   * @param polygons polygons in the box, if they were counted
+   * @param hidden whether all label points of the box are occluded
+   * @param anchor the sensor's anchor
    */
   record Label(
       int x,

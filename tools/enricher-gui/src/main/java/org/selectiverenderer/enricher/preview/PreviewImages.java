@@ -4,7 +4,7 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import org.selectiverenderer.runtime.render.context.Screenshot;
 
-/** Pictures of the renderer as pictures of Swing. */
+/** Converts the renderer's screenshots to images of Swing. */
 final class PreviewImages {
   /** Half the width of an outline in pixels. */
   private static final int OUTLINE = 2;
@@ -13,7 +13,7 @@ final class PreviewImages {
 
   private PreviewImages() {}
 
-  /** Turned upright, alpha ignored. */
+  /** Converts a screenshot, whose rows run from bottom to top; ignores alpha. */
   static BufferedImage of(Screenshot shot) {
     BufferedImage image =
         new BufferedImage(shot.width(), shot.height(), BufferedImage.TYPE_INT_RGB);
@@ -27,15 +27,16 @@ final class PreviewImages {
   }
 
   /**
-   * As {@link #of}, with a line around what is masked, so that the object itself stays as it is.
+   * Converts as {@link #of} and draws an outline around the pixels that the alpha channel masks,
+   * which stay unchanged.
    *
-   * @param rgb the colour of the line
+   * @param rgb the colour of the outline
    */
   static BufferedImage outlined(Screenshot shot, int rgb) {
     BufferedImage image = of(shot);
     int width = shot.width();
     int height = shot.height();
-    // Spread the mask along rows, then along columns: a square brush in two passes.
+    // Dilate the mask along rows, then along columns: a separable square kernel.
     boolean[] mask = new boolean[width * height];
     boolean[] wide = new boolean[width * height];
     for (int y = 0; y < height; y++) {

@@ -22,14 +22,14 @@ import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.NodesBelow;
 
 /**
- * The nodes of the document's own text in a running scene, and the way from one to the other; and
- * the Switches of the whole scene.
+ * An index of the nodes in a running scene that stand in the document's own text, by their
+ * positions in the text; and of all Switches, those of inlined files too.
  */
 final class PreviewNodes {
   private final World world;
   private final Map<Place, Node> byPlace = new HashMap<>();
 
-  /** Where the start tags of nodes stand that edits have moved since they were loaded. */
+  /** The present start tag positions of nodes that edits have moved since they were loaded. */
   private final Map<Node, Place> moved = new HashMap<>();
 
   private final Set<Node> all = new LinkedHashSet<>();
@@ -59,7 +59,7 @@ final class PreviewNodes {
 
   private void collect(GroupInstance group) {
     if (group.node() instanceof InlineNode) {
-      return; // What is in it stands in another file.
+      return; // Its content is in another file.
     }
     for (Instance child : group.children()) {
       Node node = child.node();
@@ -72,21 +72,21 @@ final class PreviewNodes {
     }
   }
 
-  /** Where a node's start tag stands in the text as it is now. */
+  /** The position of a node's start tag in the present text. */
   private Place place(Node node) {
     Place since = moved.get(node);
     return since != null ? since : new Place(node.location().line(), node.location().column());
   }
 
-  /** What a node has in common with its element in the text as it is now. */
+  /** The anchor of a node in the present text. */
   Anchor anchor(Node node) {
     Place at = place(node);
     return new Anchor(Optional.ofNullable(node.name()), at.line(), at.column());
   }
 
   /**
-   * The nodes whose start tags stand at these places of the document's text, those in fields of
-   * others too.
+   * Returns the nodes whose start tags are at these positions of the document's text, also nodes in
+   * fields of others.
    */
   Map<Place, Node> at(Set<Place> places) {
     Map<Place, Node> found = new HashMap<>();
@@ -99,7 +99,7 @@ final class PreviewNodes {
     return found;
   }
 
-  /** Follows an edit that has moved start tags. */
+  /** Updates the positions after an edit that has moved start tags. */
   void move(Map<Place, Place> places) {
     if (places.isEmpty()) {
       return;
@@ -114,12 +114,15 @@ final class PreviewNodes {
     all.forEach(node -> byPlace.putIfAbsent(place(node), node));
   }
 
-  /** All groups, shapes, lights and others that have a place in the scene, in document order. */
+  /**
+   * All nodes of the document with an instance in the scene (groups, shapes, lights, sensors), in
+   * document order.
+   */
   List<Node> all() {
     return List.copyOf(all);
   }
 
-  /** The first of the anchors that is a node with a place in the scene. */
+  /** Returns the node of the first anchor that has an instance in the scene. */
   Optional<Node> find(List<Anchor> anchors) {
     for (Anchor anchor : anchors) {
       Node found =
@@ -134,7 +137,7 @@ final class PreviewNodes {
     return Optional.empty();
   }
 
-  /** The shapes in a node, shown or not. */
+  /** Returns the shape instances in a node, shown or not. */
   Set<ShapeInstance> shapes(Node node) {
     Set<ShapeInstance> shapes = new HashSet<>();
     InstanceTree tree = world.instances();
@@ -151,10 +154,10 @@ final class PreviewNodes {
   }
 
   /**
-   * What an author means by clicking on a shape: the nearest Switch around it, else the nearest
-   * node with a name, else the nearest node of the document.
+   * Returns the node that a click on a shape selects: the nearest Switch around it, else the
+   * nearest node with a name, else the nearest node of the document.
    *
-   * @param innermost for the nearest node of the document in any case
+   * @param innermost whether to select the nearest node of the document in any case
    */
   Optional<Node> meant(ShapeInstance shape, boolean innermost) {
     List<Node> own = own(shape);
@@ -176,7 +179,7 @@ final class PreviewNodes {
     return Optional.of(own.get(0));
   }
 
-  /** The nodes of the document around a shape, the nearest first. */
+  /** Returns the nodes of the document around a shape, the nearest first. */
   private List<Node> own(ShapeInstance shape) {
     List<Node> own = new ArrayList<>();
     for (@Nullable Instance at = shape; at != null; at = at.parent()) {

@@ -25,10 +25,10 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
- * The 3D preview of an open document: its unsaved state, a moment after each edit, as our own
- * runtime shows it. A click selects the object in the document; what is selected elsewhere is
- * outlined. The boxes of the sensors are drawn and labelled. The scene is shown as if the viewer
- * were in any set of schemas, or walked in live.
+ * The 3D preview of an open document, which shows its unsaved state shortly after each edit with
+ * our own runtime. A click selects the object in the document; what is selected elsewhere is
+ * outlined. The boxes of the sensors are drawn and labelled. The scene can be shown as if the
+ * viewer were in any set of schemas, or walked in live.
  *
  * <p>For the event dispatch thread; {@link #dispose()} ends its threads.
  */
@@ -61,7 +61,7 @@ public final class PreviewPanel extends JPanel {
     bar.onBoxes(handles::shown);
     clicks = new PictureClicks(view, thread, session, this);
     new PictureHands(view, thread, clicks);
-    add(bar, "wmin 0"); // A long text of a button does not push the picture out of the window.
+    add(bar, "wmin 0"); // a long button text must not push the picture out
     add(view, "wmin 0, hmin 0");
     add(foot);
     getAccessibleContext().setAccessibleName(Texts.of("preview.panel"));
@@ -80,7 +80,7 @@ public final class PreviewPanel extends JPanel {
     addHierarchyListener(
         event -> {
           if (bar.walks() && !isShowing()) {
-            walk(false); // Nobody walks in a picture that is not seen.
+            walk(false); // A hidden preview does not walk on.
           }
         });
     session.addSelectionListener(onSelection);
@@ -95,7 +95,9 @@ public final class PreviewPanel extends JPanel {
     tellSelection();
   }
 
-  /** Takes the pictures over from the preview's thread: the newest of those that have come. */
+  /**
+   * Receives frames on the preview's thread; the event dispatch thread shows the newest of them.
+   */
   private final class Pictures implements PreviewThread.Listener {
     @Override
     public void drawn(PreviewFrame frame) {
@@ -139,7 +141,7 @@ public final class PreviewPanel extends JPanel {
     }
   }
 
-  /** While a handle of an area is dragged. */
+  /** Shows an area's box in the running scene while a handle is dragged. */
   private void showBox(PlacedArea area, AreaBox box) {
     List<Anchor> sensor = anchors.of(area.element());
     float[] centre = area.frame().ownCentre(box);
@@ -152,22 +154,22 @@ public final class PreviewPanel extends JPanel {
     thread.ask(stage -> stage.select(selected));
   }
 
-  /** What shows the menu of the selected node: over which component, where. */
+  /** Sets what shows the context menu of the selected node, over a component at a point. */
   public void onMenu(BiConsumer<Component, Point> shown) {
     clicks.onMenu(shown);
   }
 
-  /** Answers what is asked of the running scene. */
+  /** The queries of the running scene. */
   public SceneProbe probe() {
     return probe;
   }
 
-  /** The grid that the handles of areas snap to. */
+  /** Sets the grid that the handles of areas snap to. */
   public void grid(Supplier<GridStep> setting) {
     grid = setting;
   }
 
-  /** Adds a button behind those that choose what is shown. */
+  /** Adds a button after those that choose what is shown. */
   public void addAction(String text, String tip, Runnable does) {
     bar.addAction(text, tip, does);
   }
@@ -177,7 +179,7 @@ public final class PreviewPanel extends JPanel {
     bar.asIf(schemas);
   }
 
-  /** Shows the scene with all polygons beside or under the picture, or not. */
+  /** Shows the scene in full detail beside or under the picture, or not. */
   public void compare(CompareMode mode) {
     bar.compare(mode);
   }
@@ -185,7 +187,8 @@ public final class PreviewPanel extends JPanel {
   /**
    * Shows another version of the selected object in its place.
    *
-   * @param steps counted from the present one; 0 for the one that the schemas say
+   * @param steps number of versions to go on from the present one; 0 for the one that the schemas
+   *     select
    */
   public void version(int steps) {
     thread.tell(stage -> stage.version(steps));
@@ -196,22 +199,22 @@ public final class PreviewPanel extends JPanel {
     bar.walk(begin);
   }
 
-  /** Draws the sensors' boxes or not. */
+  /** Shows or hides the sensors' boxes. */
   public void sensorsShown(boolean show) {
     bar.boxes(show);
   }
 
-  /** What draws the picture; empty while there is none. */
+  /** The OpenGL renderer of the picture; empty while there is none. */
   public Optional<String> drawnBy() {
     return view.frame().map(PreviewFrame::drawnBy);
   }
 
-  /** Loads the document anew, for instance because a file that it names has been written. */
+  /** Loads the document again, for instance because a file that it names has been written. */
   public void reload() {
     feed.now();
   }
 
-  /** Where the picture drawn last was seen from; empty before the first. */
+  /** The viewer's pose in the last picture; empty before the first. */
   public Optional<Pose> pose() {
     return thread.pose();
   }
@@ -221,12 +224,12 @@ public final class PreviewPanel extends JPanel {
     return view;
   }
 
-  /** What is said under the picture. */
+  /** The text of the status line. */
   String message() {
     return foot.message();
   }
 
-  /** Hears every frame that is shown. */
+  /** Sets a listener for every frame that is shown. */
   void onFrame(Consumer<PreviewFrame> listener) {
     onFrame = listener;
   }

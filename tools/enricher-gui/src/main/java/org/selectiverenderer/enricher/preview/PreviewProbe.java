@@ -10,13 +10,13 @@ import org.selectiverenderer.enricher.area.SceneProbe;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Asks the scene of the preview, on the preview's thread. */
+/** Answers scene queries from the preview's scene, on the preview's thread. */
 final class PreviewProbe implements SceneProbe {
   private final PreviewThread thread;
   private final Function<DocumentElement, List<Anchor>> anchors;
 
   /**
-   * @param anchors of an element and those around it, the nearest first
+   * @param anchors returns the anchors of an element and of those around it, the nearest first
    */
   PreviewProbe(PreviewThread thread, Function<DocumentElement, List<Anchor>> anchors) {
     this.thread = thread;

@@ -23,11 +23,14 @@ import org.selectiverenderer.runtime.viewer.Pose;
 import org.selectiverenderer.runtime.walk.Controls;
 
 /**
- * One loaded state of the document, running: looked at as if in some schemas, or walked in under
- * the controller. Belongs to the thread that steps it.
+ * A running scene of one loaded state of the document, which is either looked at under simulated
+ * schemas or walked in under the controller. Confined to the thread that steps it.
  */
 final class PreviewScene implements AutoCloseable {
-  /** How far a sight must go of the way, as points of a box may lie in a wall's surface. */
+  /**
+   * Share of the distance to a point that must be free for it to be visible, as a point of a box
+   * may lie in a wall's surface.
+   */
   private static final double NEARLY = 0.98;
 
   private final LoadedPreview loaded;
@@ -51,7 +54,7 @@ final class PreviewScene implements AutoCloseable {
     this.loaded = loaded;
     revision = loaded.revision();
     world = loaded.world();
-    world.step(0, (viewer, now, dt) -> {}); // The viewer is at the start from here on.
+    world.step(0, (viewer, now, dt) -> {}); // This puts the viewer at the start viewpoint.
     startHeight = world.viewer().position().y();
     nodes = new PreviewNodes(world);
     areas = new AreaBoxes(world, nodes);
@@ -77,9 +80,9 @@ final class PreviewScene implements AutoCloseable {
   }
 
   /**
-   * Becomes another state of the document; not while somebody walks.
+   * Updates the scene to another state of the document; not while the author walks.
    *
-   * @return false, and nothing is changed, if it cannot
+   * @return false, without a change, if the patch does not apply
    */
   boolean patch(ScenePatch patch) {
     if (patch.from() != revision) {
@@ -89,18 +92,18 @@ final class PreviewScene implements AutoCloseable {
     if (running.isEmpty()) {
       return false;
     }
-    asIf.reset(); // What the scene is shown as if is no part of it.
+    asIf.reset(); // The patch applies to the scene without simulated schemas.
     running.get().apply(world);
     nodes.move(patch.moved());
     revision = patch.revision();
     areas = new AreaBoxes(world, nodes);
     asIf = new AsIf(nodes.switches(), world.cascade());
-    asIf(schemas); // The version that is shown in place stays, too.
+    asIf(schemas); // Also shows the chosen version of an object again.
     counted = -1;
     return true;
   }
 
-  /** Shows the scene under schemas, from now on and after each walk. */
+  /** Sets the simulated schemas, which are shown now and after each walk. */
   void asIf(List<String> wanted) {
     schemas = List.copyOf(wanted);
     if (controller == null) {
@@ -109,7 +112,7 @@ final class PreviewScene implements AutoCloseable {
     }
   }
 
-  /** Shows a version of one object instead, from now on; -1 for what the schemas say. */
+  /** Sets the version that one object shows whatever the schemas select; -1 ends that. */
   void version(@Nullable SwitchNode node, int choice) {
     versioned = choice < 0 ? null : node;
     version = choice;
@@ -122,12 +125,12 @@ final class PreviewScene implements AutoCloseable {
     }
   }
 
-  /** The object of which a version is shown, if there is one. */
+  /** The object whose version the author has chosen; empty for none. */
   Optional<SwitchNode> versioned() {
     return Optional.ofNullable(controller == null ? versioned : null);
   }
 
-  /** Triangles that a node shows now. */
+  /** The number of triangles that a node shows at present. */
   long shownPolygons(Node node) {
     return nodes.shapes(node).stream()
         .filter(ShapeInstance::shown)
@@ -135,7 +138,7 @@ final class PreviewScene implements AutoCloseable {
         .sum();
   }
 
-  /** Does something while all objects are at their most detailed; nobody must be walking. */
+  /** Runs work while all objects show their most detailed versions; not while the author walks. */
   <T> T inDetail(Supplier<T> work) {
     Pose here = pose();
     asIf.detailed();
@@ -148,7 +151,7 @@ final class PreviewScene implements AutoCloseable {
     }
   }
 
-  /** Gives the scene to the controller, the viewer at the bound viewpoint. */
+  /** Begins a walk under the controller, with the viewer at the bound viewpoint. */
   void walk(Controls controls) {
     asIf.reset();
     look(Pose.of(world.viewer()));
@@ -159,7 +162,7 @@ final class PreviewScene implements AutoCloseable {
             browser, SelectiveController.Settings.SELECTIVE, event -> {}, problem -> {});
   }
 
-  /** Takes the scene back from the controller. */
+  /** Ends the walk and shows the simulated schemas again. */
   void stand() {
     if (controller != null) {
       controller.close();
@@ -174,7 +177,7 @@ final class PreviewScene implements AutoCloseable {
     return Optional.ofNullable(walking);
   }
 
-  /** A frame of the walk. */
+  /** Steps the walk by a frame. */
   void step(double seconds) {
     if (walking != null) {
       time += seconds;
@@ -183,7 +186,7 @@ final class PreviewScene implements AutoCloseable {
     }
   }
 
-  /** A frame seen from a place; no time passes. */
+  /** Updates the scene for a pose without passing time. */
   void look(Pose pose) {
     world.step(time, (viewer, now, dt) -> pose.applyTo(viewer));
     count();
@@ -200,22 +203,22 @@ final class PreviewScene implements AutoCloseable {
     return controller == null ? List.of() : controller.enteredAreas();
   }
 
-  /** Those in force by walking, else those looked at as if. */
+  /** The active schemas of the walk, else the simulated ones. */
   List<String> schemas() {
     return controller == null ? schemas : controller.activeSchemas();
   }
 
-  /** The first shape in a direction, seen from a place; both in the world. */
+  /** Returns the nearest hit of a ray in world coordinates. */
   Optional<RayCaster.Hit> hit(Vector3dc from, Vector3dc direction) {
     return rays.cast(from, direction, Double.POSITIVE_INFINITY);
   }
 
-  /** How high the eye is at the start viewpoint, or now where there is none. */
+  /** The eye height, world Y, at the start viewpoint. */
   double startHeight() {
     return startHeight;
   }
 
-  /** Shows a sensor's box as an edit would make it, until the scene is loaded anew. */
+  /** Changes a sensor's box in the running scene only, until the document is loaded again. */
   void box(List<Anchor> sensor, float[] centre, float[] size) {
     nodes
         .find(sensor)
@@ -227,13 +230,13 @@ final class PreviewScene implements AutoCloseable {
             });
   }
 
-  /** The first shape in a direction, seen from the viewer. */
+  /** Returns the nearest hit of a ray from the viewer; the direction is in the viewer's frame. */
   Optional<RayCaster.Hit> hit(Vector3dc direction) {
     Vector3d inWorld = world.viewer().orientation().transform(direction, new Vector3d());
     return rays.cast(world.viewer().position(), inWorld, Double.POSITIVE_INFINITY);
   }
 
-  /** Whether nothing stands between the viewer and a point of the world. */
+  /** Returns whether no shape is between the viewer and a world point. */
   boolean sees(Vector3dc point) {
     Vector3d way = point.sub(world.viewer().position(), new Vector3d());
     double distance = way.length();
@@ -241,17 +244,17 @@ final class PreviewScene implements AutoCloseable {
         || rays.cast(world.viewer().position(), way.div(distance), distance * NEARLY).isEmpty();
   }
 
-  /** The box around a node's shapes that are shown, or around a sensor's boxes. */
+  /** The bounding box of a node's shown shapes, or of a sensor's boxes. */
   Optional<Bounds> bounds(Node node) {
     return areas.bounds(node).or(() -> ShownBounds.of(nodes.shapes(node)));
   }
 
-  /** The box around all that is shown, or if that is nothing around all there is. */
+  /** The bounding box of all shown shapes, or of all shapes if none is shown. */
   Optional<Bounds> bounds() {
     return ShownBounds.of(world.instances().shapes());
   }
 
-  /** Where the viewer is. */
+  /** The viewer's pose. */
   Pose pose() {
     return Pose.of(world.viewer());
   }

@@ -13,11 +13,11 @@ import org.selectiverenderer.runtime.walk.MouseMapping;
 import org.selectiverenderer.runtime.walk.NavigationCommand;
 
 /**
- * What the preview shows and how: outlives the states of the document that it shows one after the
- * other. Belongs to the preview's thread.
+ * Controls what the preview shows: holds scene, camera, selection and display options, which
+ * outlive the successive states of the document. Confined to the preview's thread.
  */
 final class PreviewStage implements AutoCloseable {
-  /** Seconds of a frame of the walk at most, so that nobody jumps after a pause. */
+  /** Longest time step of the walk in seconds, so that the viewer does not jump after a pause. */
   private static final double LONGEST = 0.25;
 
   private final StagePainter painter;
@@ -33,7 +33,7 @@ final class PreviewStage implements AutoCloseable {
   private List<String> schemas = List.of();
   private boolean changed;
 
-  /** Whether the picture stays, and something else is to be said about it. */
+  /** Whether only the labels have to be updated, not the picture. */
   private boolean told;
 
   private @Nullable PreviewFrame last;
@@ -44,17 +44,17 @@ final class PreviewStage implements AutoCloseable {
     painter = new StagePainter(view);
   }
 
-  /** Whether frames follow each other without being asked for. */
+  /** Whether frames are drawn continuously, as during a walk. */
   boolean moving() {
     return scene != null && scene.walking().isPresent();
   }
 
-  /** Whether the frame drawn last, in a hurry, is to be followed by a smoother one. */
+  /** Whether the last frame had few samples and a smoother one has to follow. */
   boolean rough() {
     return rough;
   }
 
-  /** Something is to be drawn anew. */
+  /** Requests a new frame. */
   void changed() {
     changed = true;
   }
@@ -66,7 +66,7 @@ final class PreviewStage implements AutoCloseable {
     eye.size(width, height);
   }
 
-  /** Shows another state of the document; the viewer stays where it is. */
+  /** Shows another loaded state of the document; the viewer's pose is kept. */
   void show(LoadedPreview loaded) {
     boolean walked = moving();
     Optional<Pose> before = Optional.ofNullable(scene).map(PreviewScene::pose);
@@ -86,9 +86,9 @@ final class PreviewStage implements AutoCloseable {
   }
 
   /**
-   * Takes over what an edit of the text has changed; the viewer stays where it is, and walks on.
+   * Applies what an edit of the text has changed; the viewer's pose and a walk are kept.
    *
-   * @return false if that is not possible: the document is to be loaded anew
+   * @return false if that is not possible and the document has to be loaded again
    */
   boolean patch(ScenePatch patch) {
     PreviewScene of = scene;
@@ -100,7 +100,7 @@ final class PreviewStage implements AutoCloseable {
     of.stand();
     boolean taken = of.patch(patch);
     if (taken && patch.fields().isEmpty() && schemas.isEmpty()) {
-      told = true; // Metadata are not seen but in the labels.
+      told = true; // Metadata show in the labels only.
     } else {
       changed = true;
     }
@@ -111,14 +111,14 @@ final class PreviewStage implements AutoCloseable {
     return taken;
   }
 
-  /** To the start viewpoint, or so that the whole scene is seen where there is none. */
+  /** Goes to the start viewpoint, or frames the whole scene where there is none. */
   void home() {
     if (scene != null) {
       eye.home(scene);
     }
   }
 
-  /** To another viewpoint, counted from the bound one. */
+  /** Goes to another viewpoint, by steps from the bound one. */
   void viewpoint(int steps) {
     if (scene != null && !moving()) {
       scene.world().views().goToViewpoint(steps);
@@ -126,41 +126,41 @@ final class PreviewStage implements AutoCloseable {
     }
   }
 
-  /** Brings what is selected into view. */
+  /** Frames the selected node. */
   void frameSelected() {
     if (scene != null && !moving()) {
       eye.frame(scene, selection);
     }
   }
 
-  /** The author's eye, for turning, shifting and coming nearer. */
+  /** The orbit camera, for turning, panning and zooming. */
   Orbit orbit() {
     return eye.orbit();
   }
 
-  /** Turns about what is under a pixel from now on, if anything is. */
+  /** Sets the pivot of the orbit camera to the point under a pixel, if there is one. */
   void grab(int x, int y) {
     if (scene != null) {
       eye.cast(scene, x, y).ifPresent(hit -> eye.orbit().pivot(hit.point()));
     }
   }
 
-  /** Says to the scene of a walk which pixel the pointer is over. */
+  /** Tells the walked scene which pixel the pointer is over. */
   void point(int x, int y) {
     if (scene != null) {
       eye.point(scene, x, y);
     }
   }
 
-  /** Where the scene is seen from; empty while there is none. */
+  /** The viewer's pose; empty while there is no scene. */
   Optional<Pose> pose() {
     return Optional.ofNullable(scene).map(PreviewScene::pose);
   }
 
   /**
-   * Says what an author means by a click on a pixel.
+   * Returns the element that a click on a pixel selects.
    *
-   * @param innermost for the nearest element in any case
+   * @param innermost whether to select the nearest element in any case
    * @return the element's anchor and the revision that it belongs to; empty where nothing is
    */
   Optional<Picked> pick(int x, int y, boolean innermost) {
@@ -176,7 +176,7 @@ final class PreviewStage implements AutoCloseable {
   record Picked(Anchor anchor, long revision) {}
 
   /**
-   * What is selected in the document.
+   * Sets the selection of the document.
    *
    * @param anchors of the element and those around it, the nearest first
    */
@@ -185,7 +185,7 @@ final class PreviewStage implements AutoCloseable {
     selection = anchors;
   }
 
-  /** What is shown now; for those who measure it, on this thread. */
+  /** The scene; for queries on this thread. */
   Optional<PreviewScene> scene() {
     return Optional.ofNullable(scene);
   }
@@ -197,13 +197,16 @@ final class PreviewStage implements AutoCloseable {
     }
   }
 
-  /** Shows the scene with all polygons too, or not. */
+  /** Sets how the scene is compared with its full detail. */
   void compare(CompareMode mode) {
     painter.compare(mode);
     size(whole, height);
   }
 
-  /** Shows another version of the selected object, counted from the present one; 0 for none. */
+  /**
+   * Shows another version of the selected object, by steps from the present one; 0 for the one that
+   * the schemas select.
+   */
   void version(int steps) {
     if (scene != null && !moving()) {
       versions.step(scene, selection, steps);
@@ -233,16 +236,16 @@ final class PreviewStage implements AutoCloseable {
     size(whole, height);
   }
 
-  /** Keys and mouse of the walk. */
+  /** The input state of the walk. */
   Controls controls() {
     return controls;
   }
 
   /**
-   * The next frame.
+   * Draws the next frame.
    *
-   * @param seconds since the one before
-   * @param hurried whether others are likely to follow at once
+   * @param seconds time since the previous frame
+   * @param hurried whether further frames are likely to follow at once
    * @return empty when nothing has changed or there is nothing to show
    */
   Optional<PreviewFrame> frame(double seconds, boolean hurried) {

@@ -12,24 +12,23 @@ import org.selectiverenderer.runtime.render.mark.MarkedView;
 import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
- * The thread {@code enricher-preview}: owns the GL context and the running scene, does what it is
- * told in order, and draws when something has changed, or thirty times a second while the author
- * walks.
+ * The thread {@code enricher-preview}: owns the GL context and the running scene, executes commands
+ * in order, and draws when something has changed, or thirty times a second while the author walks.
  */
 final class PreviewThread implements AutoCloseable, SceneFeed.Target {
-  /** Hears what comes of it, on the preview's thread. */
+  /** Receives frames and failures, on the preview's thread. */
   interface Listener {
     void drawn(PreviewFrame frame);
 
     /**
-     * The preview cannot show something.
+     * Something cannot be shown.
      *
-     * @param sentence what and why
+     * @param sentence a sentence that says what and why
      */
     void failed(String sentence);
   }
 
-  /** Frames that follow each other faster may be rough; after this time a smooth one follows. */
+  /** Nanoseconds without a command after which a smooth frame follows frames with few samples. */
   private static final long REST = TimeUnit.MILLISECONDS.toNanos(250);
 
   private static final long FRAME = TimeUnit.SECONDS.toNanos(1) / 30;
@@ -48,7 +47,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
     thread.start();
   }
 
-  /** Does something to the stage, after which it is drawn. Thread-safe. */
+  /** Queues a command for the stage, after which a frame is drawn. Thread-safe. */
   void tell(Consumer<PreviewStage> what) {
     ask(
         stage -> {
@@ -57,15 +56,15 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
         });
   }
 
-  /** Does something to the stage, which knows whether it is to be drawn. Thread-safe. */
+  /** Queues a command for the stage, which decides itself whether to draw. Thread-safe. */
   void ask(Consumer<PreviewStage> what) {
     told.add(what);
   }
 
   /**
-   * Hands over what has changed of the scene that is shown. Thread-safe.
+   * Queues a patch of the scene that is shown. Thread-safe.
    *
-   * @param refused hears, on this thread, if all is to be loaded instead
+   * @param refused runs on this thread if the patch does not apply and the scene must be loaded
    */
   @Override
   public void patch(ScenePatch patch, Runnable refused) {
@@ -77,17 +76,17 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
         });
   }
 
-  /** Whether there is a preview: not where there is no OpenGL, nor after the end. Thread-safe. */
+  /** Whether the thread runs: not where there is no OpenGL, nor after the end. Thread-safe. */
   boolean alive() {
     return thread.isAlive();
   }
 
-  /** Where the picture drawn last was seen from; empty before the first. Thread-safe. */
+  /** The viewer's pose in the last picture; empty before the first. Thread-safe. */
   Optional<Pose> pose() {
     return pose;
   }
 
-  /** Hands a scene over, in place of one that has not been shown yet. Thread-safe. */
+  /** Hands over a loaded scene, which replaces one that has not been shown yet. Thread-safe. */
   @Override
   public void show(LoadedPreview loaded) {
     replaceNext(loaded);
@@ -148,7 +147,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
     }
   }
 
-  /** Waits for something to do, at most until the next frame is due where one is. */
+  /** Waits for a command, at most until the next frame is due. */
   private @Nullable Consumer<PreviewStage> next(PreviewStage stage, long due)
       throws InterruptedException {
     if (!stage.moving() && !stage.rough()) {
@@ -158,7 +157,7 @@ final class PreviewThread implements AutoCloseable, SceneFeed.Target {
     return left > 0 ? told.poll(left, TimeUnit.NANOSECONDS) : told.poll();
   }
 
-  /** Ends the thread after what it is doing now. */
+  /** Ends the thread after its present command. */
   @Override
   public void close() {
     ended = true;

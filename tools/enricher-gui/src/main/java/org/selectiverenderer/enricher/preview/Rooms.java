@@ -6,24 +6,29 @@ import org.joml.Vector3dc;
 import org.selectiverenderer.geometry.Bounds;
 import org.selectiverenderer.runtime.collide.RayCaster;
 
-/** Measures rooms of a running scene by rays: floors, ceilings, walls. Y is up. */
+/**
+ * Estimates the bounds of rooms in a running scene by casting rays to floors, ceilings and walls.
+ * World coordinates, Y up, metres.
+ */
 final class Rooms {
-  /** Of an area where there is no ceiling, in metres. */
+  /** Height of an area where there is no ceiling, in metres. */
   static final double STANDARD_HEIGHT = 2.5;
 
-  /** Of the room where no wall is hit: half its width. */
+  /** Distance from the viewer to an assumed wall where no wall is hit, in metres. */
   private static final double NO_WALL = 2.5;
 
-  /** How far under the ceiling walls are looked for: over most furniture and over doors. */
+  /** Distance below the ceiling at which rays look for walls: above most furniture and doors. */
   private static final double UNDER_CEILING = 0.15;
 
-  /** Farther up than this no ceiling belongs to a room, and no wall farther to the side. */
+  /** Largest distance of a ceiling or wall that still belongs to the room, in metres. */
   private static final double FARTHEST = 25;
 
-  /** Room to stand beside an object. */
+  /** Margin around an object to stand in, in metres. */
   private static final double BESIDE = 1;
 
-  /** What is wider than this both ways is a place to be in rather than an object to be near. */
+  /**
+   * An object that is larger than this in X and Z, in metres, gets no margin, as one stands in it.
+   */
   private static final double PLACE = 3;
 
   private final PreviewScene scene;
@@ -39,7 +44,7 @@ final class Rooms {
         .filter(distance -> distance < FARTHEST);
   }
 
-  /** The room around a place. */
+  /** Returns the bounds of the room around a point. */
   Bounds room(Vector3dc eye) {
     double floor = eye.y() - distance(eye, 0, -1, 0).orElse(1.6);
     double ceiling = distance(eye, 0, 1, 0).map(up -> eye.y() + up).orElse(floor + STANDARD_HEIGHT);
@@ -52,7 +57,7 @@ final class Rooms {
         eye.x() - left, floor, eye.z() - back, eye.x() + right, ceiling, eye.z() + front);
   }
 
-  /** An area around something: with room to stand beside it, from its floor up. */
+  /** Returns an area around an object: with a margin to stand in, from the floor below it up. */
   Bounds around(Bounds object) {
     boolean place = object.width() > PLACE && object.depth() > PLACE;
     double beside = place ? 0 : BESIDE;
@@ -75,7 +80,10 @@ final class Rooms {
         wide.maxZ());
   }
 
-  /** A rectangle from the floor to the ceiling there; its Y is a height in between. */
+  /**
+   * Returns the box over a rectangle, from the floor to the ceiling there; the rectangle's Y is a
+   * height in between.
+   */
   Bounds raised(Bounds footprint) {
     double from = footprint.minY();
     double floor = floor(footprint, from).orElse(from);
@@ -95,7 +103,9 @@ final class Rooms {
         footprint.maxZ());
   }
 
-  /** The lowest that is under a rectangle: tables are not its floor. */
+  /**
+   * Returns the lowest surface hit below a rectangle, so that tables are not taken for the floor.
+   */
   private Optional<Double> floor(Bounds footprint, double from) {
     Optional<Double> lowest = Optional.empty();
     for (Vector3d place : places(footprint, from)) {
@@ -107,7 +117,7 @@ final class Rooms {
     return lowest;
   }
 
-  /** The middle and four places towards the corners. */
+  /** Returns the sample points of a rectangle: its centre and four points towards the corners. */
   private static Vector3d[] places(Bounds of, double y) {
     double x = (of.minX() + of.maxX()) / 2;
     double z = (of.minZ() + of.maxZ()) / 2;

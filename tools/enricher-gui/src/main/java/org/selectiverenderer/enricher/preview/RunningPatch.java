@@ -19,7 +19,10 @@ import org.selectiverenderer.runtime.scene.Cascade;
 import org.selectiverenderer.runtime.scene.Node;
 import org.selectiverenderer.runtime.scene.Scene;
 
-/** A {@link ScenePatch} with the nodes that it means: events to be sent to a running scene. */
+/**
+ * A {@link ScenePatch} with its positions resolved to nodes of a running scene, as events to be
+ * sent.
+ */
 final class RunningPatch {
   private static final String METADATA = "metadata";
 
@@ -33,14 +36,14 @@ final class RunningPatch {
     this.names = names;
   }
 
-  /** Metadata that were read: of each owner, null where there are none; and their DEF names. */
+  /** The parsed metadata nodes, one per owner and null for none, and their DEF names. */
   private record Read(List<@Nullable Node> nodes, Map<String, Node> names) {}
 
   /**
-   * Finds the nodes.
+   * Resolves the nodes of a patch.
    *
-   * @param loader of the scene, which reads the metadata
-   * @return empty if one is not there, or not what it should be
+   * @param loader the scene's loader, which parses the metadata
+   * @return empty if a node is missing or of another type
    */
   static Optional<RunningPatch> of(ScenePatch patch, PreviewNodes nodes, SceneLoader loader) {
     Set<Place> places = new HashSet<>();
@@ -71,7 +74,7 @@ final class RunningPatch {
     StringBuilder scene = new StringBuilder("<X3D version='4.0'><Scene>");
     texts.forEach(each -> scene.append("<Group>").append(each.text()).append("</Group>"));
     byte[] bytes = scene.append("</Scene></X3D>").toString().getBytes(StandardCharsets.UTF_8);
-    Problems problems = new Problems(); // The document's own checks tell them.
+    Problems problems = new Problems(); // The document's own checks report them.
     try {
       Scene read =
           loader.load(METADATA, new ByteArrayInputStream(bytes), Path.of(""), problems).scene();

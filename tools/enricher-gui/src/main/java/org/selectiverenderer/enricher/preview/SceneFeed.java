@@ -19,38 +19,38 @@ import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
- * Loads the document as it is now, saved or not, after every pause in editing: only what has
- * changed where that is possible ({@link TextComparison}), else all of it. For the event dispatch
- * thread; reads on the thread {@code enricher-preview-loader}. A state that is overtaken by the
- * next while it is read is dropped.
+ * Brings the preview up to date with the document, saved or not, after every pause in editing: by a
+ * patch where that is possible ({@link TextComparison}), else by loading all of it. For the event
+ * dispatch thread; loads on the thread {@code enricher-preview-loader}. A state that is outdated
+ * while it is being loaded is dropped.
  */
 final class SceneFeed implements AutoCloseable {
-  /** Hears how it goes, on the event dispatch thread. */
+  /** Receives the progress of loading, on the event dispatch thread. */
   interface Listener {
     void loading();
 
     void loaded();
 
-    /** The document cannot be shown as it is now; a sentence. */
+    /** The present document cannot be shown; the sentence says why. */
     void stale(String sentence);
   }
 
-  /** Takes the states of the document over, on the loader's thread. */
+  /** Receives the states of the document, on the loader's thread. */
   interface Target {
     void show(LoadedPreview loaded);
 
     /**
-     * Takes over what has changed since the state handed over before.
+     * Receives what has changed since the previous state.
      *
-     * @param refused hears, on any thread, if that turns out to be impossible
+     * @param refused runs, on any thread, if the patch does not apply
      */
     void patch(ScenePatch patch, Runnable refused);
   }
 
-  /** A state that has been handed over, and the folder of its urls. */
+  /** A state that has been handed over, and the base folder of its urls. */
   private record Given(Snapshot snapshot, Path folder) {}
 
-  /** Milliseconds without an edit before the scene is read anew. */
+  /** Milliseconds without an edit before the preview is updated. */
   private static final int PAUSE = 400;
 
   private final SceneDocument document;
@@ -62,7 +62,7 @@ final class SceneFeed implements AutoCloseable {
   private final Timer timer = new Timer(PAUSE, event -> follow());
   private final AtomicLong wanted = new AtomicLong();
 
-  /** What was handed over last; null where the next state has to be loaded as a whole. */
+  /** The last state handed over; null where the next one has to be loaded as a whole. */
   private final AtomicReference<@Nullable Given> given = new AtomicReference<>();
 
   private final ExecutorService reader =
@@ -74,9 +74,9 @@ final class SceneFeed implements AutoCloseable {
           });
 
   /**
-   * @param file where the document is saved: its folder is that of relative urls
-   * @param access what it may name besides its own files
-   * @param target takes each state over
+   * @param file the document's file, whose folder is the base of relative urls
+   * @param access folders and hosts that the scene may read from
+   * @param target receives each state
    */
   SceneFeed(
       SceneDocument document,
@@ -98,11 +98,11 @@ final class SceneFeed implements AutoCloseable {
     timer.restart();
   }
 
-  /** Loads all of it, without waiting for a pause. */
+  /** Loads the whole document, without waiting for a pause. */
   void now() {
     synchronized (given) {
       given.set(null);
-      wanted.incrementAndGet(); // What is read now is of before.
+      wanted.incrementAndGet(); // Outdates what is being loaded.
     }
     follow();
   }
@@ -150,7 +150,7 @@ final class SceneFeed implements AutoCloseable {
     }
   }
 
-  /** Remembers what is handed over, unless it is overtaken. */
+  /** Records a state as handed over, unless it is outdated; returns whether it is not. */
   private boolean gave(long mine, Given state) {
     synchronized (given) {
       boolean newest = wanted.get() == mine;

@@ -5,14 +5,14 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a running scene has to take over to be another state of the text that it was loaded from:
- * values of fields that may change while a scene runs, and metadata. A value.
+ * The changes that bring a running scene to another state of the text that it was loaded from:
+ * values of fields that may change at run time, and metadata. A value.
  *
  * @param from the revision of the document that the scene shows
- * @param revision that it shows with this
+ * @param revision the revision that it shows after the patch
  * @param fields in document order
  * @param metadata of nodes, in document order
- * @param moved where start tags were that stand elsewhere now
+ * @param moved new positions of start tags that have moved, by their old positions
  */
 record ScenePatch(
     long from,
@@ -22,7 +22,7 @@ record ScenePatch(
     Map<Place, Place> moved) {
 
   /**
-   * The place of a start tag, which a node of a running scene remembers.
+   * The position of a start tag, by which a node of a running scene is found.
    *
    * @param line from 1
    * @param column from 1
@@ -30,7 +30,7 @@ record ScenePatch(
   record Place(int line, int column) {}
 
   /**
-   * Another value of a field.
+   * A new value of a field.
    *
    * @param place of the node, before
    * @param type the name of the node's type
@@ -39,7 +39,7 @@ record ScenePatch(
   record Field(Place place, String type, String name, @Nullable Object value) {}
 
   /**
-   * Other metadata of a node.
+   * New metadata of a node.
    *
    * @param place of the node, before
    * @param type the name of the node's type

@@ -8,29 +8,29 @@ import org.selectiverenderer.runtime.collide.RayCaster;
 import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
- * The author's eye: where it is put, and what lies under a pixel of its picture. Belongs to the
+ * Controls the preview's camera and casts rays through pixels of its picture. Confined to the
  * preview's thread.
  */
 final class StageEye {
-  /** How far ahead the eye turns about something where nothing is in view, metres. */
+  /** Distance of the pivot in metres where nothing is hit straight ahead. */
   private static final double NO_DEPTH = 5;
 
   private final Orbit orbit = new Orbit();
   private int width;
   private int height;
 
-  /** For turning, shifting and coming nearer. */
+  /** The orbit camera, for turning, panning and zooming. */
   Orbit orbit() {
     return orbit;
   }
 
-  /** Of one picture, pixels. */
+  /** Sets the size of one picture in pixels. */
   void size(int newWidth, int newHeight) {
     width = newWidth;
     height = newHeight;
   }
 
-  /** To the start viewpoint, or so that the whole scene is seen where there is none. */
+  /** Goes to the start viewpoint, or frames the whole scene where there is none. */
   void home(PreviewScene scene) {
     Optional<Pose> start =
         scene
@@ -50,7 +50,7 @@ final class StageEye {
     }
   }
 
-  /** Where the scene's viewer is. */
+  /** Moves the orbit camera to the scene's viewer. */
   void stay(PreviewScene scene) {
     place(scene, scene.pose());
   }
@@ -62,17 +62,17 @@ final class StageEye {
     orbit.place(pose, distance);
   }
 
-  /** Brings an element into view, or all of the scene where it has nothing to be seen. */
+  /** Frames an element, or the whole scene where the element shows nothing. */
   void frame(PreviewScene scene, List<Anchor> element) {
     scene.nodes().find(element).flatMap(scene::bounds).or(scene::bounds).ifPresent(orbit::frame);
   }
 
-  /** What is under a pixel. */
+  /** Returns the nearest hit of the ray through a pixel. */
   Optional<RayCaster.Hit> cast(PreviewScene scene, int x, int y) {
     return width == 0 ? Optional.empty() : scene.hit(direction(scene, x, y));
   }
 
-  /** Says to the scene of a walk which pixel the pointer is over. */
+  /** Tells the walked scene which pixel the pointer is over. */
   void point(PreviewScene scene, int x, int y) {
     if (width > 0 && height > 0) {
       scene
@@ -81,7 +81,7 @@ final class StageEye {
     }
   }
 
-  /** Of the line of sight through the middle of a pixel, in the viewer's frame. */
+  /** Returns the direction of the ray through the centre of a pixel, in the viewer's frame. */
   private Vector3d direction(PreviewScene scene, int x, int y) {
     double half = Math.tan(scene.world().viewer().fieldOfView() / 2);
     double smaller = Math.min(width, height);

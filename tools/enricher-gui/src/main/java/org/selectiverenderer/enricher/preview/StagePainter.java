@@ -13,8 +13,8 @@ import org.selectiverenderer.runtime.render.mark.Marking;
 import org.selectiverenderer.runtime.scene.Node;
 
 /**
- * Draws the preview's frames: the scene, its areas and what is selected, and beside it the scene
- * with all polygons. Belongs to the preview's thread.
+ * Renders the preview's frames: the scene with sensor boxes and the outlined selection, and the
+ * reference image in full detail. Confined to the preview's thread.
  */
 final class StagePainter {
   private static final int OUTLINE = 0xff8c00;
@@ -32,7 +32,7 @@ final class StagePainter {
     compare = mode;
   }
 
-  /** How the scene with all polygons is shown. */
+  /** How the reference image is shown. */
   CompareMode compared() {
     return compare;
   }
@@ -45,16 +45,16 @@ final class StagePainter {
     wireframe = show;
   }
 
-  /** Of the areas, as a picture by that camera has them. */
+  /** Returns the labels of the areas for a camera. */
   List<PreviewFrame.Label> labels(PreviewScene of, List<Anchor> selection, Camera seenBy) {
     Optional<Node> selected = of.nodes().find(selection);
     return sensorsShown ? of.areas().labels(seenBy, selected.orElse(null), of::sees) : List.of();
   }
 
   /**
-   * A frame.
+   * Renders a frame.
    *
-   * @param comparing whether the scene with all polygons may be drawn too
+   * @param comparing whether the reference image may be rendered too
    * @param width of one picture, pixels
    */
   PreviewFrame draw(

@@ -20,19 +20,19 @@ import org.selectiverenderer.x3d.source.ElementTree;
 import org.selectiverenderer.x3d.source.XmlFault;
 
 /**
- * Finds out whether a scene that runs can be brought from one state of its text to the next without
- * being loaded anew. It can where the elements are the same and only fields differ that may change
- * at any time (accessType inputOutput, X3D 4.0 4.4.2.2), or metadata. Prototypes, scripts, names
- * and whatever names a file mean loading.
+ * Compares two states of a scene's text and returns a patch if a running scene can be updated
+ * without loading it again. That is so where the elements are the same and only fields differ that
+ * may change at any time (accessType inputOutput, X3D 4.0 4.4.2.2), or metadata. Changes of
+ * prototypes, scripts, names and whatever names a file need loading.
  */
 final class TextComparison {
-  /** Characters of a text beyond which comparing costs more memory than it is worth. */
+  /** Most characters of a text that is compared; beyond it comparing costs too much memory. */
   private static final int MOST = 8_000_000;
 
-  /** Fields that name files, of which other nodes come. */
+  /** Fields that name files, which bring other nodes. */
   private static final Set<String> NAMING = Set.of("url", "load", "autoRefresh");
 
-  /** Attributes of the encoding that mean something, and of which none is a field. */
+  /** Meaningful attributes of the XML encoding that are no fields. */
   private static final Set<String> OF_ENCODING = Set.of("DEF", "USE", "containerField");
 
   private final NodeCatalogue catalogue;
@@ -53,9 +53,9 @@ final class TextComparison {
   }
 
   /**
-   * Compares.
+   * Compares two snapshots.
    *
-   * @return empty where the scene is to be loaded anew
+   * @return empty where the scene has to be loaded again
    */
   static Optional<ScenePatch> between(Snapshot before, Snapshot after, NodeCatalogue catalogue) {
     if (Math.max(before.text().length(), after.text().length()) > MOST) {
@@ -74,7 +74,7 @@ final class TextComparison {
                   comparison.moved))
           : Optional.empty();
     } catch (XmlFault e) {
-      return Optional.empty(); // Whoever loads it says what is wrong.
+      return Optional.empty(); // Loading the text reports the fault.
     }
   }
 
@@ -111,7 +111,7 @@ final class TextComparison {
     return type.is("X3DScriptNode") || type.is("X3DShaderNode") || type.name().startsWith("Shader");
   }
 
-  /** What stands in an element without nodes in it: metadata apart, something that is no node. */
+  /** Returns the text content of an element without children, such as a CDATA section. */
   private static String inner(String text, DocumentElement element) {
     return element.open() && element.children().isEmpty()
         ? text.substring(element.tagEnd(), element.end()).replaceFirst("</[^<]*$", "").strip()
@@ -144,9 +144,9 @@ final class TextComparison {
   }
 
   /**
-   * Notes another value of a field.
+   * Adds a changed field to the patch; returns false if the change needs loading.
    *
-   * @param written empty where the field has its default again
+   * @param written the new attribute; empty where it was removed, so that the default applies
    */
   private boolean takes(
       DocumentElement old,
@@ -158,7 +158,7 @@ final class TextComparison {
       return false;
     }
     if (field.isEmpty()) {
-      return true; // Such as class and id, which mean nothing to the scene.
+      return true; // Such as class and id, which do not affect the scene.
     }
     FieldDefinition definition = field.get();
     if (definition.access() != FieldAccess.INPUT_OUTPUT
@@ -208,7 +208,7 @@ final class TextComparison {
     return all.toString();
   }
 
-  /** Whether metadata are, or use, nodes that stand elsewhere too or are routed to. */
+  /** Whether metadata contain USE nodes, or nodes that are used elsewhere or routed to. */
   private static boolean tied(DocumentElement owner, String text, ElementTree in) {
     boolean[] found = {false};
     for (DocumentElement child : owner.children()) {
@@ -227,7 +227,7 @@ final class TextComparison {
     return text.contains("Node='" + def + "'") || text.contains("Node=\"" + def + "\"");
   }
 
-  /** The same text with all in it, elsewhere perhaps. */
+  /** Compares two elements with equal text and records where their start tags have moved. */
   private boolean placed(DocumentElement old, DocumentElement now) {
     if (old.end() - old.start() != now.end() - now.start()
         || old.children().size() != now.children().size()) {

@@ -8,18 +8,18 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.runtime.nodes.group.SwitchNode;
 
 /**
- * Which version of one object the author wants to see in its place, whatever the schemas say; kept
- * from one state of the document to the next. Belongs to the preview's thread.
+ * The version of one object that the author wants to see in its place, whatever the schemas select;
+ * it outlives successive states of the document. Confined to the preview's thread.
  */
 final class VersionChoice {
   private @Nullable Anchor object;
   private int choice = -1;
 
   /**
-   * Another version of the object that is selected or around what is.
+   * Chooses another version of the object that is selected or around the selection.
    *
-   * @param selection the nearest first
-   * @param steps from the version shown; 0 for the one that the schemas say
+   * @param selection anchors of the selected element and those around it, the nearest first
+   * @param steps steps from the version shown; 0 for the one that the schemas select
    */
   void step(PreviewScene scene, List<Anchor> selection, int steps) {
     Optional<Anchor> anchor =
@@ -36,7 +36,7 @@ final class VersionChoice {
     apply(scene);
   }
 
-  /** Shows it in another state of the document. */
+  /** Applies the choice to a scene of another state of the document. */
   void apply(PreviewScene scene) {
     Optional<SwitchNode> node = Optional.ofNullable(object).flatMap(each -> find(scene, each));
     boolean there = node.filter(found -> choice < found.children().size()).isPresent();
@@ -51,7 +51,7 @@ final class VersionChoice {
         .map(SwitchNode.class::cast);
   }
 
-  /** What is said of it under the picture. */
+  /** Returns the line of text about it in the picture; empty for no choice. */
   static Optional<String> words(PreviewScene scene) {
     return scene
         .versioned()

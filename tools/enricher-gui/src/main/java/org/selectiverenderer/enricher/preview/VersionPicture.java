@@ -3,9 +3,9 @@ package org.selectiverenderer.enricher.preview;
 import java.awt.image.BufferedImage;
 
 /**
- * A small picture of a version.
+ * A small rendered picture of a version.
  *
- * @param image of the size asked for; nobody draws into it
- * @param polygons that the version has
+ * @param image image of the requested size; must not be changed
+ * @param polygons number of polygons of the version
  */
 public record VersionPicture(BufferedImage image, long polygons) {}

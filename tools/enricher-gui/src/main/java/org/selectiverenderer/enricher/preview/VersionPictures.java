@@ -21,16 +21,16 @@ import org.selectiverenderer.runtime.render.mark.Marking;
 import org.selectiverenderer.x3d.files.ContentAccess;
 
 /**
- * Takes small pictures of versions for forms and dialogs, one after the other on the thread {@code
- * version-pictures}, which starts with the first request. Pictures are kept until the file changes
- * or many others have been asked for.
+ * Renders small pictures of versions for forms and dialogs, one after the other on the thread
+ * {@code version-pictures}, which starts with the first request. Pictures are cached until the file
+ * changes or many others have been requested.
  *
- * <p>{@link #request} is for the event dispatch thread, and answers come there.
+ * <p>{@link #request} is for the event dispatch thread, on which the answers come too.
  */
 public final class VersionPictures implements AutoCloseable {
-  /** Something asked for. */
+  /** A pending request. */
   public interface Request {
-    /** Its answer is not wanted any more and will not come. For the event dispatch thread. */
+    /** Cancels the request; no answer will come. For the event dispatch thread. */
     void cancel();
   }
 
@@ -75,23 +75,23 @@ public final class VersionPictures implements AutoCloseable {
   private @Nullable VersionSource lastSource;
   private volatile boolean closed;
 
-  /** Of scenes that may name no more than their own files. */
+  /** Renders scenes that may read no other than their own files. */
   public VersionPictures() {
     this(ContentAccess.none());
   }
 
   /**
-   * @param access what scenes may name besides their own files
+   * @param access folders and hosts that scenes may read from
    */
   public VersionPictures(ContentAccess access) {
     this.access = access;
   }
 
   /**
-   * Asks for a picture.
+   * Requests a picture.
    *
-   * @param taken hears the picture, on the event dispatch thread
-   * @param failed hears why there is none, as a sentence, on the event dispatch thread
+   * @param taken called with the picture, on the event dispatch thread
+   * @param failed called with a sentence why there is none, on the event dispatch thread
    */
   public Request request(
       VersionSource source,
@@ -157,7 +157,7 @@ public final class VersionPictures implements AutoCloseable {
       tell(
           job,
           () -> job.failed().accept(Texts.of("preview.nopicture", String.valueOf(e.getMessage()))));
-    } catch (RuntimeException e) { // One model must not end the pictures of the others.
+    } catch (RuntimeException e) { // A faulty model must not stop the pictures of others.
       tell(job, () -> job.failed().accept(Texts.of("preview.nomodel", e.toString())));
     }
   }
@@ -187,7 +187,7 @@ public final class VersionPictures implements AutoCloseable {
     return known;
   }
 
-  /** The model of the request before is kept: solid and wireframe are asked for together. */
+  /** Loads a model; keeps the last one, as solid and wireframe pictures are requested together. */
   private LoadedPreview load(VersionSource source, Object state) throws IOException {
     if (last == null || !source.equals(lastSource) || !state.equals(lastState)) {
       forget();

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 
-/** Where a version's model is: in a file, or in memory before there is one. */
+/** The source of a version's model: a file, or content in memory before it is written. */
 public sealed interface VersionSource {
   /** A file on the disk. */
   record OfFile(Path file) implements VersionSource {
@@ -34,7 +34,7 @@ public sealed interface VersionSource {
   /**
    * Content that may be written later.
    *
-   * @param content not written to any more; equal by its bytes
+   * @param content the bytes, which must not be changed; compared by value
    * @param folder where the file would be, for relative urls
    */
   record OfContent(String name, byte[] content, Path folder) implements VersionSource {
@@ -62,14 +62,14 @@ public sealed interface VersionSource {
     }
   }
 
-  /** Tells one state of the source from another. */
+  /** Identifies the state of the source, as a cache key. */
   Object state() throws IOException;
 
-  /** For messages. */
+  /** The name for messages. */
   String name();
 
   byte[] bytes() throws IOException;
 
-  /** Against which its urls are resolved. */
+  /** The folder against which its urls are resolved. */
   Path folder();
 }

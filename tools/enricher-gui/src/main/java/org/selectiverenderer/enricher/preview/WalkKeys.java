@@ -8,7 +8,7 @@ import javax.swing.SwingUtilities;
 import org.selectiverenderer.runtime.walk.MouseButton;
 import org.selectiverenderer.runtime.walk.WalkKey;
 
-/** Swing's keys and buttons as those of navigation. */
+/** Maps Swing's keys and mouse buttons to those of navigation. */
 final class WalkKeys {
   private static final Map<Integer, WalkKey> KEYS =
       Map.ofEntries(

@@ -1,22 +1,23 @@
 /**
- * The enricher's 3D preview: the document as our own runtime shows it, picked, outlined, as if in
- * schemas, walked; and small pictures of versions.
+ * The enricher's 3D preview: shows the document with our own runtime, with picking, outlines,
+ * simulated schemas and live walks; and renders small pictures of versions.
  *
- * <p>The preview steps a {@code World} and draws it with the renderer of {@code run}, offscreen,
- * and a Swing component shows the picture: no heavyweight component, no OpenGL on the event
- * dispatch thread, the same in a test without a window manager. Every picture's alpha is the mask
- * of what is selected, of which the outline is made. "As if in" asks {@link
- * org.selectiverenderer.schema.Activation}; walking puts the controller itself in charge, as {@code
- * run} does; the scene is never switched by code of this package's own. A click is a ray; the node
- * that it hits is found in the document by its DEF name, or by its place in the text if that is
- * still the text that was loaded.
+ * <p>The preview steps a {@code World}, renders it offscreen with the renderer of {@code run}, and
+ * a Swing component shows the picture: so there is no heavyweight component, no OpenGL on the event
+ * dispatch thread, and no difference in a test without a window manager. Each picture's alpha
+ * channel is the mask of the selection, from which the outline is made. "As if in" asks {@link
+ * org.selectiverenderer.schema.Activation}; a walk runs the controller itself, as {@code run} does;
+ * no code of this package decides what a Switch shows. A click casts a ray; the node that it hits
+ * is found in the document by its DEF name, or by its position in the text if that is still the
+ * text that was loaded.
  *
- * <p>An edit that only changes what may change in a running scene is a {@code ScenePatch}, found by
- * {@code TextComparison} from the two texts on the loader's thread and sent as events on the
- * preview's thread; where one of its nodes is not there, all is loaded instead.
+ * <p>An edit that only changes what may change in a running scene becomes a {@code ScenePatch}:
+ * {@code TextComparison} finds it from the two texts on the loader's thread, and it is sent as
+ * events on the preview's thread; where one of its nodes is missing, the document is loaded
+ * instead.
  *
- * <p>Comparing draws the same scene again with every object at its most detailed, and puts it back
- * as it was; {@code enricher.compare} says how both pictures share the component. {@code
+ * <p>A comparison renders the same scene again with every object at its most detailed, and then
+ * restores it; {@code enricher.compare} lays out both pictures in the component. {@code
  * VersionChoice} shows one object in another version.
  *
  * <p>In: snapshots of a document, the selection, the author's mouse and keys. Out: pictures in a

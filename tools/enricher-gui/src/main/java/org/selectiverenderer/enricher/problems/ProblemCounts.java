@@ -8,10 +8,10 @@ import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * How many problems there are of each kind, and how much of the work is still to be done.
+ * The number of problems of each severity, and of objects and areas that are not enriched yet.
  *
- * @param unenriched objects and areas of which nothing is said yet, which is no problem
- * @param enrichable all objects and areas
+ * @param unenriched number of objects and areas without metadata, which is no problem
+ * @param enrichable number of all objects and areas
  */
 public record ProblemCounts(int errors, int warnings, int remarks, int unenriched, int enrichable) {
   static ProblemCounts of(List<ProblemEntry> entries, int unenriched, int enrichable) {
@@ -25,7 +25,7 @@ public record ProblemCounts(int errors, int warnings, int remarks, int unenriche
         enrichable);
   }
 
-  /** Of one kind. */
+  /** The number of problems of a severity. */
   public int of(Severity severity) {
     return switch (severity) {
       case ERROR -> errors;
@@ -34,12 +34,14 @@ public record ProblemCounts(int errors, int warnings, int remarks, int unenriche
     };
   }
 
-  /** The worst kind that there is any of. */
+  /** The worst severity among the problems; empty for none. */
   public Optional<Severity> worst() {
     return List.of(Severity.values()).stream().filter(severity -> of(severity) > 0).findFirst();
   }
 
-  /** As a status line shows it: {@code 2 errors, 1 remark}, or {@code No problems}. */
+  /**
+   * The counts as the status bar shows them: {@code 2 errors, 1 remark}, or {@code No problems}.
+   */
   public String words() {
     List<String> words = new ArrayList<>();
     for (Severity severity : Severity.values()) {
@@ -50,7 +52,7 @@ public record ProblemCounts(int errors, int warnings, int remarks, int unenriche
     return words.isEmpty() ? Texts.of("counts.none") : String.join(", ", words);
   }
 
-  /** Of one kind, as a button shows it. */
+  /** The count of a severity as a filter button shows it. */
   String words(Severity severity) {
     int count = of(severity);
     String shown = DecimalText.grouped(count);
@@ -61,7 +63,7 @@ public record ProblemCounts(int errors, int warnings, int remarks, int unenriche
     };
   }
 
-  /** How much is still to be done; empty when nothing is. */
+  /** How many objects and areas are not enriched yet; empty for none. */
   Optional<String> left() {
     return unenriched == 0
         ? Optional.empty()

@@ -10,29 +10,30 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * A line of the list of problems.
+ * An entry of the list of problems.
  *
- * @param place in the document; or in another file
- * @param fix where one is obvious
+ * @param place the place in the document or in another file
+ * @param fix the fix, where one is known
  */
 record ProblemEntry(
     Severity severity, String message, Place place, Optional<ElementFinding.Fix> fix) {
   private static final Pattern RULE = Pattern.compile(" \\[(SR\\d+)]$");
 
-  /** Where a problem is. */
+  /** The place of a problem. */
   sealed interface Place {
     /**
-     * In an element, which edits may move.
+     * A place in an element, which edits may move.
      *
-     * @param within characters behind the element's start
-     * @param changed when the element had changed last; after later changes only its start is sure
+     * @param within offset from the element's start
+     * @param changed the element's last change when the problem was found; after later changes only
+     *     the element's start is valid
      */
     record InElement(DocumentElement element, int within, long changed) implements Place {}
 
-    /** In a text that is not well formed. */
+    /** A place in a text that is not well formed. */
     record InText(int offset) implements Place {}
 
-    /** In another file, or nowhere. */
+    /** A place in another file, or none. */
     record Elsewhere(Location location) implements Place {}
   }
 
@@ -44,7 +45,7 @@ record ProblemEntry(
         finding.fix());
   }
 
-  /** Whether its place is still there. */
+  /** Whether its element is still in the document. */
   boolean current() {
     return !(place instanceof Place.InElement in) || in.element().attached();
   }
@@ -54,7 +55,7 @@ record ProblemEntry(
     return place instanceof Place.InElement in ? Optional.of(in.element()) : Optional.empty();
   }
 
-  /** The offset to go to in the text as it is now. */
+  /** The offset in the present text. */
   Optional<Integer> offset() {
     if (place instanceof Place.InElement in) {
       DocumentElement element = in.element();
@@ -63,21 +64,21 @@ record ProblemEntry(
     return place instanceof Place.InText in ? Optional.of(in.offset()) : Optional.empty();
   }
 
-  /** Where it is in another file, such as one that the scene inlines. */
+  /** The location in another file, such as an inlined one; empty otherwise. */
   Optional<Location> otherFile() {
     return place instanceof Place.Elsewhere other && !other.location().file().isEmpty()
         ? Optional.of(other.location())
         : Optional.empty();
   }
 
-  /** Where it is now, for messages. */
+  /** The present location, for messages. */
   Location location(SceneDocument document) {
     return place instanceof Place.Elsewhere other
         ? other.location()
         : document.location(offset().orElseThrow());
   }
 
-  /** The same thing said twice, by different checks. */
+  /** Whether another entry reports the same problem, found by a different check. */
   boolean repeats(ProblemEntry other) {
     return place.equals(other.place) && message.equals(other.message)
         || element().isPresent()
@@ -85,7 +86,7 @@ record ProblemEntry(
             && (stem().startsWith(other.stem()) || other.stem().startsWith(stem()));
   }
 
-  /** The same, taken at least as seriously. */
+  /** Returns the entry with at least the other severity. */
   ProblemEntry atLeast(Severity other) {
     return other.compareTo(severity) < 0 ? new ProblemEntry(other, message, place, fix) : this;
   }
@@ -96,7 +97,7 @@ record ProblemEntry(
     return named.find() ? Optional.of(named.group(1)) : Optional.empty();
   }
 
-  /** The message without the rule that a validator names behind it. */
+  /** The message without the rule id at its end. */
   String stem() {
     return RULE.matcher(message).replaceFirst("");
   }

@@ -16,8 +16,8 @@ import org.selectiverenderer.enricher.task.TaskProgress;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Keeps a list of problems up to date: what is known at once a blink after a change, what checks
- * say after a pause in editing.
+ * Keeps the list of problems up to date: findings shortly after each change, and the results of
+ * checks after a pause in editing.
  */
 final class ProblemsFeed {
   private static final int AT_ONCE_MS = 120;
@@ -34,8 +34,8 @@ final class ProblemsFeed {
   private @Nullable Task task;
 
   /**
-   * @param refreshed hears that the model has been put together anew
-   * @param checking hears that checks have begun or ended
+   * @param refreshed runs after the model has been updated
+   * @param checking called with true when checks begin and false when they end
    */
   ProblemsFeed(
       EnricherSession session,
@@ -73,7 +73,7 @@ final class ProblemsFeed {
   void check() {
     cancel();
     if (checks.isEmpty() || session.document().tree().isEmpty()) {
-      return; // Of a text that is not well formed the fault is all there is to say.
+      return; // A text that is not well formed has no other problem than its fault.
     }
     Snapshot snapshot = session.document().snapshot();
     checking.accept(true);

@@ -18,12 +18,12 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.DocumentFault;
 
 /**
- * What is wrong with a document: what is known at once (not well formed, findings of the metadata)
- * and what checks have said, which stays until they have looked again, as long as its place is
- * there. In the order of the document. No widgets.
+ * The problems of a document: those known at once (not well formed, findings about the metadata),
+ * and the results of the last checks, as long as their elements are in the document. In document
+ * order. Has no widgets.
  */
 final class ProblemsModel {
-  /** What {@code validate} says of objects and areas that are without metadata. */
+  /** Rules by which {@code validate} reports objects and areas without metadata. */
   private static final Set<String> NOT_ENRICHED = Set.of("SR403", "SR424", "SR426");
 
   private final SceneDocument document;
@@ -40,9 +40,9 @@ final class ProblemsModel {
   }
 
   /**
-   * Hears what checks have found.
+   * Takes the results of the checks.
    *
-   * @param revision that they have looked at; if the document has changed since, it is let be
+   * @param revision the checked revision; results of an older one are ignored
    */
   void checked(long revision, List<Problem> problems) {
     if (revision == document.revision()) {
@@ -71,7 +71,7 @@ final class ProblemsModel {
         .orElse(new Place.InText(offset));
   }
 
-  /** Puts the list together as of now. */
+  /** Updates the list from the present document. */
   void refresh() {
     List<ProblemEntry> now = new ArrayList<>();
     document.fault().map(this::entry).ifPresent(now::add);
@@ -101,7 +101,7 @@ final class ProblemsModel {
         .forEach(faulty::add);
   }
 
-  /** Whether an entry says no more than that its object or area is not enriched yet. */
+  /** Whether an entry only reports that its object or area is not enriched yet. */
   private boolean onlyToBeDone(ProblemEntry entry) {
     return entry.severity() != Problem.Severity.ERROR
         && entry.rule().filter(NOT_ENRICHED::contains).isPresent()
@@ -122,7 +122,9 @@ final class ProblemsModel {
     }
   }
 
-  /** Of two that say the same the first stays, which may have a fix, as severe as the worse. */
+  /**
+   * Adds an entry, unless one that reports the same is listed, which then takes the worse severity.
+   */
   private static void add(
       ProblemEntry entry, Map<Object, List<Integer>> known, List<ProblemEntry> now) {
     List<Integer> others = known.computeIfAbsent(key(entry), k -> new ArrayList<>());
@@ -148,7 +150,7 @@ final class ProblemsModel {
     return entry.element().<Object>map(element -> element).orElse(entry.place());
   }
 
-  /** Whether an element is an object or an area of which the author has not said anything yet. */
+  /** Whether an element is an object or an area without metadata and findings. */
   private boolean untouched(DocumentElement element) {
     return enrichment
             .switchNode(element)
@@ -161,8 +163,8 @@ final class ProblemsModel {
   }
 
   /**
-   * Whether there is an error or a warning of the element itself. Of objects and areas without
-   * metadata only errors count: that they are not enriched yet is no fault while one works.
+   * Whether there is an error or a warning about the element itself. For objects and areas without
+   * metadata only errors count, as not being enriched yet is no fault.
    */
   boolean faulty(DocumentElement element) {
     return faulty.contains(element);

@@ -33,8 +33,8 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * What is wrong with the scene, live. A click or Enter goes to the place; Alt+Enter or the button
- * mends what has an obvious fix. Buttons with the counts hide and show severities.
+ * The list of the scene's problems, updated live. A click or Enter goes to the place; Alt+Enter or
+ * the button applies a known fix. Buttons with the counts filter by severity.
  *
  * <p>For the event dispatch thread.
  */
@@ -49,7 +49,7 @@ public final class ProblemsPanel extends JPanel {
   private final JButton fix = Letters.button("problems.fix");
   private final JLabel checking = new JLabel(" ");
 
-  /** How much is not enriched yet. */
+  /** Shows how many objects and areas are not enriched yet. */
   private final JLabel left = new JLabel(" ");
 
   private final Map<Severity, JToggleButton> filters = new EnumMap<>(Severity.class);
@@ -61,7 +61,7 @@ public final class ProblemsPanel extends JPanel {
   private transient IntConsumer onPlace = offset -> {};
 
   /**
-   * @param checks to be run in the background after each pause in editing
+   * @param checks checks that run in the background after each pause in editing
    */
   public ProblemsPanel(EnricherSession session, List<DocumentCheck> checks) {
     super(new MigLayout("insets 0, gap 0, wrap 1", "[grow,fill]", "[][grow,fill]"));
@@ -172,28 +172,31 @@ public final class ProblemsPanel extends JPanel {
     };
   }
 
-  /** Hears the counts, now and whenever they may have changed. */
+  /** Sets the listener of the counts, which is called now and whenever they may have changed. */
   public void onCounts(Consumer<ProblemCounts> listener) {
     onCounts = listener;
     listener.accept(model.counts());
   }
 
-  /** Hears the offset in the text that the author goes to, after the element is selected. */
+  /** Sets what shows the offset of a problem in the text, after its element is selected. */
   public void onPlace(IntConsumer listener) {
     onPlace = listener;
   }
 
-  /** Hears the place in another file that the author wants to see. */
+  /** Sets what opens the place of a problem in another file. */
   public void onElsewhere(Consumer<Location> listener) {
     onElsewhere = listener;
   }
 
-  /** Hears the rule of the validator that the author wants explained; empty where none is named. */
+  /**
+   * Sets what explains the validator rule of a problem; called with empty where the problem names
+   * none.
+   */
   public void onExplain(Consumer<Optional<String>> listener) {
     onExplain = listener;
   }
 
-  /** Whether there is an error or a warning of the element itself. */
+  /** Whether there is an error or a warning about the element itself. */
   public boolean faulty(DocumentElement element) {
     return model.faulty(element);
   }
@@ -214,7 +217,7 @@ public final class ProblemsPanel extends JPanel {
             .isPresent());
   }
 
-  /** Goes to the place of the chosen problem. */
+  /** Goes to the place of the selected problem. */
   public void go() {
     chosenEntry()
         .filter(ProblemEntry::current)
@@ -225,7 +228,7 @@ public final class ProblemsPanel extends JPanel {
             });
   }
 
-  /** Goes to the place of the chosen problem, in another file too. */
+  /** Goes to the place of the selected problem, also in another file. */
   private void visit() {
     chosenEntry()
         .flatMap(ProblemEntry::otherFile)
@@ -236,19 +239,19 @@ public final class ProblemsPanel extends JPanel {
     onExplain.accept(chosenEntry().flatMap(ProblemEntry::rule));
   }
 
-  /** Mends the chosen problem, if there is an obvious way. */
+  /** Applies the fix of the selected problem, if it has one. */
   public void fix() {
     chosenEntry()
         .flatMap(ProblemEntry::fix)
         .ifPresent(found -> session.attempt(() -> session.perform(found.edit().get())));
   }
 
-  /** Goes to the problem behind the chosen one; from the last to the first. */
+  /** Goes to the next problem; after the last to the first. */
   public void next() {
     step(+1);
   }
 
-  /** Goes to the problem before the chosen one; from the first to the last. */
+  /** Goes to the previous problem; before the first to the last. */
   public void previous() {
     step(-1);
   }
@@ -300,7 +303,7 @@ public final class ProblemsPanel extends JPanel {
     onCounts.accept(counts);
   }
 
-  /** Checks anew: what the checks go by has changed, though the document has not. */
+  /** Checks again, as the validator's settings have changed, though the document has not. */
   public void checkAgain() {
     feed.check();
   }

@@ -30,7 +30,7 @@ final class ProblemsTable extends JTable {
     addPropertyChangeListener("font", event -> severityWidth());
   }
 
-  /** As wide as the longest word of the language, and no wider. */
+  /** Sets the severity column to the width of the longest word in the present language. */
   private void severityWidth() {
     TableColumn column = getColumnModel().getColumn(ProblemsTableModel.SEVERITY);
     TableCellRenderer cells = column.getCellRenderer();

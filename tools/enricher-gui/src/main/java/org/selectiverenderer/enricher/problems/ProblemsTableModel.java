@@ -10,7 +10,7 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The problems as a table asks for them: those severities that the author wants to see. */
+/** The table model of the problems whose severities are shown. */
 final class ProblemsTableModel extends RowTableModel<ProblemEntry> {
   static final int SEVERITY = 0;
   static final int MESSAGE = 1;

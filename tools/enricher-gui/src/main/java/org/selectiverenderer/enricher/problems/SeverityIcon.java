@@ -13,10 +13,7 @@ import javax.swing.UIManager;
 import org.selectiverenderer.base.problem.Problem.Severity;
 import org.selectiverenderer.enricher.text.Texts;
 
-/**
- * How severe something is, told by shape as well as by colour: a cross in a disc, a triangle, a
- * ring.
- */
+/** The icon of a severity, by shape as well as by colour: a cross in a disc, a triangle, a ring. */
 public final class SeverityIcon extends FlatAbstractIcon {
   private static final int SIZE = 16;
 
@@ -27,7 +24,7 @@ public final class SeverityIcon extends FlatAbstractIcon {
     this.severity = severity;
   }
 
-  /** A label with the icon, named for those who do not see it. */
+  /** Creates a label with the icon and an accessible name. */
   public static JLabel label(Severity severity) {
     JLabel label = new JLabel(new SeverityIcon(severity));
     label.getAccessibleContext().setAccessibleName(word(severity));
@@ -35,7 +32,7 @@ public final class SeverityIcon extends FlatAbstractIcon {
     return label;
   }
 
-  /** The severity as an author reads it. */
+  /** The severity as a word. */
   public static String word(Severity severity) {
     return switch (severity) {
       case ERROR -> Texts.of("problems.error");

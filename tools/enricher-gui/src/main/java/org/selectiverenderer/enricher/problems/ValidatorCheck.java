@@ -20,31 +20,34 @@ import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.validation.run.Validator;
 
 /**
- * What {@code validate} says of the scene with all that it inlines, as it would be if it were saved
- * now. Each message ends with the rule in brackets, for {@code validate --explain}.
+ * Checks the unsaved document, with all files that it inlines, as {@code validate} would. Each
+ * message ends with the rule in brackets, for {@code validate --explain}.
  */
 public final class ValidatorCheck implements DocumentCheck {
-  /** A limit that fits no scene of the run may be for another scene of the folder. */
+  /**
+   * Ignored rules: a budget that fits no part of this scene may be meant for another scene of the
+   * folder.
+   */
   private static final Set<String> OF_OTHER_SCENES = Set.of("SR503");
 
   private final Supplier<Path> file;
   private final RuleCatalogue rules;
   private final Settings settings;
 
-  /** Where the settings come from. */
+  /** Reads the validator's settings. */
   @FunctionalInterface
   public interface Settings {
     /**
-     * The settings as they are now; asked in the background.
+     * Reads the present settings; called in the background.
      *
-     * @param problems hears what is wrong with them
-     * @return empty when they cannot be used; those as delivered count then
+     * @param problems collects what is wrong with them
+     * @return empty when they cannot be used, so that the defaults apply
      */
     Optional<ValidationSettings> read(Problems problems) throws IOException;
   }
 
   /**
-   * @param file where the document is saved, against which its urls count; asked in the background
+   * @param file the document's file, against which urls are resolved; read in the background
    * @param settings of the project
    */
   public ValidatorCheck(Supplier<Path> file, RuleCatalogue rules, Settings settings) {

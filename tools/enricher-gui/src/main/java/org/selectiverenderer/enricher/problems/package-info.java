@@ -1,5 +1,5 @@
 /**
- * What is wrong with the scene, live, each a click away from its place: findings at once, checks of
+ * The live list of the scene's problems, each with a link to its place: findings at once, checks of
  * whole documents in the background.
  *
  * <p>In: a session, checks of whole documents. Out: selections and fixes. Uses {@code

@@ -17,9 +17,9 @@ import javax.swing.ListSelectionModel;
 import javax.swing.text.JTextComponent;
 
 /**
- * Proposals below a text, which keeps the focus.
+ * A popup list of completion proposals below a text component, which keeps the focus.
  *
- * @param <T> what is proposed; {@code toString} shows it unless a renderer does
+ * @param <T> type of the proposals; shown by {@code toString} unless there is a renderer
  */
 public final class ProposalList<T> {
   private static final int ROWS = 8;
@@ -31,8 +31,8 @@ public final class ProposalList<T> {
   private final JPopupMenu popup = new JPopupMenu();
 
   /**
-   * @param name of the list, for those who do not see it
-   * @param taken does something with the one taken
+   * @param name accessible name of the list
+   * @param taken called with the accepted proposal
    */
   public ProposalList(JTextComponent text, String name, Consumer<T> taken) {
     this.text = text;
@@ -60,7 +60,7 @@ public final class ProposalList<T> {
         });
   }
 
-  /** Shows the proposals by something else than their names. */
+  /** Sets how proposals are rendered. */
   public void renderer(ListCellRenderer<? super T> renderer) {
     list.setCellRenderer(renderer);
   }
@@ -73,7 +73,7 @@ public final class ProposalList<T> {
     popup.setVisible(false);
   }
 
-  /** What is shown, in order; for tests. */
+  /** The shown proposals in order; for tests. */
   public List<T> shown() {
     return java.util.Collections.list(proposals.elements());
   }
@@ -81,8 +81,8 @@ public final class ProposalList<T> {
   /**
    * Shows proposals; closes the list where there are none.
    *
-   * @param at below which point of the text
-   * @param chosen whether the first is chosen already, so that Enter takes it
+   * @param at upper left corner of the popup in the text component
+   * @param chosen whether the first is preselected, so that Enter accepts it
    */
   public void show(List<T> found, Point at, boolean chosen) {
     close(); // Its size is new.
@@ -100,7 +100,7 @@ public final class ProposalList<T> {
     popup.show(text, at.x, at.y);
   }
 
-  /** Does what a key means to the list while it is open, and consumes the key then. */
+  /** Handles and consumes the navigation keys while the list is open. */
   public void steer(KeyEvent event) {
     if (!open()) {
       return;
@@ -115,7 +115,7 @@ public final class ProposalList<T> {
       case KeyEvent.VK_ENTER, KeyEvent.VK_TAB -> {
         if (selected < 0) {
           close();
-          return; // Enter without a choice is done with the list.
+          return; // Enter without a selection only closes the list.
         }
         take();
       }

@@ -1,7 +1,7 @@
 /**
- * A list of what may be typed, below the caret of a text: Down and Up choose, Enter or Tab takes,
- * Escape closes. What is proposed and what taking means is the caller's. In: proposals, keys. Out:
- * the one taken. For the event dispatch thread.
+ * The completion popup below the caret of a text: Down and Up select, Enter or Tab accepts, Escape
+ * closes. The caller computes the proposals and inserts the accepted one. For the event dispatch
+ * thread.
  */
 @NullMarked
 package org.selectiverenderer.enricher.proposal;

@@ -12,7 +12,10 @@ import org.selectiverenderer.schema.Band;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.schema.Degree;
 
-/** What the ratings imply: their means, the bands of thesis 5.1, and the metadata that follows. */
+/**
+ * The table model of what the ratings imply: their means, the bands of thesis 5.1, and the
+ * resulting metadata.
+ */
 @SuppressWarnings("serial") // never written
 final class ImpliedTableModel extends RowTableModel<ImpliedTableModel.Row> {
   private static final long serialVersionUID = 1L;

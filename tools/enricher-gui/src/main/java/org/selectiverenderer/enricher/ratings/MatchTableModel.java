@@ -5,12 +5,12 @@ import org.selectiverenderer.document.ratings.ObjectMatching.Match;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Which Switch each object of the table is; the Switch can be corrected. */
+/** The table model that assigns a Switch to each object of the ratings; the Switch is editable. */
 @SuppressWarnings("serial") // never written
 final class MatchTableModel extends RowTableModel<Match> {
   private static final long serialVersionUID = 1L;
 
-  /** What stands for an object that is no Switch. */
+  /** The text for an object without a Switch. */
   static String none() {
     return Texts.of("ratings.none");
   }

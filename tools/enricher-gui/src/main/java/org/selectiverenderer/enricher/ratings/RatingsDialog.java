@@ -33,8 +33,8 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.experiment.window.PackedWindow;
 
 /**
- * Imports a table of expectancy ratings: choose it, see which Switch each object is and correct
- * that, review what follows, apply it as one step.
+ * Imports a table of expectancy ratings: the author chooses the file, corrects which Switch each
+ * object is, reviews the implied metadata, and applies it as one undo step.
  */
 @SuppressWarnings("serial") // never written
 public final class RatingsDialog extends JDialog {

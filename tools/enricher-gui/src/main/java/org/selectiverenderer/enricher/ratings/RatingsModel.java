@@ -19,11 +19,11 @@ import org.selectiverenderer.document.ratings.Ratings;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * An import of ratings under review: the table that was read, which Switch each of its objects is,
- * and what follows. What the author corrects is worked in at once. For one thread.
+ * The model of a ratings import under review: the table that was read, the Switch of each object,
+ * and the implied metadata, which follows each correction at once. Not thread-safe.
  */
 final class RatingsModel {
-  /** What reading a table came to. */
+  /** The result of reading a table. */
   record Table(String name, Optional<Ratings> ratings, List<Problem> problems) {}
 
   private final Enrichment enrichment;
@@ -39,7 +39,7 @@ final class RatingsModel {
     this.enrichment = enrichment;
   }
 
-  /** Reads a table; any thread may. */
+  /** Reads a table; thread-safe. */
   static Table read(String name, byte[] table) {
     Problems problems = new Problems();
     return new Table(name, Ratings.read(name, table, problems), problems.list());
@@ -49,7 +49,7 @@ final class RatingsModel {
     listeners.add(listener);
   }
 
-  /** Takes a table that was read; one with errors is not used, and its problems are listed. */
+  /** Uses a table that was read; of one with errors only the problems are listed. */
   void take(Table table) {
     name = table.name();
     problems = table.problems();
@@ -61,13 +61,13 @@ final class RatingsModel {
     work();
   }
 
-  /** Whether objects that were not rated are as expected as their room's. */
+  /** Sets whether objects without ratings are treated as expected in their room. */
   void unratedFollow(boolean follow) {
     unratedFollow = follow;
     work();
   }
 
-  /** Says which Switch an object of the table is; empty for none. */
+  /** Assigns a Switch to an object of the table; empty for none. */
   void match(String object, Optional<String> switchName) {
     ObjectMatching current = matching;
     if (current != null) {
@@ -77,7 +77,7 @@ final class RatingsModel {
     }
   }
 
-  /** Takes all proposals for objects whose names are only similar. */
+  /** Accepts all proposed Switches, whose names are only similar. */
   void acceptProposals() {
     ObjectMatching current = matching;
     if (current != null) {
@@ -88,7 +88,7 @@ final class RatingsModel {
     }
   }
 
-  /** Works the plan out anew, as after an edit of the document. */
+  /** Computes the plan again, as after an edit of the document. */
   void work() {
     plan =
         ratings == null || matching == null
@@ -101,7 +101,7 @@ final class RatingsModel {
     return matching == null ? List.of() : matching.matches();
   }
 
-  /** The Switches that an object can be: those with versions, by name. */
+  /** The names of the Switches that an object can be: those with at least two versions. */
   List<String> candidates() {
     return enrichment.switches().stream()
         .filter(node -> node.choices().size() > 1)
@@ -119,7 +119,7 @@ final class RatingsModel {
     return problems;
   }
 
-  /** What is left out, a sentence each: ratings not used, proposals, objects not rated. */
+  /** One sentence for each thing left out: ratings not used, proposals, objects not rated. */
   List<String> leftOut() {
     if (plan == null) {
       return List.of();
@@ -148,7 +148,7 @@ final class RatingsModel {
     };
   }
 
-  /** One sentence about the whole. */
+  /** A sentence that summarizes the import. */
   String summary() {
     if (plan == null) {
       return name.isEmpty() ? Texts.of("ratings.choose") : Texts.of("ratings.notused");
@@ -169,9 +169,9 @@ final class RatingsModel {
     return plan != null && !(plan.rows().isEmpty() && plan.sensors().isEmpty());
   }
 
-  /** All of it as one step. */
+  /** The edit that applies the plan as one undo step; empty if there is nothing to apply. */
   Optional<Edit> edit() {
-    // The author may have edited the scene beside the dialog.
+    // The scene may have been edited since the plan was computed.
     work();
     return plan().filter(p -> applicable()).map(p -> p.edit(Texts.of("ratings.step", name)));
   }

@@ -13,7 +13,7 @@ import javax.swing.table.TableModel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The two tables of the import, with their captions. */
+/** Creates the two tables of the import dialog, with their captions. */
 final class RatingsTables {
   private RatingsTables() {}
 
@@ -49,7 +49,7 @@ final class RatingsTables {
     return table;
   }
 
-  /** A table under its caption. */
+  /** Creates a panel with a table under its caption. */
   static JPanel captioned(JLabel label, JTable table, int widthInLetters) {
     JPanel panel = new JPanel(new MigLayout("insets 0, fill", "[grow,fill]", "[][grow,fill]"));
 

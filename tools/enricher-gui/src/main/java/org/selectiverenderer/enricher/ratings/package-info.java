@@ -1,6 +1,6 @@
 /**
- * Importing expectancy ratings (thesis 5.1, Appendix A): read, matched to Switches, reviewed,
- * applied as one step.
+ * The import of expectancy ratings (thesis 5.1, Appendix A): reads a table, matches its objects to
+ * Switches, shows the implied metadata and applies it as one undo step.
  *
  * <p>In: RATINGS.csv. Out: one edit. Uses {@code enricher.session}, {@code enricher.table}, {@code
  * enricher.task}, {@code document}, {@code schema} and {@code base.problem}.

@@ -8,21 +8,21 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.files.ContentRoot;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Which file an Inline of a document means. */
+/** Resolves the file that an Inline of a document names. */
 public final class InlineTarget {
   /**
-   * The answer.
+   * The resolved file, or why there is none.
    *
-   * @param file empty when there is none to be opened
-   * @param reason why, a sentence
+   * @param file the file; empty when there is none to open
+   * @param reason a sentence why there is none
    */
   public record Answer(Optional<Path> file, String reason) {}
 
   private InlineTarget() {}
 
   /**
-   * The first url of an Inline, or of the first Inline in an element, that is allowed and a file of
-   * this machine.
+   * Resolves the first url, of an Inline or of the first Inline in an element, that is allowed and
+   * names a file on this computer.
    */
   public static Answer of(EnricherSession session, DocumentElement element) {
     Optional<DocumentElement> inline = inline(element);

@@ -8,14 +8,17 @@ import org.selectiverenderer.base.machine.ProgramCommand;
 
 /** Starts commands of the program in processes of their own. */
 public final class Launcher {
-  /** By its name: the command line uses the enricher, not the other way round. */
+  /**
+   * The main class, by name, as the command line depends on the enricher and not the other way
+   * round.
+   */
   static final String MAIN = "org.selectiverenderer.cli.Main";
 
   private Launcher() {}
 
   /**
-   * Starts a command whose messages are to be read. A {@code run} ends with this process; others do
-   * not look.
+   * Starts a command whose output the caller reads. A {@code run} watches this process and ends
+   * with it; other commands do not.
    */
   static Process start(List<String> words) throws IOException {
     return new ProcessBuilder(ProgramCommand.of(MAIN, List.of(ParentProcess.flag()), words))
@@ -24,7 +27,7 @@ public final class Launcher {
   }
 
   /**
-   * Opens a scene in an enricher of its own, which goes on when this one ends.
+   * Opens a scene in a separate enricher process, which outlives this one.
    *
    * @throws IOException if it cannot be started
    */

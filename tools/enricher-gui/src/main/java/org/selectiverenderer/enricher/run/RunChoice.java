@@ -5,16 +5,16 @@ import java.util.List;
 import org.selectiverenderer.control.Condition;
 
 /**
- * How to run a scene.
+ * The options of a run.
  *
- * @param condition as {@code run --condition} names it
- * @param fromHere whether to begin where the preview is, not where the scene begins
+ * @param condition value of {@code run --condition}
+ * @param fromHere whether to begin at the preview's pose instead of the start viewpoint
  */
 public record RunChoice(String condition, boolean fromHere) {
-  /** As {@code run} names them. */
+  /** All values of {@code run --condition}. */
   static final List<String> CONDITIONS =
       Arrays.stream(Condition.values()).map(Condition::spelling).toList();
 
-  /** As visitors see it. */
+  /** The default: as visitors see the scene. */
   public static final RunChoice USUAL = new RunChoice(Condition.SELECTIVE.spelling(), false);
 }

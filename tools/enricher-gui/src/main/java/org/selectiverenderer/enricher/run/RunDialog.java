@@ -10,15 +10,15 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Asks how to run the scene. */
+/** Asks for the options of a run. */
 public final class RunDialog {
   private RunDialog() {}
 
   /**
-   * Asks.
+   * Shows the dialog and waits.
    *
-   * @param before what was chosen last
-   * @return empty if the author does not want to run it
+   * @param before the options of the last run
+   * @return empty if the author cancels
    */
   public static Optional<RunChoice> ask(Component over, RunChoice before) {
     JComboBox<String> condition = new JComboBox<>(RunChoice.CONDITIONS.toArray(String[]::new));

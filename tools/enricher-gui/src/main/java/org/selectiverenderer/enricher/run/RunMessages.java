@@ -8,9 +8,9 @@ import javax.swing.JTextArea;
 import javax.swing.text.BadLocationException;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** What runs have said, in a window beside the author's, which comes up with the first line. */
+/** A console window with the output of runs, which opens with the first line. */
 public final class RunMessages {
-  /** Characters that are kept; the oldest lines go. */
+  /** Most characters that are kept; the oldest lines are dropped. */
   private static final int MOST = 200_000;
 
   private final JTextArea lines = new JTextArea();
@@ -21,12 +21,12 @@ public final class RunMessages {
     lines.setEditable(false);
     lines.getAccessibleContext().setAccessibleName(Texts.of("run.messages"));
     dialog.setName("run.messages");
-    dialog.setFocusableWindowState(false); // The author goes on where he is.
+    dialog.setFocusableWindowState(false); // The main window keeps the focus.
     dialog.setContentPane(new JScrollPane(lines));
     dialog.setPreferredSize(new Dimension(640, 220));
   }
 
-  /** Shows a line more. */
+  /** Appends a line and shows the window. */
   public void add(String line) {
     lines.append(line + "\n");
     try {
@@ -34,16 +34,16 @@ public final class RunMessages {
         lines.replaceRange("", 0, lines.getLineEndOffset(lines.getLineOfOffset(MOST / 2)));
       }
     } catch (BadLocationException e) {
-      throw new IllegalStateException(e); // The places are those of the text itself.
+      throw new IllegalStateException(e); // the offsets come from the text itself
     }
     lines.setCaretPosition(lines.getDocument().getLength());
     show();
   }
 
-  /** Shows what has been said so far. */
+  /** Shows the window. */
   public void show() {
     if (!dialog.isDisplayable()) {
-      dialog.pack(); // not before: it makes the owner known to the system, without its size
+      dialog.pack(); // not earlier: packing realizes the owner before it has its size
       dialog.setLocationRelativeTo(dialog.getOwner());
     }
     if (!dialog.isVisible()) {

@@ -17,22 +17,22 @@ import org.selectiverenderer.x3d.source.TextChange;
 import org.selectiverenderer.x3d.source.XmlFault;
 
 /**
- * The file that a run reads.
+ * The input file of a run.
  *
- * @param file the scene's own, or a copy
- * @param copy whether it is to be deleted after the run
- * @param viewpoint to begin at
+ * @param file the scene's own file, or a temporary copy
+ * @param copy whether it is a copy, to be deleted after the run
+ * @param viewpoint DEF name of the viewpoint to begin at; empty for the scene's own
  */
 record RunScene(Path file, boolean copy, Optional<String> viewpoint) {
   private static final String VIEWPOINT = "Enricher_Here";
   private static final int DECIMALS = 6;
 
   /**
-   * A scene as it is now. Written beside its file, if need be: a folder that cannot be written to
-   * is told, since elsewhere the scene's urls would mean other files.
+   * Returns the input file for the present state of a scene. A copy, if needed, is written beside
+   * the scene's file, since the scene's relative urls would not resolve elsewhere.
    *
-   * @param saved whether the file has this very text
-   * @param here where to begin; empty for where the scene begins
+   * @param saved whether the file has exactly this text
+   * @param here the pose to begin at; empty for the start viewpoint
    * @throws IOException with one line, if the text is not well formed or cannot be written
    */
   static RunScene of(Path file, Snapshot snapshot, boolean saved, Optional<Pose> here)
@@ -47,7 +47,7 @@ record RunScene(Path file, boolean copy, Optional<String> viewpoint) {
     try {
       Path copy =
           Files.createTempFile(folder, "." + name.substring(0, dot) + "-run-", name.substring(dot));
-      copy.toFile().deleteOnExit(); // Where the window does not live to see the run's end.
+      copy.toFile().deleteOnExit(); // In case the window ends before the run.
       Files.write(copy, snapshot.bytes(edit));
       return new RunScene(copy, true, edit.isEmpty() ? Optional.empty() : Optional.of(VIEWPOINT));
     } catch (IOException e) {
@@ -55,7 +55,9 @@ record RunScene(Path file, boolean copy, Optional<String> viewpoint) {
     }
   }
 
-  /** A Viewpoint in front of all that the Scene has; nothing where there is no Scene for it. */
+  /**
+   * Returns the insertion of a Viewpoint as the first child of the Scene; none for an empty Scene.
+   */
   private static List<TextChange> viewpoint(Snapshot snapshot, Pose pose) {
     List<TextChange> changes = new ArrayList<>();
     try {
@@ -69,7 +71,7 @@ record RunScene(Path file, boolean copy, Optional<String> viewpoint) {
                 changes.add(new TextChange(at, at, written(pose)));
               });
     } catch (XmlFault e) {
-      return List.of(); // Reading it will say so.
+      return List.of(); // The run reports the fault.
     }
     return changes;
   }
@@ -95,7 +97,7 @@ record RunScene(Path file, boolean copy, Optional<String> viewpoint) {
     return text.toString();
   }
 
-  /** The words of the command. */
+  /** Returns the arguments of the run command. */
   List<String> words(RunChoice choice) {
     List<String> words = new ArrayList<>(List.of("run", file.toString()));
     words.addAll(List.of("--condition", choice.condition()));
@@ -103,7 +105,7 @@ record RunScene(Path file, boolean copy, Optional<String> viewpoint) {
     return words;
   }
 
-  /** Deletes a copy. */
+  /** Deletes the file if it is a copy. */
   void clear() throws IOException {
     if (copy) {
       Files.deleteIfExists(file);

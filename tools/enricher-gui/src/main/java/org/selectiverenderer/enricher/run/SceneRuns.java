@@ -17,13 +17,13 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.runtime.viewer.Pose;
 
 /**
- * The runs of a window: as many at once as the author likes; all end with the window. For the event
- * dispatch thread.
+ * Manages the run processes of a window: any number at once, all of which end with the window. For
+ * the event dispatch thread.
  */
 public final class SceneRuns {
   private static final int PATIENCE_SECONDS = 5;
 
-  /** Starts the words of a command. */
+  /** Starts a command by its arguments. */
   interface Starting {
     Process start(List<String> words) throws IOException;
   }
@@ -37,8 +37,8 @@ public final class SceneRuns {
   private int count;
 
   /**
-   * @param messages hears what runs say, line by line
-   * @param status hears of beginnings and ends
+   * @param messages called with each line of the runs' output
+   * @param status called with a sentence when a run begins, fails or ends
    */
   public SceneRuns(Consumer<String> messages, Consumer<String> status) {
     this(messages, status, Launcher::start);
@@ -51,9 +51,9 @@ public final class SceneRuns {
   }
 
   /**
-   * Begins a run of a document as it is now.
+   * Starts a run of a document's present state.
    *
-   * @param here where the preview is; empty where that is not known
+   * @param here the preview's pose; empty while unknown
    */
   public void run(EnricherSession session, RunChoice choice, Optional<Pose> here) {
     if (session.document().fault().isPresent()) {
@@ -97,7 +97,7 @@ public final class SceneRuns {
     }
   }
 
-  /** On a thread of its own: what a run says, until it ends. */
+  /** Reads the output of a run until it ends; executed on a thread of its own. */
   private void hear(Running run) {
     String number = Integer.toString(run.number());
     try (BufferedReader lines =
@@ -109,7 +109,7 @@ public final class SceneRuns {
       }
       int code = run.process().waitFor();
       SwingUtilities.invokeLater(() -> ended(run, code));
-    } catch (IOException e) { // Its output is closed when it is ended.
+    } catch (IOException e) { // The output is closed when close() ends the process.
       SwingUtilities.invokeLater(() -> ended(run, 0));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -135,7 +135,7 @@ public final class SceneRuns {
     }
   }
 
-  /** How many go on. */
+  /** The number of runs that have not ended. */
   public int running() {
     return running.size();
   }

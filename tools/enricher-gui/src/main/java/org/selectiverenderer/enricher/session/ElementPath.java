@@ -8,11 +8,11 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 
 /**
- * Where an element stands, to find it again in a tree that was read anew: by its name if it has
- * one, else by its place among its neighbours.
+ * The path of an element, to find it again in a tree that was parsed again: by its DEF name if it
+ * has one, else by its indices among its siblings.
  *
- * @param name of the element
- * @param places index among the children, from the root down
+ * @param name the element's name
+ * @param places child indices from the root down
  */
 public record ElementPath(String name, Optional<String> def, List<Integer> places) {
   public static ElementPath of(DocumentElement element) {

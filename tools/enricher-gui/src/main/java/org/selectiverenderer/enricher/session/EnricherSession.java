@@ -18,10 +18,10 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * One open document and what is selected in it. For the event dispatch thread only.
+ * One open document and its selection. For the event dispatch thread only.
  *
- * <p>The selection outlives edits: when the document's elements are read anew, the element of the
- * same name or place is selected again; while the text is not well formed, none is.
+ * <p>The selection outlives edits: when the document is parsed again, the element with the same DEF
+ * name or path is selected again; while the text is not well formed, nothing is selected.
  */
 public final class EnricherSession {
   private final DocumentFile file;
@@ -36,16 +36,16 @@ public final class EnricherSession {
   private @Nullable DocumentElement selection;
   private @Nullable DocumentElement lost;
 
-  /** A session with a scene that may name no more than its own files. */
+  /** Creates a session with a scene that may read no other than its own files. */
   public EnricherSession(
       DocumentFile file, NodeCatalogue catalogue, Tasks tasks, Consumer<String> messages) {
     this(file, catalogue, ContentAccess.none(), tasks, messages);
   }
 
   /**
-   * @param access what the scene may name besides its own files
-   * @param tasks for work in the background
-   * @param messages shows a sentence to the author
+   * @param access folders and hosts that the scene may read from
+   * @param tasks executes work in the background
+   * @param messages shows a message in the status bar
    */
   public EnricherSession(
       DocumentFile file,
@@ -83,7 +83,7 @@ public final class EnricherSession {
     return edits;
   }
 
-  /** What the scene may name besides its own files. */
+  /** The folders and hosts that the scene may read from. */
   public ContentAccess access() {
     return access;
   }
@@ -92,7 +92,7 @@ public final class EnricherSession {
     return tasks;
   }
 
-  /** Shows a sentence to the author, who can go on working. */
+  /** Shows a message in the status bar, without interrupting the author. */
   public void message(String sentence) {
     messages.accept(sentence);
   }
@@ -106,7 +106,7 @@ public final class EnricherSession {
    * Selects an element.
    *
    * @param element null for none
-   * @param origin the view that does it
+   * @param origin the view that selects it
    */
   public void select(@Nullable DocumentElement element, Object origin) {
     lost = null;
@@ -130,13 +130,13 @@ public final class EnricherSession {
     listeners.remove(listener);
   }
 
-  /** Makes an edit; one that would do harm is not made, and the author is told why. */
+  /** Makes an edit; tells the author why if it is refused. */
   public void perform(Edit edit) {
     attempt(() -> document().perform(edit));
   }
 
   /**
-   * Makes an edit that has to be worked out first.
+   * Runs code that creates and makes an edit; tells the author why if it is refused.
    *
    * @return whether it was made
    */
@@ -160,7 +160,7 @@ public final class EnricherSession {
     tell(this);
   }
 
-  /** Lets go of the document. */
+  /** Stops following the document. */
   public void dispose() {
     document().removeListener(following);
     listeners.clear();

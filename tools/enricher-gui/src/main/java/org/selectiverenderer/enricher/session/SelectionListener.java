@@ -3,13 +3,13 @@ package org.selectiverenderer.enricher.session;
 import java.util.Optional;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** Hears what is selected. */
+/** Listens to the selection of a session. */
 @FunctionalInterface
 public interface SelectionListener {
   /**
    * Another element is selected, or none.
    *
-   * @param origin the view that did it, which need not follow; others bring the element into view
+   * @param origin the view that selected it, which need not follow; other views show the element
    */
   void selected(Optional<DocumentElement> element, Object origin);
 }

@@ -1,5 +1,5 @@
 /**
- * One open document and what is selected in it: what all views of the enricher's window share.
+ * The open document and its selection, which all views of the enricher's window share.
  *
  * <p>In: selections and edits from the views. Out: the same to all others. For the event dispatch
  * thread only. Uses {@code enricher.task}, {@code document}, {@code x3d.catalogue} and {@code

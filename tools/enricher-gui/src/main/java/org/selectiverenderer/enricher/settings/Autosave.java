@@ -8,7 +8,10 @@ import org.selectiverenderer.document.file.Recovery;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Keeps the unsaved changes of one session every few seconds, so that a crash costs little. */
+/**
+ * Writes the unsaved changes of one session to a recovery copy every few seconds, so that a crash
+ * loses little.
+ */
 public final class Autosave {
   private static final int EVERY_MILLISECONDS = 5000;
 
@@ -27,7 +30,7 @@ public final class Autosave {
     timer.start();
   }
 
-  /** Keeps the changes if there are new ones. */
+  /** Writes the recovery copy if there are new changes. */
   public void keep() {
     if (!session.document().modified() || session.document().revision() == kept) {
       return;
@@ -55,15 +58,15 @@ public final class Autosave {
     }
   }
 
-  /** The changes so far are saved, or not wanted any more. */
+  /** Deletes the recovery copy, as the changes so far are saved or discarded. */
   public void forget() {
     forget(session.file().path());
   }
 
   /**
-   * The same, of a document that has another file now.
+   * Deletes the recovery copy of a document that has another file now.
    *
-   * @param path its file before
+   * @param path the previous file
    */
   public void forget(Path path) {
     kept = session.document().revision();

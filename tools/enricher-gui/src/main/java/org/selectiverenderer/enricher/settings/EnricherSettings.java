@@ -16,23 +16,22 @@ import org.selectiverenderer.x3d.files.ContentAccess;
 import org.selectiverenderer.x3d.files.HostPattern;
 import org.selectiverenderer.x3d.files.Network;
 
-/** What the window remembers, as words and numbers in one file of the user's. */
+/** The window's settings, as keys with strings and numbers in one file of the user's. */
 public final class EnricherSettings {
   private final Path file;
   private final Properties values = new Properties();
 
   /**
-   * @param folder of the user's settings; made when something is stored
+   * @param folder folder of the user's settings; created when the settings are stored
    */
   public EnricherSettings(Path folder) {
     this.file = folder.resolve("enricher.properties");
   }
 
   /**
-   * Reads what was stored; nothing if nothing was.
+   * Reads the stored settings, if there are any.
    *
-   * @throws IOException with one line if the file cannot be read; the settings are as delivered
-   *     then
+   * @throws IOException with one line if the file cannot be read; the defaults apply then
    */
   public void load() throws IOException {
     if (!Files.isRegularFile(file)) {
@@ -46,7 +45,7 @@ public final class EnricherSettings {
     }
   }
 
-  /** Writes them. */
+  /** Writes the settings. */
   public void store() throws IOException {
     Files.createDirectories(file.toAbsolutePath().getParent());
     StringWriter text = new StringWriter();
@@ -55,10 +54,11 @@ public final class EnricherSettings {
   }
 
   /**
-   * What scenes may name besides their own files: the keys {@code allow}, folders separated as in
-   * the system's search paths, and {@code allow-net}, hosts separated by commas.
+   * The folders and hosts that scenes may read from besides their own files: the keys {@code
+   * allow}, folders separated as in the system's search paths, and {@code allow-net}, hosts
+   * separated by commas.
    *
-   * @throws IllegalArgumentException with a sentence, if a host is none
+   * @throws IllegalArgumentException with a sentence, if a host is invalid
    */
   public ContentAccess access() {
     List<Path> folders = new ArrayList<>();

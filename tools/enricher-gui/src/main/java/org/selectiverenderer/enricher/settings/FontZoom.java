@@ -5,9 +5,9 @@ import java.awt.Font;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
 
-/** How large the window's letters are, and with them all that is measured by letters. */
+/** The text size of the window, to which sizes given in letters adapt. */
 public final class FontZoom {
-  /** In percent of the system's letters. */
+  /** The default, in percent of the system's text size. */
   public static final int USUAL = 100;
 
   private static final int LEAST = 70;
@@ -22,17 +22,17 @@ public final class FontZoom {
     this.settings = settings;
   }
 
-  /** In percent, as remembered. */
+  /** The stored text size in percent. */
   public int percent() {
     return Math.max(LEAST, Math.min(MOST, settings.number(KEY, USUAL)));
   }
 
-  /** Makes the letters larger or smaller by a step. */
+  /** Makes the text larger or smaller by some steps; returns the new percentage. */
   public int change(int steps) {
     return set(percent() + steps * STEP);
   }
 
-  /** As large as the system's. */
+  /** Resets the text to the system's size. */
   public int reset() {
     return set(USUAL);
   }
@@ -45,7 +45,7 @@ public final class FontZoom {
     return percent();
   }
 
-  /** Gives what is made from now on these letters; after each change of the colours. */
+  /** Sets the default font of the look and feel; needed again after each change of the theme. */
   public void apply() {
     @Nullable Font usual = UIManager.getLookAndFeelDefaults().getFont(FONT);
     boolean asUsual = percent() == USUAL || usual == null;

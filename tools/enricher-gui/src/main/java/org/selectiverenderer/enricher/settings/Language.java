@@ -2,9 +2,9 @@ package org.selectiverenderer.enricher.settings;
 
 import java.util.Locale;
 
-/** The language of the window. */
+/** The language of the user interface. */
 public enum Language {
-  /** That of the system's display, where it is one of these; English elsewhere. */
+  /** The system's display language, if it is one of these; else English. */
   SYSTEM("", "As the System"),
   ENGLISH("en", "English"),
   GREEK("el", "\u0395\u03bb\u03bb\u03b7\u03bd\u03b9\u03ba\u03ac");
@@ -19,12 +19,12 @@ public enum Language {
     this.title = title;
   }
 
-  /** What the language calls itself, as those look for it who speak it. */
+  /** The language's name in the language itself. */
   public String title() {
     return title;
   }
 
-  /** The one that the settings name. */
+  /** The language in the settings. */
   public static Language of(EnricherSettings settings) {
     String word = settings.word(KEY, "");
     for (Language language : values()) {
@@ -35,12 +35,12 @@ public enum Language {
     return SYSTEM;
   }
 
-  /** Remembers this one for the next start. */
+  /** Stores this language for the next start. */
   public void choose(EnricherSettings settings) {
     settings.put(KEY, tag);
   }
 
-  /** Makes this one the display's, before the first component is made. */
+  /** Sets the display locale; called before the first component is created. */
   public void apply() {
     if (this != SYSTEM) {
       Locale.setDefault(Locale.Category.DISPLAY, Locale.forLanguageTag(tag));

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The files opened last, the latest first. */
+/** The recently opened files, the latest first. */
 public final class RecentFiles {
   private static final int MOST = 10;
 

@@ -6,9 +6,9 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Toolkit;
 import java.util.Locale;
 
-/** The colours of the window. */
+/** The colour theme of the window. */
 public enum Theme {
-  /** Those of the desktop, where it tells; light elsewhere. */
+  /** The theme of the desktop, where it is known; else light. */
   SYSTEM("menu.systemcolours"),
   LIGHT("menu.lightcolours"),
   DARK("menu.darkcolours");
@@ -19,7 +19,7 @@ public enum Theme {
     this.text = text;
   }
 
-  /** The name of the text that a menu shows. */
+  /** The bundle key of the menu text. */
   public String text() {
     return text;
   }
@@ -33,7 +33,7 @@ public enum Theme {
     return SYSTEM;
   }
 
-  /** Gives all windows these colours. */
+  /** Applies the theme to all windows. */
   public void apply() {
     boolean dark = this == DARK || this == SYSTEM && systemIsDark();
     FlatLaf.setup(dark ? new FlatDarkLaf() : new FlatLightLaf());
@@ -41,7 +41,7 @@ public enum Theme {
   }
 
   private static boolean systemIsDark() {
-    // GNOME and its relatives say it in the name of their theme; others do not tell Java.
+    // GNOME-based desktops have it in the name of their theme; Java cannot ask others.
     Object theme = Toolkit.getDefaultToolkit().getDesktopProperty("gnome.Net/ThemeName");
     return theme != null && theme.toString().toLowerCase(Locale.ROOT).contains("dark");
   }

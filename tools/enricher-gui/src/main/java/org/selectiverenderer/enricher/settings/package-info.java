@@ -1,6 +1,6 @@
 /**
- * What the enricher remembers of its author: files, layout, theme, size of letters, language,
- * unsaved work.
+ * The settings that the enricher stores: recent files, layout, theme, text size and language; and
+ * the recovery copies of unsaved changes.
  *
  * <p>In and out: files in the folder of the user's settings. Uses {@code enricher.session}, {@code
  * enricher.task}, {@code document}, {@code document.file}, {@code x3d.files} and {@code

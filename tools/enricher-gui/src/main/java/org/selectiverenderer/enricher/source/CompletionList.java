@@ -16,7 +16,10 @@ import org.selectiverenderer.enricher.proposal.ProposalList;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Proposes what may be typed at the caret of the source: Ctrl+Space, and after {@code <}. */
+/**
+ * Completion in the source view: proposes elements, fields and values at the caret on Ctrl+Space,
+ * and after {@code <}.
+ */
 final class CompletionList {
   private final EnricherSession session;
   private final RSyntaxTextArea area;
@@ -39,12 +42,12 @@ final class CompletionList {
 
           @Override
           public void keyTyped(KeyEvent event) {
-            SwingUtilities.invokeLater(() -> follow(event)); // when it is in the text
+            SwingUtilities.invokeLater(() -> follow(event)); // after it is inserted
           }
         });
   }
 
-  /** A list in view follows what is typed; one comes by itself behind {@code <}. */
+  /** Updates an open list after a key; opens one after {@code <}. */
   private void follow(KeyEvent event) {
     char typed = event.getKeyChar();
     boolean letter = Character.isLetterOrDigit(typed) || typed == '\b' || typed == '_';
@@ -61,7 +64,7 @@ final class CompletionList {
     }
   }
 
-  /** Shows what may be typed at the caret. */
+  /** Shows the proposals at the caret. */
   void propose() {
     propose(true);
   }

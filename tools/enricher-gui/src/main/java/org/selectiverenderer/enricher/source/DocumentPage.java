@@ -11,12 +11,14 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * The part of the document that stands in the text area, and how both come to agree: what is typed
- * is given to the document by {@link #flush}, other changes of the document are shown by {@link
- * #changed}. Offsets are those of the document's text, unless a method says otherwise.
+ * Binds the text area to the part of the document that it shows: {@link #flush} writes what was
+ * typed to the document, {@link #changed} shows other changes of the document. Offsets are those of
+ * the document's text, unless a method says otherwise.
  */
 final class DocumentPage {
-  /** Longer texts are not folded: all of their tags are read again after each pause. */
+  /**
+   * Most characters of a text with code folding, for which all tags are parsed after each pause.
+   */
   private static final int FOLDED = 400_000;
 
   private final EnricherSession session;
@@ -31,7 +33,7 @@ final class DocumentPage {
     this.area = area;
   }
 
-  /** Hears that another part is shown, or that the part grew or moved. */
+  /** Adds a listener that runs when another part is shown, or the part has grown or moved. */
   void onShown(Runnable listener) {
     listeners.add(listener);
   }
@@ -44,7 +46,7 @@ final class DocumentPage {
     return page;
   }
 
-  /** Whether the area is being changed after the document, or the caret moved by the program. */
+  /** Whether the program, not the author, is changing the area or moving its caret. */
   boolean following() {
     return following;
   }
@@ -53,18 +55,20 @@ final class DocumentPage {
     return page.holds(offset);
   }
 
-  /** The offset in the area; that of the nearest end of the part for what is not in it. */
+  /** Converts an offset to one in the area; clamps it to the shown part. */
   int inArea(int offset) {
     int within = Math.max(page.from(), Math.min(offset, page.to()));
     return Math.min(text.inShown(within - page.from()), area.getDocument().getLength());
   }
 
-  /** The offset in the document of one in the area; what is typed must be flushed. */
+  /**
+   * Converts an offset in the area to one in the document; what was typed must be flushed before.
+   */
   int inDocument(int offset) {
     return page.from() + text.inFile(offset);
   }
 
-  /** Shows the part around an offset, with nothing selected. */
+  /** Shows the part of the text around an offset, with nothing selected. */
   void turn(int offset) {
     flush();
     load(SourcePage.around(document().text(), offset));
@@ -85,7 +89,7 @@ final class DocumentPage {
     listeners.forEach(Runnable::run);
   }
 
-  /** Does something with the area that is not the author's doing. */
+  /** Changes the area without treating the change as typing. */
   private void quietly(Runnable change) {
     boolean before = following;
     following = true;
@@ -96,7 +100,7 @@ final class DocumentPage {
     }
   }
 
-  /** Gives the document what was typed and has not reached it yet. */
+  /** Writes what was typed since the last flush to the document. */
   void flush() {
     if (following) {
       return;
@@ -116,7 +120,7 @@ final class DocumentPage {
         });
   }
 
-  /** Shows what has changed in the document. */
+  /** Shows a change of the document. */
   void changed(DocumentListener.Change change) {
     int from = page.from();
     int to = page.to();
@@ -165,12 +169,12 @@ final class DocumentPage {
     }
   }
 
-  /** Brings a character into view and puts the caret there. */
+  /** Scrolls to an offset and puts the caret there. */
   void reveal(int offset) {
     select(offset, offset);
   }
 
-  /** Brings a range into view and selects it, as far as one part of the text holds it. */
+  /** Scrolls to a range and selects it, as far as it is in the shown part. */
   void select(int from, int to) {
     flush();
     if (!holds(from) || !holds(Math.min(to, from + SourcePage.PAGE / 2))) {

@@ -11,14 +11,14 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentFault;
 
-/** Says below the text why the forms wait for it, or why it cannot be changed. */
+/** The bar below the text that shows why it is not well formed, or why it is read-only. */
 final class FaultStrip {
   private final JLabel notice = new JLabel();
   private final JButton place = new JButton(Texts.of("source.show"));
   private final JPanel panel = new JPanel(new MigLayout("insets 6", "[grow][]"));
 
   /**
-   * @param show goes to the fault
+   * @param show scrolls to the fault
    */
   FaultStrip(Runnable show) {
     notice.getAccessibleContext().setAccessibleName(Texts.of("source.state"));

@@ -19,8 +19,8 @@ import org.selectiverenderer.document.hand.TextSearch;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * Find and replace below the source: what is typed is found at once, Enter goes to the next hit,
- * Shift+Enter to the one before, Escape closes.
+ * The find and replace bar below the source. It searches while one types; Enter goes to the next
+ * hit, Shift+Enter to the previous one, Escape closes the bar.
  */
 final class FindBar {
   private static final int PAUSE_MILLISECONDS = 200;
@@ -129,8 +129,8 @@ final class FindBar {
   /**
    * Opens the bar.
    *
-   * @param replace with the line for replacing
-   * @param selected text to begin with; empty for what was searched last
+   * @param replace whether to show the line for replacing
+   * @param selected text to search for; empty for the last search
    */
   void open(boolean replace, String selected) {
     replacing.setVisible(replace);
@@ -152,7 +152,7 @@ final class FindBar {
     work.end();
   }
 
-  /** Goes to the next hit or the one before; opens the bar where nothing is searched yet. */
+  /** Goes to the next or previous hit; opens the bar if there is no search yet. */
   void step(int by) {
     if (words.getText().isEmpty()) {
       open(false, "");

@@ -16,8 +16,8 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * What the find bar does: searches all of the document, whatever part of it is shown, goes from hit
- * to hit, wrapping at both ends, and replaces.
+ * Finds and replaces for the find bar: searches the whole document, whatever part of it is shown,
+ * steps from hit to hit, wrapping at both ends, and replaces.
  */
 final class FindWork {
   private final EnricherSession session;
@@ -31,15 +31,15 @@ final class FindWork {
   private long revision = -1;
   private String complaint = "";
 
-  /** The range that is searched; all of the text where there is none. */
+  /** The range to search; null for the whole text. */
   private @Nullable Hit scope;
 
   /**
-   * What to say of a search.
+   * The result of a search, as the bar shows it.
    *
-   * @param now which hit is selected, from 1; 0 for none
-   * @param wrapped whether it was reached over an end of the text
-   * @param complaint why nothing can be searched for; empty if it can
+   * @param now number of the selected hit, from 1; 0 for none
+   * @param wrapped whether it was reached by wrapping around an end of the text
+   * @param complaint why the search is invalid; empty if it is valid
    */
   record Found(int count, int now, boolean wrapped, String complaint) {}
 
@@ -55,7 +55,7 @@ final class FindWork {
     listener = hears;
   }
 
-  /** Limits the search to what is selected now, or lifts the limit. */
+  /** Limits the search to the present selection, or to the whole text. */
   void within(boolean selection) {
     page.flush();
     int from = page.inDocument(area.getSelectionStart());
@@ -64,7 +64,7 @@ final class FindWork {
     last = null;
   }
 
-  /** The range that is searched grows and moves with the text. */
+  /** Adapts the range to a change of the text. */
   void changed(DocumentListener.Change change) {
     Hit before = scope;
     if (before == null) {
@@ -84,7 +84,7 @@ final class FindWork {
     scope = new Hit(from, Math.min(to, session.document().text().length()));
   }
 
-  /** Nothing is searched for any more. */
+  /** Ends the search. */
   void end() {
     hits = List.of();
     last = null;
@@ -93,7 +93,7 @@ final class FindWork {
     area.requestFocusInWindow();
   }
 
-  /** Finds all hits, unless they are known. */
+  /** Finds all hits, unless neither search nor text has changed. */
   void search(Wanted wanted) {
     page.flush();
     long now = session.document().revision();
@@ -123,7 +123,7 @@ final class FindWork {
     marks.hits(hits);
   }
 
-  /** The index of the first hit from an offset on. */
+  /** The index of the first hit at or after an offset. */
   private int from(int offset) {
     int low = 0;
     int high = hits.size();
@@ -138,7 +138,7 @@ final class FindWork {
     return low;
   }
 
-  /** The index of the hit that is selected; -1 for none. */
+  /** The index of the selected hit; -1 for none. */
   private int selected() {
     int start = page.inDocument(area.getSelectionStart());
     int end = page.inDocument(area.getSelectionEnd());
@@ -152,7 +152,7 @@ final class FindWork {
     listener.accept(new Found(hits.size(), now, wrapped, complaint));
   }
 
-  /** Selects the next hit, or the one before. */
+  /** Selects the next or previous hit. */
   void step(int by) {
     if (hits.isEmpty()) {
       return;
@@ -164,7 +164,7 @@ final class FindWork {
     show(Math.floorMod(next, hits.size()), wrapped);
   }
 
-  /** Selects the hit at the caret or behind it, while words are typed. */
+  /** Selects the first hit at or after the caret, while the search text is typed. */
   void stepToNearest() {
     if (!hits.isEmpty()) {
       int next = from(page.inDocument(area.getSelectionStart()));
@@ -178,7 +178,7 @@ final class FindWork {
     tell(wrapped);
   }
 
-  /** Replaces the selected hit and goes to the next; selects one where none is. */
+  /** Replaces the selected hit and selects the next; only selects one if none is selected. */
   void replaceOne(String replacement) {
     int now = selected();
     if (now < 0 || search == null || last == null) {
@@ -202,7 +202,7 @@ final class FindWork {
     }
   }
 
-  /** Replaces all hits in one step. */
+  /** Replaces all hits as one undo step. */
   void replaceAll(String replacement) {
     if (search == null || last == null) {
       return;

@@ -7,7 +7,9 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** Says which part of a large text is shown, with buttons to its neighbours. */
+/**
+ * The bar that shows which part of a large text is shown, with buttons to the neighbouring parts.
+ */
 final class PageStrip {
   private final JLabel words = new JLabel();
   private final JPanel panel = new JPanel(new MigLayout("insets 4 6 4 6", "[][][grow]"));
@@ -29,7 +31,10 @@ final class PageStrip {
     return panel;
   }
 
-  /** Shows where a part is in a text of so many characters; nothing where it is all of it. */
+  /**
+   * Shows the position of a part in a text of some length; hides the bar if the part is the whole
+   * text.
+   */
   void show(SourcePage page, int all) {
     panel.setVisible(page.length() < all);
     words.setText(Texts.of("source.part", number(page.from()), number(page.to()), number(all)));

@@ -3,15 +3,15 @@ package org.selectiverenderer.enricher.source;
 import org.selectiverenderer.x3d.source.TextChange;
 
 /**
- * A page of text as a text component holds it: line ends are single line feeds there, whatever they
- * are in the file, and lone carriage returns count as line ends too.
+ * A part of the file's text with its line ends normalized to line feeds, as a text component holds
+ * it, and the mapping of offsets between both. Lone carriage returns count as line ends too.
  */
 record ShownText(String file, String shown) {
   static ShownText of(String file) {
     return new ShownText(file, file.replace("\r\n", "\n").replace('\r', '\n'));
   }
 
-  /** The offset in the file's text of one in the shown text. */
+  /** Converts an offset in the shown text to one in the file's text. */
   int inFile(int offset) {
     if (file.length() == shown.length()) {
       return Math.min(offset, file.length());
@@ -23,7 +23,7 @@ record ShownText(String file, String shown) {
     return at;
   }
 
-  /** The offset in the shown text of one in the file's text. */
+  /** Converts an offset in the file's text to one in the shown text. */
   int inShown(int offset) {
     if (file.length() == shown.length()) {
       return Math.min(offset, shown.length());
@@ -38,8 +38,8 @@ record ShownText(String file, String shown) {
   }
 
   /**
-   * The change of the file's text that what is shown now means: between what is alike before and
-   * behind, with the file's line ends.
+   * Returns the change of the file's text that makes it correspond to a new shown text: the range
+   * between common prefix and suffix, with the file's line ends.
    */
   TextChange change(String now) {
     int most = Math.min(shown.length(), now.length());

@@ -13,9 +13,11 @@ import org.selectiverenderer.document.hand.Tags;
 import org.selectiverenderer.document.hand.TextSearch.Hit;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** What is marked in the text: both tags of the selected element, the line of a fault, hits. */
+/**
+ * Highlights in the text: both tags of the selected element, the line of a fault, and search hits.
+ */
 final class SourceMarks {
-  /** More hits than this on one part of the text are not painted. */
+  /** Most hits that are highlighted in one part of the text. */
   private static final int HITS = 2000;
 
   private final RSyntaxTextArea area;
@@ -29,7 +31,7 @@ final class SourceMarks {
     this.page = page;
   }
 
-  /** Marks the start tag of an element and, where it has one, its end tag. */
+  /** Highlights the start tag of an element and, where it has one, its end tag. */
   void element(SceneDocument document, Optional<DocumentElement> element) {
     clear(tags);
     if (element.isEmpty() || !element.get().attached()) {
@@ -43,7 +45,7 @@ final class SourceMarks {
     }
   }
 
-  /** Marks what was found; hits in order. */
+  /** Highlights search hits, which are in order. */
   void hits(List<Hit> found) {
     clear(hits);
     for (Hit hit : found) {
@@ -75,7 +77,7 @@ final class SourceMarks {
     marks.clear();
   }
 
-  /** Marks the line where the text stops being well formed. */
+  /** Highlights the line where the text stops being well formed. */
   void fault(SceneDocument document) {
     if (faultLine != null) {
       area.removeLineHighlight(faultLine);
@@ -92,7 +94,7 @@ final class SourceMarks {
         faultLine = area.addLineHighlight(line, SourceStyle.errorLine());
       }
     } catch (BadLocationException e) {
-      faultLine = null; // the text ends before the place: nothing to mark
+      faultLine = null; // the text ends before the fault
     }
   }
 }

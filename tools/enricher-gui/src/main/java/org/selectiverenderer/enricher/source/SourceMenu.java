@@ -7,7 +7,7 @@ import javax.swing.JPopupMenu;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** The context menu of the source, made anew each time it shows. */
+/** The context menu of the source, rebuilt each time it shows. */
 final class SourceMenu extends JPopupMenu {
   private static final long serialVersionUID = 1L;
 
@@ -17,7 +17,7 @@ final class SourceMenu extends JPopupMenu {
 
   /**
    * @param atCaret selects the element at the caret
-   * @param node appends what can be done with it
+   * @param node appends the commands for that element
    */
   SourceMenu(RSyntaxTextArea area, Runnable atCaret, Consumer<JPopupMenu> node) {
     this.area = area;

@@ -1,24 +1,24 @@
 package org.selectiverenderer.enricher.source;
 
 /**
- * The part of a text that the source view holds: all of it, or a page of one that is too big for a
- * text component, whose lines are laid out as wholes.
+ * The range of the document's text that the source view shows: all of it, or a page of a text that
+ * is too large for a text component, which lays out whole lines.
  *
  * @param from offset of its first character
- * @param to offset behind its last one
- * @param plain whether it is shown without highlighting
+ * @param to offset after its last character
+ * @param plain whether it is shown without syntax highlighting
  */
 record SourcePage(int from, int to, boolean plain) {
-  /** Characters that are shown as a whole. */
+  /** Most characters of a text that is shown as a whole. */
   static final int WHOLE = 1_500_000;
 
-  /** Characters of a page of a longer text. */
+  /** Characters per page of a longer text. */
   static final int PAGE = 120_000;
 
-  /** Longer lines make a view slow. */
+  /** Most characters of a line that is laid out fast enough with highlighting. */
   static final int LONG_LINE = 20_000;
 
-  /** The page around an offset. */
+  /** Returns the page around an offset. */
   static SourcePage around(CharSequence text, int offset) {
     if (text.length() <= WHOLE && longestLine(text, 0, text.length()) <= LONG_LINE) {
       return new SourcePage(0, text.length(), false);
@@ -29,7 +29,7 @@ record SourcePage(int from, int to, boolean plain) {
     return new SourcePage(from, to, longestLine(text, from, to) > LONG_LINE);
   }
 
-  /** The first start of a line from an offset on; the offset itself if there is none before. */
+  /** Returns the first line start from an offset on, before another one; else the offset itself. */
   private static int lineStart(CharSequence text, int from, int before) {
     if (from == 0) {
       return 0;

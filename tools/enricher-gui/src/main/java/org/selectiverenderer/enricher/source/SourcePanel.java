@@ -31,14 +31,17 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The text of the scene. What is typed reaches the document after a short pause, or at once by
- * {@link #flush}; a text too big for a text component is shown a page at a time.
+ * The source view: an editor for the text of the scene. What is typed reaches the document after a
+ * short pause, or at once by {@link #flush}; a text too large for a text component is shown a page
+ * at a time.
  */
 public final class SourcePanel {
   private static final int REACH_MILLISECONDS = 300;
   private static final int PAUSE_MILLISECONDS = 1200;
 
-  /** Keys that the window or this panel has, and the text area would take for something else. */
+  /**
+   * Keys that the window or this panel handles, so that the text area's own bindings are removed.
+   */
   private static final List<String> KEYS =
       List.of(
           "ctrl Z",
@@ -86,7 +89,7 @@ public final class SourcePanel {
     pages = new PageStrip(page);
     page.onShown(this::number);
     panel.add(scroll, "grow, wmin 0, hmin 0, wrap");
-    // Below the text, which does not move then while a tag is half typed.
+    // Below the text, which thus does not move while a tag is half typed.
     panel.add(fault.component(), "growx, wrap");
     panel.add(find.component(), "growx, wmin 0, wrap");
     panel.add(pages.component(), "growx");
@@ -114,7 +117,7 @@ public final class SourcePanel {
     area.setCloseMarkupTags(true);
     area.setEditable(session.document().locked().isEmpty());
     for (String key : KEYS) {
-      area.getInputMap().put(KeyStroke.getKeyStroke(key), "none"); // the window's
+      area.getInputMap().put(KeyStroke.getKeyStroke(key), "none"); // left to the window
     }
     area.getAccessibleContext().setAccessibleName(Texts.of("source.panel"));
     scroll.setFoldIndicatorEnabled(true);
@@ -175,12 +178,12 @@ public final class SourcePanel {
     marks.element(document(), session.selection());
   }
 
-  /** Gives the document what was typed and has not reached it yet. */
+  /** Writes what was typed since the last flush to the document. */
   public void flush() {
     page.flush();
   }
 
-  /** Likewise, and what is typed next is a step of its own. */
+  /** Flushes and ends the undo step, so that what is typed next is a step of its own. */
   public void endStep() {
     steps.end();
   }
@@ -197,7 +200,7 @@ public final class SourcePanel {
     marks.fault(document());
   }
 
-  /** Brings the place where the text stops being well formed into view. */
+  /** Scrolls to the place where the text stops being well formed. */
   public void showFault() {
     document()
         .fault()
@@ -208,7 +211,7 @@ public final class SourcePanel {
             });
   }
 
-  /** Brings a character into view and puts the caret there. */
+  /** Scrolls to an offset and puts the caret there. */
   public void reveal(int offset) {
     steps.end();
     page.reveal(offset);
@@ -236,14 +239,14 @@ public final class SourcePanel {
     marks.element(document(), element);
   }
 
-  /** Opens the line for searching, with the one for replacing or without. */
+  /** Opens the find bar, with or without the line for replacing. */
   public void find(boolean replace) {
     steps.end();
     String selected = Optional.ofNullable(area.getSelectedText()).orElse("");
     find.open(replace, selected);
   }
 
-  /** Goes to the next hit of the last search, or the one before. */
+  /** Goes to the next or previous hit of the last search. */
   public void findNext(int by) {
     steps.end();
     find.step(by);
@@ -270,7 +273,7 @@ public final class SourcePanel {
     }
   }
 
-  /** Puts the caret on the other tag of the element that it is in. */
+  /** Puts the caret on the matching tag of the element that it is in. */
   public void goToMatchingTag() {
     int caret = caret();
     document()
@@ -279,7 +282,7 @@ public final class SourcePanel {
         .ifPresentOrElse(this::reveal, () -> session.message(Texts.of("source.noMatchingTag")));
   }
 
-  /** Makes a comment of what is selected, or of the line; or text of the comment there. */
+  /** Comments out the selection or the line, or removes the comment around it. */
   public void toggleComment() {
     steps.end();
     try {
@@ -301,10 +304,9 @@ public final class SourcePanel {
   }
 
   /**
-   * Has a context menu of its own: the text's commands, and below what can be done with the element
-   * at the caret.
+   * Sets the context menu: the text's commands, and below them those for the element at the caret.
    *
-   * @param node appends that
+   * @param node appends the commands for the element
    */
   public void onMenu(Consumer<JPopupMenu> node) {
     area.setPopupMenu(
@@ -317,7 +319,7 @@ public final class SourcePanel {
             node));
   }
 
-  /** Lets go of the session. */
+  /** Stops following the session. */
   public void dispose() {
     steps.stop();
     moved.stop();

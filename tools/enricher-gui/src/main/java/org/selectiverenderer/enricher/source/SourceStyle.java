@@ -9,7 +9,7 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.Theme;
 import org.fife.ui.rtextarea.RTextScrollPane;
 
-/** The colours and the font of the source, after those of the window. */
+/** The colours and the font of the source view, following the theme of the window. */
 final class SourceStyle {
   private static final int CURRENT_LINE = 16;
 
@@ -28,7 +28,7 @@ final class SourceStyle {
     area.setFont(UIManager.getFont("monospaced.font"));
     area.setBackground(UIManager.getColor("TextArea.background"));
     Color text = UIManager.getColor("TextArea.foreground");
-    // Seen through, or the mark of an error would be hidden in the line of the caret.
+    // Translucent, or it would hide the highlight of a fault in the caret's line.
     area.setCurrentLineHighlightColor(
         new Color(text.getRed(), text.getGreen(), text.getBlue(), CURRENT_LINE));
     scroll.getGutter().setBackground(UIManager.getColor("Panel.background"));

@@ -9,8 +9,8 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.selectiverenderer.document.UndoHistory;
 
 /**
- * When typing reaches the document, and where one step of Undo ends and the next begins: at a
- * pause, at the end of a line, when the caret goes elsewhere, when the focus does.
+ * Groups typing into undo steps and writes it to the document after a short delay. A step ends at a
+ * pause, at the end of a line, when the caret moves elsewhere, and on focus loss.
  */
 final class TypingSteps {
   private final DocumentPage page;
@@ -21,8 +21,8 @@ final class TypingSteps {
   private boolean newLine;
 
   /**
-   * @param reach milliseconds without a key after which the document hears of what was typed
-   * @param pause milliseconds without a key that end a step
+   * @param reach milliseconds without a key after which typing is written to the document
+   * @param pause milliseconds without a key after which the undo step ends
    */
   TypingSteps(RSyntaxTextArea area, DocumentPage page, UndoHistory history, int reach, int pause) {
     this.page = page;
@@ -79,7 +79,7 @@ final class TypingSteps {
     }
   }
 
-  /** Where typing leaves the caret is no jump. */
+  /** Ends the step when the caret moves to anywhere but the end of what was typed. */
   private void moved(int caret) {
     if (page.following()) {
       return;
@@ -89,7 +89,7 @@ final class TypingSteps {
     }
   }
 
-  /** The document hears of what was typed, and what is typed next is another step. */
+  /** Writes what was typed to the document and ends the undo step. */
   void end() {
     newLine = false;
     stop();

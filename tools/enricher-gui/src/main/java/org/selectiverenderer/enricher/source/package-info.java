@@ -1,12 +1,13 @@
 /**
- * The text of the scene: highlighted, editable, one page at a time where it is too big.
+ * The source view: an editor of the scene's text with syntax highlighting, which shows large texts
+ * a page at a time.
  *
- * <p>{@code DocumentPage} keeps the text area and a part of the document alike, both ways; it alone
- * changes the area's text. {@code TypingSteps} says when typing reaches the document and where a
- * step of Undo ends, {@code SourceMarks} paints (tags of the element, the fault's line, hits),
- * {@code FindWork} searches all of the document, whatever part is shown, {@code CompletionList}
- * proposes. What is found, proposed or turned into a comment is worked out by {@code
- * document.hand}; {@code SourcePanel} puts the parts together and follows the selection.
+ * <p>{@code DocumentPage} synchronizes the text area with a part of the document in both
+ * directions; it alone changes the area's text. {@code TypingSteps} groups typing into undo steps,
+ * {@code SourceMarks} highlights (tags of the element, the fault's line, hits), {@code FindWork}
+ * searches the whole document, whatever part is shown, {@code CompletionList} proposes completions.
+ * {@code document.hand} computes hits, proposals and comments; {@code SourcePanel} assembles the
+ * parts and follows the selection.
  *
  * <p>In: a session, typing. Out: changes of the document, selections. Uses {@code
  * enricher.session}, {@code enricher.proposal}, {@code enricher.text}, {@code document}, {@code

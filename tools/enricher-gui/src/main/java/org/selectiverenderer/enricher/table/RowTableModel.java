@@ -4,9 +4,9 @@ import java.util.List;
 import javax.swing.table.AbstractTableModel;
 
 /**
- * A table with fixed columns and a list of rows, each of which is one value.
+ * A table model with fixed columns and a list of rows, each of which is one value.
  *
- * @param <R> what a row shows
+ * @param <R> type of a row
  */
 @SuppressWarnings("serial") // never written
 public abstract class RowTableModel<R> extends AbstractTableModel {
@@ -16,22 +16,22 @@ public abstract class RowTableModel<R> extends AbstractTableModel {
   private List<R> rows = List.of();
 
   /**
-   * @param heads of the columns
+   * @param heads the column names
    */
   protected RowTableModel(String... heads) {
     this.heads = List.of(heads);
   }
 
-  /** What a cell shows. */
+  /** The value of a cell. */
   protected abstract Object cell(R row, int column);
 
-  /** Shows other rows; nothing is selected then. */
+  /** Replaces all rows, which clears the selection. */
   protected final void show(List<R> fresh) {
     rows = List.copyOf(fresh);
     fireTableDataChanged();
   }
 
-  /** Shows rows anew; what is selected stays when there are as many as before. */
+  /** Updates the rows; the selection stays if their number is the same. */
   protected final void update(List<R> fresh) {
     if (fresh.size() == rows.size() && !rows.isEmpty()) {
       rows = List.copyOf(fresh);

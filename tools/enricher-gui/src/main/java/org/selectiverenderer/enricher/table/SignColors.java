@@ -3,25 +3,25 @@ package org.selectiverenderer.enricher.table;
 import java.awt.Color;
 
 /**
- * Colours that say something beside a sign, told apart by people who do not tell red from green:
- * blue and vermilion of M. Okabe and K. Ito, Color Universal Design (2008). On light and dark
- * grounds alike, of which a tint leaves the text readable.
+ * Colours that support a symbol and can be told apart with red-green colour blindness: blue and
+ * vermilion of M. Okabe and K. Ito, Color Universal Design (2008). For light and dark backgrounds
+ * alike; text on a tint stays readable.
  */
 public final class SignColors {
-  /** As it should be; consistent. */
+  /** Within the limit; consistent. */
   public static final Color CALM = new Color(0x00, 0x72, 0xb2);
 
-  /** Not as it should be; inconsistent. */
+  /** Beyond the limit; inconsistent. */
   public static final Color ALERT = new Color(0xd5, 0x5e, 0x00);
 
-  /** Neither. */
+  /** Neither of both, such as part of any place. */
   public static final Color NEUTRAL = new Color(0x80, 0x80, 0x80);
 
   private static final double TINT = 0.28;
 
   private SignColors() {}
 
-  /** A ground with a bit of a colour. */
+  /** Returns a background mixed with some of a colour. */
   public static Color tint(Color ground, Color with) {
     return new Color(
         mix(ground.getRed(), with.getRed()),

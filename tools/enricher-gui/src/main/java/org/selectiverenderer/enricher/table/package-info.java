@@ -1,5 +1,5 @@
 /**
- * What the tables of the enricher's window have in common: rows, and colours that say something.
+ * The base of the tables in the enricher's window: a table model of rows, and status colours.
  *
  * <p>In: rows and the heads of columns. Out: a model that Swing asks. Uses nothing else of ours.
  */

@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.task;
 import java.util.concurrent.Future;
 import org.jspecify.annotations.Nullable;
 
-/** Work in the background, as its bar shows it. Safe for use by several threads. */
+/** A background task with its name and progress. Thread-safe. */
 public final class Task implements TaskProgress {
   private final String name;
   private final long begun;
@@ -18,17 +18,17 @@ public final class Task implements TaskProgress {
     this.begun = begun;
   }
 
-  /** What it does, as the author is told: {@code Counting polygons}. */
+  /** The name as the status bar shows it: {@code Counting polygons}. */
   public String name() {
     return name;
   }
 
-  /** When it began, as {@link System#nanoTime} counts. */
+  /** The start time by {@link System#nanoTime}. */
   public long begun() {
     return begun;
   }
 
-  /** How much is done, from 0 to 1; negative while that is not known. */
+  /** The progress from 0 to 1; negative while unknown. */
   public double fraction() {
     return fraction;
   }
@@ -48,7 +48,7 @@ public final class Task implements TaskProgress {
     return cancelled;
   }
 
-  /** Ends it as soon as it can be ended; nobody hears of its result. */
+  /** Cancels the task as soon as possible; its result is dropped. */
   public void cancel() {
     if (!stoppable) {
       return;

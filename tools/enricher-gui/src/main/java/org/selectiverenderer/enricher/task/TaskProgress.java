@@ -2,20 +2,20 @@ package org.selectiverenderer.enricher.task;
 
 import java.util.concurrent.CancellationException;
 
-/** What work in the background may say of itself, and hears. */
+/** Reports the progress of background work, and tells the work whether it is cancelled. */
 public interface TaskProgress {
   /**
-   * How much is done.
+   * Reports the progress.
    *
    * @param fraction from 0 to 1
    */
   void done(double fraction);
 
-  /** Whether the author wants it no more. */
+  /** Whether the task is cancelled. */
   boolean cancelled();
 
   /**
-   * Ends cancelled work; for the inside of loops.
+   * Throws if the task is cancelled; for the inside of loops.
    *
    * @throws CancellationException if it is cancelled
    */

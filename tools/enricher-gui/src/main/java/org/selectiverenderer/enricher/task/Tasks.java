@@ -11,8 +11,8 @@ import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 
 /**
- * Runs work on threads of its own and hands the results to the event dispatch thread. Work that is
- * cancelled hands nothing to anybody.
+ * Executes tasks on background threads and hands their results to the event dispatch thread.
+ * Cancelled tasks hand over nothing.
  */
 public final class Tasks implements AutoCloseable {
   private static final int THREADS = 3;
@@ -23,14 +23,14 @@ public final class Tasks implements AutoCloseable {
   private final List<Task> running = new CopyOnWriteArrayList<>();
   private volatile boolean closed;
 
-  /** Work that tells how far it is. */
+  /** Work that reports its progress. */
   @FunctionalInterface
   public interface Work<T> {
     T run(TaskProgress progress) throws Exception;
   }
 
   /**
-   * @param eventThread where results are handed over: {@code EventQueue::invokeLater}
+   * @param eventThread executes the callbacks: {@code EventQueue::invokeLater}
    */
   public Tasks(Executor eventThread) {
     this.eventThread = eventThread;
@@ -47,17 +47,17 @@ public final class Tasks implements AutoCloseable {
   }
 
   /**
-   * Runs work that cannot tell how far it is.
+   * Runs work that does not report its progress.
    *
-   * @param name as the author is told: {@code Counting polygons}
-   * @param done hears the result on the event dispatch thread
-   * @param failed hears instead what went wrong
+   * @param name name as the status bar shows it: {@code Counting polygons}
+   * @param done called with the result on the event dispatch thread
+   * @param failed called instead with the exception
    */
   public <T> Task run(String name, Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
     return run(name, progress -> work.call(), done, failed);
   }
 
-  /** Runs work that tells how far it is, otherwise as the other one. */
+  /** Runs work that reports its progress, otherwise as the other method. */
   public <T> Task run(String name, Work<T> work, Consumer<T> done, Consumer<Exception> failed) {
     Task task = new Task(name, System.nanoTime(), true);
     running.add(task);
@@ -66,8 +66,8 @@ public final class Tasks implements AutoCloseable {
   }
 
   /**
-   * Runs work that is not to be stopped half-way, such as writing a file: it waits for no other
-   * work, cancelling it has no effect, and its result is always handed over.
+   * Runs work that must not be interrupted, such as writing a file: it runs on a thread for such
+   * work only, cannot be cancelled, and always hands over its result.
    */
   public <T> Task runToEnd(
       String name, Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
@@ -99,13 +99,15 @@ public final class Tasks implements AutoCloseable {
         });
   }
 
-  /** What runs or waits now, the oldest first. */
+  /** The running and waiting tasks, the oldest first. */
   public List<Task> running() {
     running.removeIf(Task::cancelled);
     return List.copyOf(running);
   }
 
-  /** Cancels what can be cancelled and takes no more; nobody hears of results any more. */
+  /**
+   * Cancels all tasks that can be cancelled and accepts no more; no callback is called any more.
+   */
   @Override
   public void close() {
     closed = true;

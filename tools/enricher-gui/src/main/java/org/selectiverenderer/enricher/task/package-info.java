@@ -1,6 +1,6 @@
 /**
- * Work beside the author's: every step that may take longer than a blink runs here, with progress
- * and cancel.
+ * Background tasks with progress and cancellation: everything that may noticeably take time runs
+ * here, not on the event dispatch thread.
  *
  * <p>In: work. Out: its results, on the event dispatch thread. Uses nothing else of ours.
  */

@@ -6,19 +6,20 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 
 /**
- * Texts that have {@code &} before the letter that chooses them with Alt: each language has letters
- * of its own, which are told from each other where they meet.
+ * Sets the mnemonics of buttons and labels: texts in the bundles have {@code &} before the letter
+ * that chooses them with Alt. Each language has its own letters, which are unique within a menu or
+ * dialog.
  */
 public final class Letters {
   private Letters() {}
 
-  /** The text as it is shown. */
+  /** Returns the text without the {@code &}. */
   public static String without(String text) {
     int mark = text.indexOf('&');
     return mark < 0 ? text : text.substring(0, mark) + text.substring(mark + 1);
   }
 
-  /** The code of the letter's key, as components want it; 0 if the text has none. */
+  /** Returns the key code of the mnemonic; 0 if the text has none. */
   public static int code(String text) {
     int mark = text.indexOf('&');
     return mark < 0 || mark + 1 == text.length()
@@ -26,24 +27,24 @@ public final class Letters {
         : KeyEvent.getExtendedKeyCodeForChar(text.charAt(mark + 1));
   }
 
-  /** A button with a text of a bundle. */
+  /** Creates a button with a text of a bundle. */
   public static JButton button(String name, Object... arguments) {
     return on(new JButton(), Texts.of(name, arguments));
   }
 
-  /** A label with a text of a bundle. */
+  /** Creates a label with a text of a bundle. */
   public static JLabel label(String name, Object... arguments) {
     return on(new JLabel(), Texts.of(name, arguments));
   }
 
-  /** The same button, with a text and its letter. */
+  /** Sets text and mnemonic of a button and returns the button. */
   public static <B extends AbstractButton> B on(B button, String text) {
     button.setText(without(text));
     button.setMnemonic(code(text));
     return button;
   }
 
-  /** The same label, with a text and its letter. */
+  /** Sets text and mnemonic of a label and returns the label. */
   public static JLabel on(JLabel label, String text) {
     label.setText(without(text));
     label.setDisplayedMnemonic(code(text));

@@ -3,16 +3,16 @@ package org.selectiverenderer.enricher.text;
 import java.awt.event.KeyEvent;
 
 /**
- * What a menu shows for a command.
+ * The text of a menu item and its mnemonic.
  *
- * @param words without the sign
- * @param letter the key that chooses it, a {@code VK_} code of {@link KeyEvent}; {@link
- *     KeyEvent#VK_UNDEFINED} for none
+ * @param words the text without {@code &}
+ * @param letter the mnemonic, a {@code VK_} code of {@link KeyEvent}; {@link KeyEvent#VK_UNDEFINED}
+ *     for none
  */
 public record MenuTitle(String words, int letter) {
   private static final char SIGN = '&';
 
-  /** Of a text with {@code &} before the letter that chooses the command. */
+  /** Parses a text with {@code &} before its mnemonic letter. */
   public static MenuTitle of(String text) {
     int sign = text.indexOf(SIGN);
     boolean chosen = sign >= 0 && sign + 1 < text.length();

@@ -10,22 +10,22 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 
 /**
- * The names of steps in the language of the window. Those who edit the document know no window and
- * name steps in English; the bundle {@code steps} has these names, and what they are elsewhere. A
- * name that it has not is shown as it is.
+ * Translates the names of undo steps into the language of the window. The document's edits name
+ * their steps in English; the bundle {@code steps} has these names as patterns, and their
+ * translations. A name that matches none is shown as it is.
  */
 public final class StepNames {
   private static final Pattern ARGUMENT = Pattern.compile("\\{\\d\\}");
 
   /**
-   * @param text the name in the bundle
-   * @param literal how many of its letters are no arguments
+   * @param text the key of the name in the bundle
+   * @param literal number of its characters outside of arguments
    */
   private record Known(String text, Pattern pattern, int literal) {}
 
   private final List<Known> known = new ArrayList<>();
 
-  /** Those of the bundle; where two fit a step, the one that says more of it comes first. */
+  /** Reads the patterns of the bundle, the more specific ones first. */
   public StepNames() {
     ResourceBundle english =
         ResourceBundle.getBundle(
@@ -41,7 +41,7 @@ public final class StepNames {
     known.sort(Comparator.comparingInt(Known::literal).reversed().thenComparing(Known::text));
   }
 
-  /** A step's name as the window shows it. */
+  /** Returns a step's name in the language of the window. */
   public String shown(String name) {
     for (Known each : known) {
       Matcher fits = each.pattern().matcher(name);

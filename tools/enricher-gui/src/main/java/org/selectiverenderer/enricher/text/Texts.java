@@ -5,9 +5,10 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 
 /**
- * What the window says, in the language of {@link Locale.Category#DISPLAY}: English where there is
- * no bundle of that language. A text is named by its bundle and its key, {@code area.add} in {@code
- * area.properties}, and is a {@link MessageFormat}: an apostrophe in it is doubled.
+ * Looks up the texts of the window in the language of {@link Locale.Category#DISPLAY}; English
+ * where there is no bundle of that language. A text is named by its bundle and its key, {@code
+ * area.add} for {@code add} in {@code area.properties}, and is a {@link MessageFormat}: an
+ * apostrophe in it is doubled.
  */
 public final class Texts {
   private static final ResourceBundle.Control WITHOUT_DEFAULT =
@@ -16,12 +17,12 @@ public final class Texts {
   private Texts() {}
 
   /**
-   * A text with its arguments put in.
+   * Returns a text with its arguments inserted.
    *
-   * @param name bundle, dot, key
-   * @param arguments strings go in as they are; a number only chooses among plurals, and is shown
-   *     by a string made for that
-   * @throws java.util.MissingResourceException if no bundle has it
+   * @param name name of the bundle, a dot, and the key
+   * @param arguments strings are inserted as they are; a number only selects a plural form, and is
+   *     shown by a separate string argument
+   * @throws java.util.MissingResourceException if the bundle has no such key
    */
   public static String of(String name, Object... arguments) {
     int dot = name.indexOf('.');

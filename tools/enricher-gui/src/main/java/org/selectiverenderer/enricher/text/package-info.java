@@ -1,8 +1,8 @@
 /**
- * What the window says, in English and Greek. Every bundle is a pair of files beside this package
- * in the resources, {@code NAME.properties} and {@code NAME_el.properties}, in UTF-8; a bundle
- * belongs to one part of the window. The language is that of the display, which the settings may
- * choose at the start ({@code settings}).
+ * The texts of the window, in English and Greek. Every bundle is a pair of files beside this
+ * package in the resources, {@code NAME.properties} and {@code NAME_el.properties}, in UTF-8; a
+ * bundle belongs to one part of the window. The language is the system's display language, or the
+ * one chosen in the settings ({@code settings}).
  */
 @NullMarked
 package org.selectiverenderer.enricher.text;

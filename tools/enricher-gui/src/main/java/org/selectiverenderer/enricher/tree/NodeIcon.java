@@ -12,9 +12,9 @@ import java.awt.geom.Rectangle2D;
 import javax.swing.Icon;
 import javax.swing.UIManager;
 
-/** A drawn picture of a kind of node, sharp at any scale. */
+/** The icon of a kind of node, drawn as vectors and thus sharp at any scale. */
 record NodeIcon(Kind kind, Mark mark) implements Icon {
-  /** What a node is to an author. */
+  /** The kind of a node from the author's point of view. */
   public enum Kind {
     SWITCH,
     SENSOR,
@@ -35,7 +35,7 @@ record NodeIcon(Kind kind, Mark mark) implements Icon {
     }
   }
 
-  /** What is said about it. */
+  /** The badge on the icon. */
   public enum Mark {
     NONE,
     ENRICHED,
@@ -59,7 +59,7 @@ record NodeIcon(Kind kind, Mark mark) implements Icon {
     g.dispose();
   }
 
-  /** A disc with a tick, or a triangle: told by shape as well as by colour. */
+  /** Draws the badge: a disc with a tick or a triangle, distinct by shape as well as by colour. */
   private void drawMark(Graphics2D g) {
     Path2D shape = new Path2D.Double();
     if (mark == Mark.ENRICHED) {

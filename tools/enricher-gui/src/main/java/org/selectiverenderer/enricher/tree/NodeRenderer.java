@@ -10,7 +10,7 @@ import org.selectiverenderer.document.enrichment.Enrichment;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** A row of the tree: icon with a mark, type and name. */
+/** Renders a row of the tree: icon with a badge, type and name. */
 final class NodeRenderer extends DefaultTreeCellRenderer {
   private static final long serialVersionUID = 1L;
 

@@ -16,8 +16,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 
 /**
- * The elements of a document for a tree, which asks for those that it shows only. With a search, or
- * when only Switches and ProximitySensors are wanted, they are one list under the root.
+ * The tree model of a document's elements, which a tree reads lazily. With a search, or when only
+ * Switches and ProximitySensors are shown, the elements are a flat list under the root.
  */
 final class SceneTreeModel implements TreeModel {
   private static final String EMPTY = "";
@@ -28,7 +28,7 @@ final class SceneTreeModel implements TreeModel {
   private String search = "";
   private @Nullable List<DocumentElement> list;
 
-  /** The last that was well formed; its elements stand for nothing while the text is not. */
+  /** The last well-formed tree, whose elements are detached while the text is not well formed. */
   private @Nullable ElementTree last;
 
   public SceneTreeModel(SceneDocument document) {
@@ -41,18 +41,18 @@ final class SceneTreeModel implements TreeModel {
     refresh();
   }
 
-  /** Shows what has this text in its name or DEF only; all for an empty one. */
+  /** Shows only elements whose name, DEF or USE contains a text; all for an empty one. */
   public void search(String text) {
     search = text.strip().toLowerCase(Locale.ROOT);
     refresh();
   }
 
-  /** Whether the elements are a list instead of a tree. */
+  /** Whether the elements are shown as a flat list. */
   public boolean flat() {
     return nodesOnly || !search.isEmpty();
   }
 
-  /** Follows the document. */
+  /** Updates the model from the document. */
   public void refresh() {
     List<DocumentElement> now = flat() ? found() : null;
     boolean same = now != null && now.equals(list);
@@ -99,12 +99,12 @@ final class SceneTreeModel implements TreeModel {
         || element.use().orElse("").toLowerCase(Locale.ROOT).contains(search);
   }
 
-  /** What is searched for; empty without a search. */
+  /** The elements that match the search; empty without a search. */
   List<DocumentElement> hits() {
     return list == null || search.isEmpty() ? List.of() : List.copyOf(list);
   }
 
-  /** Whether an element has a row, or the object or area that it belongs to has one. */
+  /** Whether a row shows an element, or the object or area that it belongs to. */
   boolean shows(DocumentElement element) {
     if (list == null) {
       return true;
@@ -117,7 +117,7 @@ final class SceneTreeModel implements TreeModel {
     return false;
   }
 
-  /** The path of an element from the root; that of the nearest one shown that holds it. */
+  /** The path of an element from the root, or of the nearest shown element around it. */
   public Optional<TreePath> path(DocumentElement element) {
     for (DocumentElement at = element; at != null; at = at.parent().orElse(null)) {
       if (list == null) {

@@ -26,11 +26,11 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.ElementTree;
 
-/** The left side of the window: search, what to show, and the tree. */
+/** The panel at the left of the window: search field, filter and tree. */
 public final class SceneTreePanel {
   private static final int PAUSE_MILLISECONDS = 150;
 
-  /** Of the choices what to show, the whole scene. */
+  /** Index of the filter that shows the whole scene. */
   private static final int WHOLE = 1;
 
   private final EnricherSession session;
@@ -47,7 +47,7 @@ public final class SceneTreePanel {
   private boolean following;
 
   /**
-   * @param faulty whether an element has a problem
+   * @param faulty tests whether an element has a problem
    */
   public SceneTreePanel(EnricherSession session, Predicate<DocumentElement> faulty) {
     this.session = session;
@@ -93,13 +93,13 @@ public final class SceneTreePanel {
         .getAccessibleContext()
         .setAccessibleName(Texts.of("nodes.scroll"));
     panel.add(scroll, "grow, wmin 0, hmin 0, wrap");
-    panel.add(waiting, "growx, wmin 0"); // below the tree, which does not move then
+    panel.add(waiting, "growx, wmin 0"); // below the tree, which thus does not move
     session.addSelectionListener(selecting);
     session.document().addListener(changing);
     expandTop();
   }
 
-  /** Of a large model rows have one height, which is that of the letters. */
+  /** Sets the fixed row height, which a large model needs, from the font. */
   private void rowHeight() {
     tree.setRowHeight(tree.getFontMetrics(tree.getFont()).getHeight() + 8);
   }
@@ -138,7 +138,7 @@ public final class SceneTreePanel {
     shown();
   }
 
-  /** Selects the only hit and goes to it; of more, the one behind the one that is selected. */
+  /** Selects the next hit after the selected element; a single hit also gets the focus. */
   private void nextHit() {
     searchNow();
     if (search.getText().isBlank()) {
@@ -164,9 +164,7 @@ public final class SceneTreePanel {
     }
   }
 
-  /**
-   * What is found; where objects and areas have no hit, in the whole scene, which is shown then.
-   */
+  /** Returns the hits; without any among objects and areas, switches to the whole scene. */
   private List<DocumentElement> hits() {
     int before = extent.getSelectedIndex();
     if (model.hits().isEmpty() && before != WHOLE) {
@@ -179,8 +177,8 @@ public final class SceneTreePanel {
   }
 
   /**
-   * Shows an element whatever is searched for or left out now: itself, or the object or area that
-   * it belongs to.
+   * Scrolls to an element, or to the object or area that it belongs to; resets search and filter if
+   * they hide it.
    */
   public void reveal(DocumentElement element) {
     if (!model.shows(element) && !search.getText().isEmpty()) {
@@ -212,7 +210,7 @@ public final class SceneTreePanel {
     }
   }
 
-  /** A tree whose root is not shown is empty until the root is expanded. */
+  /** Expands the root, without which a tree with a hidden root is empty. */
   private void expandTop() {
     Object root = model.getRoot();
     tree.expandPath(new TreePath(root));
@@ -249,7 +247,7 @@ public final class SceneTreePanel {
   private void changed(org.selectiverenderer.document.DocumentListener.Change change) {
     showWaiting();
     if (session.document().tree().isEmpty()) {
-      tree.repaint(); // as it was before, greyed
+      tree.repaint(); // keeps the last elements, greyed
       return;
     }
     List<ElementPath> expanded = new ArrayList<>();
@@ -284,7 +282,7 @@ public final class SceneTreePanel {
                     Texts.of("node.treeWaits", Integer.toString(fault.location().line()))));
   }
 
-  /** Lets go of the session. */
+  /** Stops following the session. */
   public void dispose() {
     session.removeSelectionListener(selecting);
     session.document().removeListener(changing);

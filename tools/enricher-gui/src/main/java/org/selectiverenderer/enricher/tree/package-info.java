@@ -1,6 +1,6 @@
 /**
- * The scene as a tree, whole or its Switches and ProximitySensors only; virtual, for big scenes.
- * While the text is not well formed it shows the last elements that there were, greyed.
+ * The tree of the scene's elements: all of them, or only Switches and ProximitySensors; lazy, for
+ * large scenes. While the text is not well formed it shows the last well-formed elements, greyed.
  *
  * <p>In: a session. Out: selections. Uses {@code enricher.session}, {@code enricher.text}, {@code
  * document}, {@code document.enrichment} and {@code x3d.source}.

@@ -23,11 +23,11 @@ import org.selectiverenderer.x3d.read.X3dFile;
 import org.selectiverenderer.x3d.read.X3dReader;
 
 /**
- * What making versions comes to, before anything is written.
+ * The result of computing versions, before anything is written.
  *
- * @param edit empty if the object cannot get these versions; the problems say why
- * @param shapes of the versions in order, those that can be drawn
- * @param existing how many versions the object has now, the original included; 0 for none
+ * @param edit the edit that adds them; empty if that is impossible, as the problems say
+ * @param shapes the meshes of the versions in order; empty for one that cannot be drawn
+ * @param existing number of versions that the object has now, including the original; 0 for none
  */
 record ComputedVersions(
     Optional<VersionsEdit> edit,
@@ -36,7 +36,7 @@ record ComputedVersions(
     int existing) {
 
   /**
-   * The same as {@link #of}, to begin with: versions that the object has already stay as they are,
+   * Computes the initial result: as {@link #of}, but keeps versions that the object has already,
    * whatever the request asks for.
    */
   static ComputedVersions first(
@@ -58,7 +58,7 @@ record ComputedVersions(
     return of(snapshot, keeping, catalogue);
   }
 
-  /** Works it out; takes a while, so not for the thread of the window. */
+  /** Computes the versions; slow, so not for the event dispatch thread. */
   static ComputedVersions of(
       Snapshot snapshot, VersionsEdit.Request request, NodeCatalogue catalogue) throws IOException {
     int existing = VersionsEdit.existing(snapshot, request, catalogue).size();
@@ -73,7 +73,10 @@ record ComputedVersions(
     return new ComputedVersions(edit, shapes, problems.list(), existing);
   }
 
-  /** Versions that are there already stay in their files; the others are only planned. */
+  /**
+   * Reads the mesh of a version: of a planned one from its content, of an existing one from its
+   * file.
+   */
   private static Optional<ObjectShape> shape(
       Path file, VersionsEdit edit, NodeCatalogue catalogue, VersionsEdit.Request request)
       throws IOException {
@@ -86,7 +89,7 @@ record ComputedVersions(
       return Optional.empty();
     }
     byte[] content = planned.isPresent() ? planned.get() : Files.readAllBytes(file);
-    Problems unheard = new Problems(); // the plan has reported what is wrong with the object
+    Problems unheard = new Problems(); // the plan has reported the object's problems
     X3dFile scene = new X3dReader(catalogue).read(file.toString(), content, unheard);
     Path folder = file.toAbsolutePath().getParent();
     return new ModelReader(catalogue, request.access())
@@ -99,7 +102,7 @@ record ComputedVersions(
     return edit.map(VersionsEdit::versions).orElse(List.of());
   }
 
-  /** The vertices of the original: Max Vertex of Fig 39; 0 if not known. */
+  /** The number of vertices of the original: Max Vertex of thesis Fig 39; 0 if not known. */
   int maxVertex() {
     return versions().isEmpty() ? 0 : versions().get(0).vertices();
   }

@@ -7,13 +7,14 @@ import org.selectiverenderer.polygon.model.ModelPart;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 
 /**
- * A version as triangles of plain colours, to be looked at from all sides. Immutable by convention.
+ * The mesh of a version with one plain colour per triangle, for drawing it from all sides.
+ * Immutable by convention.
  *
- * @param corners x, y, z of three corners per triangle, in the object's frame
+ * @param corners x, y, z of three corners per triangle, in the object's coordinates
  * @param colors 0xRRGGBB per triangle: the diffuse colours, without textures
  */
 record ObjectShape(float[] corners, int[] colors) {
-  private static final int GREY = 0xCCCCCC; // the standard's default diffuse colour, 0.8
+  private static final int GREY = 0xCCCCCC; // the default diffuseColor of Material, 0.8
 
   static ObjectShape of(Model model) {
     int count = model.polygons();
@@ -55,7 +56,7 @@ record ObjectShape(float[] corners, int[] colors) {
     return colors.length;
   }
 
-  /** Where it is and how large, so that all versions are drawn to one scale. */
+  /** The bounding sphere, by which all versions are drawn to one scale. */
   ShapeFrame frame() {
     return ShapeFrame.around(corners);
   }

@@ -1,12 +1,12 @@
 package org.selectiverenderer.enricher.versions;
 
 /**
- * The sphere that a shape is in.
+ * A bounding sphere.
  *
- * @param radius above 0
+ * @param radius the radius, above 0
  */
 record ShapeFrame(double x, double y, double z, double radius) {
-  /** Around the middle of the box of some points. */
+  /** Returns the bounding sphere of some points about the centre of their bounding box. */
   static ShapeFrame around(float[] points) {
     double[] least = {0, 0, 0};
     double[] most = {0, 0, 0};

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
- * Draws a shape into pixels by itself: no graphics card is needed, and a picture of some ten
- * thousand polygons takes milliseconds. Solid with a depth buffer and light from the viewer, or the
- * edges of all polygons as in thesis Fig 39. Parallel projection.
+ * A software rasterizer for meshes: it needs no graphics card and draws some ten thousand polygons
+ * in milliseconds. Draws solids with a depth buffer and light from the viewer, or the edges of all
+ * polygons as in thesis Fig 39. Parallel projection.
  */
 final class ShapePainter {
   private static final double FIT = 0.95;
@@ -17,7 +17,7 @@ final class ShapePainter {
   private final float[] p = new float[9];
 
   /**
-   * @param pixels 0xRRGGBB, row by row from the top; painted over what is there
+   * @param pixels 0xRRGGBB, row by row from the top; painted over
    */
   ShapePainter(int[] pixels, int width, int height) {
     this.pixels = pixels;
@@ -26,7 +26,7 @@ final class ShapePainter {
     this.depth = new float[pixels.length];
   }
 
-  /** Draws faces. */
+  /** Draws the faces of a mesh. */
   void solid(ObjectShape shape, ShapeFrame frame, Turntable turntable) {
     Arrays.fill(depth, Float.NEGATIVE_INFINITY);
     double[] rotation = turntable.rotation();
@@ -36,7 +36,7 @@ final class ShapePainter {
     }
   }
 
-  /** Draws edges. */
+  /** Draws the edges of a mesh. */
   void wires(ObjectShape shape, ShapeFrame frame, Turntable turntable, int color) {
     double[] rotation = turntable.rotation();
     for (int t = 0; t < shape.polygons(); t++) {
@@ -59,13 +59,16 @@ final class ShapePainter {
     }
   }
 
-  /** Faces turned to the viewer are bright; back faces are lit like front ones. */
+  /**
+   * Shades the current face: brighter the more it faces the viewer; back faces are lit like front
+   * ones.
+   */
   private int shade(int color) {
     double[] n = new double[3];
     TriangleMath.cross(
         p[3] - p[0], p[4] - p[1], p[5] - p[2], p[6] - p[0], p[7] - p[1], p[8] - p[2], n);
     double length = TriangleMath.length(n);
-    // A light a little to the left of the viewer and above, so that no two faces look the same.
+    // The light is a little to the left of and above the viewer, so that faces differ.
     double facing = length == 0 ? 0 : Math.abs(-0.35 * n[0] - 0.45 * n[1] + 0.82 * n[2]) / length;
     double light = 0.3 + 0.7 * facing;
     int red = (int) ((color >> 16 & 0xFF) * light);
@@ -103,7 +106,7 @@ final class ShapePainter {
   private void line(float x0, float y0, float x1, float y1, int color) {
     int steps = (int) Math.ceil(Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0)));
     if (steps > 4 * (width + height)) {
-      steps = 4 * (width + height); // far outside of the picture for the most part
+      steps = 4 * (width + height); // most of such a long line is outside of the picture
     }
     for (int i = 0; i <= steps; i++) {
       float share = steps == 0 ? 0 : (float) i / steps;

@@ -24,8 +24,8 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.enricher.text.Texts;
 
 /**
- * A picture of a version, as a solid or as wires. Dragging, the arrow keys, + and - turn and zoom
- * all pictures of one {@link Turntable}.
+ * The view of a version's mesh, solid or as a wireframe. Dragging, the arrow keys, + and - turn and
+ * zoom all views of one {@link Turntable}.
  */
 @SuppressWarnings("serial") // never written
 final class ShapeView extends JComponent implements Accessible {
@@ -82,7 +82,7 @@ final class ShapeView extends JComponent implements Accessible {
             });
   }
 
-  /** Shows a version, or nothing, to the scale of the original. */
+  /** Shows a version's mesh, or nothing, at the scale of the original. */
   void show(@Nullable ObjectShape version, ShapeFrame original) {
     shape = version;
     frame = original;
@@ -98,7 +98,7 @@ final class ShapeView extends JComponent implements Accessible {
   @Override
   protected void paintComponent(Graphics graphics) {
     Graphics2D g = (Graphics2D) graphics.create();
-    // Pixels of the screen, of which a HiDPI one has several for each of Swing's.
+    // Draw in device pixels, of which a HiDPI screen has several per unit of Swing.
     double scale = g.getTransform().getScaleX();
     int width = Math.max(1, (int) Math.round(getWidth() * scale));
     int height = Math.max(1, (int) Math.round(getHeight() * scale));

@@ -3,7 +3,7 @@ package org.selectiverenderer.enricher.versions;
 import java.util.ArrayList;
 import java.util.List;
 
-/** From where the versions are looked at: one for all of them, so that they turn together. */
+/** The turntable camera that all views of versions share, so that they turn together. */
 final class Turntable {
   private final List<Runnable> listeners = new ArrayList<>();
   private double yaw = 0.6;
@@ -14,7 +14,7 @@ final class Turntable {
     listeners.add(listener);
   }
 
-  /** Turns by angles in radians; one does not go over the top. */
+  /** Turns by angles in radians; the pitch is limited to straight up and down. */
   void turn(double right, double up) {
     yaw += right;
     pitch = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, pitch + up));
@@ -30,7 +30,7 @@ final class Turntable {
     return zoom;
   }
 
-  /** Rows of the rotation into the picture: right, up, towards the viewer. */
+  /** Returns the rows of the rotation matrix into the view: right, up, towards the viewer. */
   double[] rotation() {
     double sy = Math.sin(yaw);
     double cy = Math.cos(yaw);

@@ -13,7 +13,7 @@ import org.selectiverenderer.base.decimal.DecimalText;
 import org.selectiverenderer.document.versions.ObjectVersion;
 import org.selectiverenderer.enricher.text.Texts;
 
-/** One version: its goal, its figures, its picture as a solid and as wires. */
+/** The column of one version: its goal, its figures, and its mesh as a solid and as a wireframe. */
 @SuppressWarnings("serial") // never written
 final class VersionColumn extends JPanel {
   private static final long serialVersionUID = 1L;
@@ -56,7 +56,7 @@ final class VersionColumn extends JPanel {
   private JPanel goal(String name) {
     JPanel panel = new JPanel(new MigLayout("insets 0, fillx", "[][grow,fill][]"));
     for (javax.swing.JComponent control : new javax.swing.JComponent[] {kind, slider, spinner}) {
-      control.setVisible(index > 0); // their room stays, so that pictures stand in line
+      control.setVisible(index > 0); // they keep their space, so that the views are aligned
     }
     kind.getAccessibleContext().setAccessibleName(Texts.of("versions.goal", name));
     slider.getAccessibleContext().setAccessibleName(Texts.of("versions.vertices.of", name));
@@ -107,7 +107,7 @@ final class VersionColumn extends JPanel {
     }
   }
 
-  /** Shows the goal and the result as they are. */
+  /** Updates the controls from the model. */
   void refresh() {
     following = true;
     if (index > 0) {
@@ -157,7 +157,7 @@ final class VersionColumn extends JPanel {
     slider.setEnabled(!goal.keeps());
     spinner.setEnabled(!goal.keeps());
     int most = percent ? 100 : Math.max(VersionGoal.FEWEST, model.maxVertex());
-    kind.setEnabled(model.maxVertex() > 0); // a count needs to know of how many
+    kind.setEnabled(model.maxVertex() > 0); // a count needs the vertices of the original
     kind.setSelectedItem(goal.kind());
     slider.setMinimum(percent ? 1 : VersionGoal.FEWEST);
     slider.setMaximum(most);

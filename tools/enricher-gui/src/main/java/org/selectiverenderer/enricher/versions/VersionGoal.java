@@ -4,16 +4,16 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.polygon.simplify.Goal;
 
 /**
- * How many vertices a version is to have, as thesis Fig 39 asks for it.
+ * The number of vertices that a version is to have, as in thesis Fig 39.
  *
  * @param value percent above 0 to 100, or a number of vertices from 3
  */
 record VersionGoal(Kind kind, double value) {
-  /** The parameters of the thesis (2.2.4). */
+  /** The units of the goal: the parameters of the thesis (2.2.4), and keeping a version. */
   enum Kind {
     PERCENT("versions.percent"),
     COUNT("versions.count"),
-    /** The version that is there stays as it is; the value is what it has, in percent. */
+    /** Keeps the existing version; the value is its percentage of the original's vertices. */
     KEEP("versions.keep");
 
     private final String text;
@@ -41,7 +41,7 @@ record VersionGoal(Kind kind, double value) {
     return kind == Kind.KEEP;
   }
 
-  /** The same goal said the other way, of an original with so many vertices. */
+  /** Converts the goal to another unit, for an original with {@code maxVertex} vertices. */
   VersionGoal as(Kind other, int maxVertex) {
     if (other == kind) {
       return this;
@@ -58,7 +58,7 @@ record VersionGoal(Kind kind, double value) {
             .within(maxVertex);
   }
 
-  /** The same goal within what the original can give. */
+  /** Returns the goal clamped to what the original can give. */
   VersionGoal within(int maxVertex) {
     double most = kind == Kind.COUNT ? Math.max(FEWEST, maxVertex) : 100;
     double least = kind == Kind.COUNT ? FEWEST : LEAST_PERCENT;

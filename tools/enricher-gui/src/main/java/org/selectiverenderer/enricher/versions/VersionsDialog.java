@@ -33,8 +33,9 @@ import org.selectiverenderer.experiment.window.PackedWindow;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Makes versions of an object: how many vertices each is to have, what that looks like and costs,
- * and then their files and the Switch in the scene as one step.
+ * The dialog that makes versions of an object: the author sets the number of vertices of each and
+ * sees its mesh and figures; applying writes the files and the Switch in the scene as one undo
+ * step.
  */
 @SuppressWarnings("serial") // never written
 public final class VersionsDialog extends JDialog {
@@ -124,7 +125,7 @@ public final class VersionsDialog extends JDialog {
     return panel;
   }
 
-  /** Hears of every letter. */
+  /** Runs on every change of a text. */
   private record Typing(Runnable changed) implements DocumentListener {
     @Override
     public void insertUpdate(DocumentEvent event) {
@@ -183,7 +184,7 @@ public final class VersionsDialog extends JDialog {
     progress.setVisible(busy);
     doing.setVisible(busy);
     if (!name.getText().strip().equals(model.name())) {
-      name.setText(model.name()); // of another object
+      name.setText(model.name()); // another object was chosen
     }
     stop.setVisible(busy);
     more.setEnabled(model.goals().size() < VersionsModel.MOST);
@@ -197,7 +198,7 @@ public final class VersionsDialog extends JDialog {
     grow();
   }
 
-  /** Makes room for all that is shown, as far as the screen has it; stays where there is enough. */
+  /** Enlarges the dialog to its preferred size, as far as the screen has room; never shrinks it. */
   private void grow() {
     if (isShowing()) {
       Rectangle screen = getGraphicsConfiguration().getBounds();
@@ -258,7 +259,7 @@ public final class VersionsDialog extends JDialog {
     }
   }
 
-  /** Files that are there already are replaced only when the author has seen which. */
+  /** Asks before existing files are replaced, naming them; returns whether to go on. */
   private boolean replacing(VersionsEdit edit) {
     List<String> there =
         edit.files().stream()

@@ -10,8 +10,8 @@ import org.selectiverenderer.document.SceneDocument;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The versions that an author asks for, and what they come to. A result is of the goals that it was
- * worked out for; while there are newer ones it is shown, but not applied. For one thread.
+ * The model of the versions dialog: the goals of the versions and the last computed result. A
+ * result for older goals is shown, but cannot be applied. Not thread-safe.
  */
 final class VersionsModel {
   private static final Set<String> OBJECTS =
@@ -28,7 +28,7 @@ final class VersionsModel {
   private int maxVertex;
   private int existing;
 
-  /** Whether it is not known yet which versions the object has. */
+  /** Whether the object's existing versions are still unknown. */
   private boolean beginning = true;
 
   private long wanted = 1;
@@ -38,7 +38,7 @@ final class VersionsModel {
     this.object = object;
   }
 
-  /** The DEF names that can be made versions of, in document order. */
+  /** The DEF names of nodes that versions can be made of, in document order. */
   static List<String> objects(SceneDocument document) {
     List<String> names = new ArrayList<>();
     document
@@ -55,7 +55,7 @@ final class VersionsModel {
     return names;
   }
 
-  /** The DEF of an element or of what it stands in that is an object; empty for none. */
+  /** The DEF name of an element or of the nearest object around it; empty for none. */
   static String nameOf(DocumentElement element) {
     for (Optional<DocumentElement> at = Optional.of(element);
         at.isPresent();
@@ -75,7 +75,7 @@ final class VersionsModel {
     return object;
   }
 
-  /** Another object; its versions begin as percents, as its vertices are not known yet. */
+  /** Chooses another object; its goals begin as percentages, as its vertices are not known yet. */
   void object(String other) {
     if (!other.equals(object)) {
       object = other;
@@ -89,7 +89,7 @@ final class VersionsModel {
     }
   }
 
-  /** What the files that are made are named after; empty for the name that they have anyway. */
+  /** The base name of the new files; empty for the default. */
   String name() {
     return name;
   }
@@ -101,17 +101,17 @@ final class VersionsModel {
     }
   }
 
-  /** How many versions the object has in the scene; 0 for none. */
+  /** The number of versions that the object has in the scene; 0 for none. */
   int existing() {
     return existing;
   }
 
-  /** Whether it is to be found out first which versions there are. */
+  /** Whether the first computation must find the existing versions. */
   boolean beginning() {
     return beginning;
   }
 
-  /** The numbers of versions that stay as they are. */
+  /** The numbers of the versions that are kept as they are. */
   Set<Integer> kept() {
     return IntStream.range(0, goals.size())
         .filter(i -> goals.get(i).keeps())
@@ -132,7 +132,7 @@ final class VersionsModel {
     }
   }
 
-  /** One version more, with half the vertices of the last one. */
+  /** Adds a version with half the vertices of the last one. */
   void add() {
     if (goals.size() < MOST) {
       VersionGoal last = goals.get(goals.size() - 1);
@@ -146,7 +146,7 @@ final class VersionsModel {
     }
   }
 
-  /** One version less; one stays. */
+  /** Removes the last version, unless it is the only one. */
   void removeLast() {
     if (goals.size() > 1) {
       goals.remove(goals.size() - 1);
@@ -159,17 +159,17 @@ final class VersionsModel {
     listeners.forEach(Runnable::run);
   }
 
-  /** The document has changed, so that all has to be worked out again. */
+  /** Marks the result as outdated, as the document has changed. */
   void outdate() {
     changed();
   }
 
-  /** What is asked for now; a result carries the number that it was worked out for. */
+  /** The number of the present request; a result carries the number that it was computed for. */
   long wanted() {
     return wanted;
   }
 
-  /** Takes a result; one of older goals only if nothing newer is there. */
+  /** Takes a result, unless a newer one is there. */
   void take(long number, ComputedVersions computed) {
     if (number > worked) {
       worked = number;
@@ -183,7 +183,7 @@ final class VersionsModel {
     }
   }
 
-  /** Versions that are there are kept, until the author wants others. */
+  /** Sets the goals to keep the existing versions, until the author changes them. */
   private void begin(ComputedVersions computed) {
     beginning = false;
     if (existing < 2) {
@@ -196,19 +196,19 @@ final class VersionsModel {
       double percent = Math.round(1000 * vertices / Math.max(1, maxVertex)) / 10.0;
       goals.add(new VersionGoal(VersionGoal.Kind.KEEP, percent).within(maxVertex));
     }
-    worked = wanted; // what is shown is what these goals come to
+    worked = wanted; // the result is the one for these goals
   }
 
   Optional<ComputedVersions> result() {
     return result;
   }
 
-  /** The vertices of the original; 0 while not known. */
+  /** The number of vertices of the original; 0 while unknown. */
   int maxVertex() {
     return maxVertex;
   }
 
-  /** Whether the result is that of the goals as they are. */
+  /** Whether the result is for the present goals. */
   boolean current() {
     return worked == wanted;
   }

@@ -11,8 +11,9 @@ import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.polygon.simplify.Goal;
 
 /**
- * Works out versions in the background, one after the other: while a slider is dragged, only what
- * is asked for when the one before is ready. Cancelling forgets the one under way.
+ * Computes versions in the background, one request after the other: while a slider is dragged, only
+ * the newest request is computed when the previous one is ready. Cancelling drops the request being
+ * computed.
  */
 final class VersionsWork {
   private static final String FOLDER = "inlineNodes";
@@ -28,7 +29,7 @@ final class VersionsWork {
   private boolean closed;
 
   /**
-   * @param failed hears why something could not be worked out
+   * @param failed called with a sentence if a computation fails
    */
   VersionsWork(EnricherSession session, VersionsModel model, Consumer<String> failed) {
     this.session = session;
@@ -44,7 +45,7 @@ final class VersionsWork {
     }
   }
 
-  /** Works out what is asked for now. */
+  /** Computes the present request. */
   void start() {
     if (closed || running != 0 || model.current() || model.object().isEmpty()) {
       return;
@@ -97,7 +98,7 @@ final class VersionsWork {
     return running != 0 || settle.isRunning();
   }
 
-  /** Gives up what is under way; the next change begins anew. */
+  /** Cancels the present computation; the next change starts another one. */
   void cancel() {
     settle.stop();
     if (task != null) {
@@ -107,7 +108,7 @@ final class VersionsWork {
     cancelled = model.wanted();
   }
 
-  /** The dialog is closed. */
+  /** Ends the computations, as the dialog is closed. */
   void close() {
     closed = true;
     cancel();

@@ -261,7 +261,7 @@ class CostPanelTest {
   @Test
   void whileNoObjectIsEnrichedThePanelSaysThatWhatTheSceneShowsIsCounted() throws IOException {
     EnricherSession session = show();
-    JLabel rest = Hands.named(panel, "Polygons of what has no versions", JLabel.class);
+    JLabel rest = Hands.named(panel, "Polygons of objects without versions", JLabel.class);
     hands.await("the sentence", () -> rest.getText().startsWith("No object is enriched yet"));
     describe(session, 0);
     JTable states = table("Polygons by area and schemas");

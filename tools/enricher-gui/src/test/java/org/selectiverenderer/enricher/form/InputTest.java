@@ -66,7 +66,7 @@ class InputTest {
         .isEqualTo(new Input.Valid<>(List.of("5\" desk", "the \"big\" one")));
     assertThat(SchemaList.parse("\"big\" one"))
         .isInstanceOfSatisfying(
-            Input.Wrong.class, wrong -> assertThat(wrong.why()).contains("a comma follows"));
+            Input.Wrong.class, wrong -> assertThat(wrong.why()).contains("followed by a comma"));
   }
 
   @Test
